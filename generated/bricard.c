@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:4926bcb9e73168c15c9945fc3c66f9173e69ae09f1f8f05fb257451d3bc349e1 */
+/* body sha256:4c69c5853cdcbc5c789b002b6e433c89bbb8da616c0188770bc37bad3d0c0fce */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -73,7 +73,7 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
                                      real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
-    const real c_0 = c[3];
+    const real c_4 = c[7];
     const real q2_dot = v[1];
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
@@ -88,7 +88,7 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real sin_q3 = em_sin(q3);
     const real z_8 = sin_q3*z_1;
     const real z_9 = z_2 - l*(z_6 + z_8);
-    const real c_1 = c[4];
+    const real c_3 = c[6];
     const real q5 = x[4];
     const real sin_q5 = em_sin(q5);
     const real q4_dot = v[3];
@@ -117,24 +117,24 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_31 = z_26*z_1 - sin_q2*z_28 - z_29*z_30;
     const real z_32 = l*z_20 - z_9;
     const real z_33 = l*((sin_q5*z_20 - z_23*z_25) - z_31) - z_32;
-    const real c_2 = c[5];
+    const real c_1 = c[4];
     const real z_34 = -z_32;
-    const real z_35 = z_33*c_2 + z_34*c_1;
-    const real z_36 = c_0*z_1 + z_9*c_1 + z_35;
+    const real z_35 = z_33*c_1 + z_34*c_3;
+    const real z_36 = c_4*z_1 + z_9*c_3 + z_35;
     const real z_37 = sin_q3*cos_q5;
     const real z_38 = sin_q5*cos_q3;
     const real z_39 = sin_q4*cos_q3;
     const real z_40 = cos_q3 + z_39;
     const real z_41 = l*(z_40 - (z_37 + sin_q4*z_38));
-    const real z_42 = z_41*c_2;
+    const real z_42 = z_41*c_1;
     const real z_43 = l*z_40;
-    const real c_3 = c[6];
-    const real c_4 = c[7];
+    const real c_0 = c[3];
+    const real c_2 = c[5];
     const real m = c[0];
     const real z_44 = m*(2.0*z_41 + z_43);
-    const real z_45 = l*((c_3*cos_q3 + z_42 + z_43*c_4) - sin_q5*z_44);
+    const real z_45 = l*((c_0*cos_q3 + z_42 + z_43*c_2) - sin_q5*z_44);
     const real z_46 = sin_q4*z_45;
-    const real z_47 = l*(z_42 + z_43*c_1 + cos_q3*c_0) + z_46;
+    const real z_47 = l*(z_42 + z_43*c_3 + cos_q3*c_4) + z_46;
     const real z_48 = z_47*z_27;
     const real z_49 = cos_q5*z_5;
     const real z_50 = sin_q3*z_29;
@@ -144,12 +144,12 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_54 = cos_q3*z_18;
     const real z_55 = l*z_27 - l*(z_54 - sin_q4*z_27);
     const real z_56 = l*(z_51 + (z_18*z_38 + cos_q3*z_52 - sin_q4*z_53)) + z_55;
-    const real z_57 = z_56*c_2;
+    const real z_57 = z_56*c_1;
     const real z_58 = z_44*z_25;
     const real z_59 = m*(2.0*z_56 + z_55);
     const real z_60 = sin_q5*z_59;
-    const real z_61 = l*(c_3*z_27 + z_57 + z_55*c_4) + l*(z_58 - z_60);
-    const real z_62 = l*(z_57 + z_55*c_1 + c_0*z_27) - (z_45*z_18 - sin_q4*z_61);
+    const real z_61 = l*(c_0*z_27 + z_57 + z_55*c_2) + l*(z_58 - z_60);
+    const real z_62 = l*(z_57 + z_55*c_3 + c_4*z_27) - (z_45*z_18 - sin_q4*z_61);
     const real z_63 = cos_q5*z_30;
     const real z_64 = l*sin_q2;
     const real z_65 = l - z_64;
@@ -157,19 +157,19 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_67 = l*z_23 - z_66;
     const real z_68 = l*(z_23*sin_q5 + z_63) - z_67;
     const real z_69 = -z_67;
-    const real z_70 = c_3 + z_68*c_2 + z_65*c_4 + z_66*c_1 + z_69*c_1;
+    const real z_70 = c_0 + z_68*c_1 + z_65*c_2 + z_66*c_3 + z_69*c_3;
     const real z_71 = m*(2.0*z_68 + z_69);
     const real z_72 = l*(m*(3.0*z_68 + z_66 + 5.0*z_69) - sin_q5*z_71);
     const real z_73 = m*(2.0*z_33 + z_34);
     const real z_74 = l*(m*(3.0*z_33 + z_9 + 5.0*z_34)) + l*(z_71*z_25 - sin_q5*z_73);
-    const real c_5 = c[8];
+    const real c_10 = c[13];
     const real z_75 = l*(m*(3.0*z_68 + z_65 + 5.0*z_66 + 6.0*z_69)) + sin_q4*z_72;
     const real z_76 = z_72*z_18;
-    const real z_77 = l*(c_3*z_1 + z_9*c_4 + z_35) - (z_76 - sin_q4*z_74);
+    const real z_77 = l*(c_0*z_1 + z_9*c_2 + z_35) - (z_76 - sin_q4*z_74);
     const real z_78 = z_71*z_26;
     const real z_79 = sin_q2*z_71;
     const real z_80 = z_71*z_30;
-    Mdot1[0][0] = ((-1.0/6.0))*(l*z_36 + (z_48 + cos_q3*z_62) + l*(z_70*z_1 - sin_q2*z_36) + c_5*z_1 +
+    Mdot1[0][0] = ((-1.0/6.0))*(l*z_36 + (z_48 + cos_q3*z_62) + l*(z_70*z_1 - sin_q2*z_36) + c_10*z_1 +
         l*(z_44*z_49 - z_44*z_50 - z_37*z_59) - (z_72*z_16 + z_72*z_13 + z_21*z_74) - (z_75*z_8 + z_75*z_6 -
         z_77*z_19) - l*(z_1*z_78 - z_28*z_79 - z_29*z_80 - z_63*z_73));
     const real c_6 = c[9];
@@ -193,26 +193,26 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_94 = -z_92;
     const real z_95 = m*(2.0*z_93 + z_94);
     const real z_96 = l*(m*(3.0*z_93 + z_91 + 5.0*z_94) - sin_q5*z_95);
-    const real z_97 = l*(c_3 + z_93*c_2 + z_91*c_4 + z_94*c_1) + sin_q4*z_96;
+    const real z_97 = l*(c_0 + z_93*c_1 + z_91*c_2 + z_94*c_3) + sin_q4*z_96;
     const real z_98 = z_28 + z_89;
     const real z_99 = sin_q5*z_5;
     const real z_100 = sin_q3*z_18;
     const real z_101 = l*z_5;
     const real z_102 = z_101 + l*(z_100 + sin_q4*z_5);
     const real z_103 = z_102 - l*(z_98 + (z_25*z_17 + sin_q4*z_99 + sin_q5*z_100));
-    const real z_104 = z_103*c_2;
+    const real z_104 = z_103*c_1;
     const real z_105 = m*(2.0*z_103 + z_102);
-    const real z_106 = z_96*z_18 - sin_q4*(l*(c_3*z_5 + z_104 + z_102*c_4) + l*(z_95*z_25 - sin_q5*z_105));
+    const real z_106 = z_96*z_18 - sin_q4*(l*(c_0*z_5 + z_104 + z_102*c_2) + l*(z_95*z_25 - sin_q5*z_105));
     const real z_107 = l*(cos_q4 - cos_q4*sin_q5);
-    const real z_108 = c_3*cos_q4;
+    const real z_108 = c_0*cos_q4;
     const real z_109 = z_108 + z_107*c_6;
-    const real z_110 = l*((z_107*c_2 + cos_q4*c_0) - sin_q5*z_109);
+    const real z_110 = l*((z_107*c_1 + cos_q4*c_4) - sin_q5*z_109);
     const real z_111 = l*z_12 - l*(sin_q5*z_12 - cos_q4*z_25);
-    const real z_112 = c_3*z_12 + z_111*c_6;
-    const real z_113 = l*(z_111*c_2 + c_0*z_12) + l*(z_109*z_25 - sin_q5*z_112);
+    const real z_112 = c_0*z_12 + z_111*c_6;
+    const real z_113 = l*(z_111*c_1 + c_4*z_12) + l*(z_109*z_25 - sin_q5*z_112);
     const real z_114 = cos_q4*z_113;
     const real c_8 = c[11];
-    Mdot1[1][1] = ((-1.0/6.0))*((z_97*z_5 - sin_q3*(l*(z_104 + c_0*z_5 + z_102*c_1) - z_106)) + (z_110*z_12 +
+    Mdot1[1][1] = ((-1.0/6.0))*((z_97*z_5 - sin_q3*(l*(z_104 + c_4*z_5 + z_102*c_3) - z_106)) + (z_110*z_12 +
         z_114) + (m*z_103 + c_7*z_5 + z_102*c_6)*c_8 - l*(z_95*z_28 + z_95*z_89 + z_26*z_105));
     const real z_115 = cos_q5*z_44;
     const real z_116 = z_44*z_29;
@@ -227,12 +227,12 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_121 = l + z_120;
     const real z_122 = z_121 - sin_q4*z_119;
     const real z_123 = m*(2.0*z_122 + z_121);
-    const real z_124 = l*((c_3 + z_122*c_2 + z_121*c_4) - sin_q5*z_123);
+    const real z_124 = l*((c_0 + z_122*c_1 + z_121*c_2) - sin_q5*z_123);
     const real z_125 = l*z_18 - l*(z_52 + sin_q5*z_18);
-    const real z_126 = l*(z_123*z_25 + sin_q5*(c_3*z_18 + z_125*c_6));
-    const real c_9 = c[12];
-    const real z_127 = cos_q5*c_9;
-    Mdot1[2][2] = (1.0/6.0)*((z_124*z_18 + sin_q4*(l*(z_125*c_2 + c_0*z_18) - z_126)) + (m*z_125 + c_7*z_18)*c_8 -
+    const real z_126 = l*(z_123*z_25 + sin_q5*(c_0*z_18 + z_125*c_6));
+    const real c_5 = c[8];
+    const real z_127 = cos_q5*c_5;
+    Mdot1[2][2] = (1.0/6.0)*((z_124*z_18 + sin_q4*(l*(z_125*c_1 + c_4*z_18) - z_126)) + (m*z_125 + c_7*z_18)*c_8 -
         z_29*z_127);
     const real z_128 = cos_q4*z_72;
     const real z_129 = cos_q2*z_18;
@@ -241,18 +241,18 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
         z_61*z_130 - z_45*z_129) - (z_45*z_12*z_19 + cos_q4*z_61*z_19 - z_8*z_83 - z_6*z_83));
     const real z_131 = sin_q3*z_110;
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/6.0))*(z_106 + (z_12*z_131 + sin_q3*z_114 - cos_q4*z_110*z_5));
-    const real z_132 = c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
+    const real z_132 = c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
     const real z_133 = cos_q5*cos_q5;
     const real z_134 = q5_dot*z_133;
-    const real c_10 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_132*z_12 + cos_q4*(2.0*c_5*(z_134 - q5_dot*(sin_q5*sin_q5)) +
-        c_10*z_29));
+    const real c_12 = c[15];
+    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_132*z_12 + cos_q4*(2.0*c_10*(z_134 - q5_dot*(sin_q5*sin_q5)) +
+        c_12*z_29));
     const real z_135 = l - z_119;
-    const real z_136 = c_3 + z_135*c_6;
+    const real z_136 = c_0 + z_135*c_6;
     const real z_137 = l*cos_q5;
     const real z_138 = q5_dot*z_137;
-    const real c_11 = c[14];
-    Mdot1[3][3] = ((-1.0/6.0))*(c_10*z_25 - (cos_q5*c_11*z_29 - z_136*z_138));
+    const real c_9 = c[12];
+    Mdot1[3][3] = ((-1.0/6.0))*(c_12*z_25 - (cos_q5*c_9*z_29 - z_136*z_138));
     const real z_139 = sin_q3*z_25;
     const real z_140 = sin_q3*sin_q5;
     const real z_141 = sin_q4*cos_q5;
@@ -268,13 +268,13 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_148 = cos_q5*z_17;
     Mdot1[1][4] = Mdot1[4][1] = (1.0/6.0)*(l*(z_95*z_145 + z_95*z_146 + z_105*z_147) - l*(z_25*(cos_q3*z_109) -
         z_109*z_53 - z_112*z_38) - l*(z_109*z_5*z_141 + cos_q5*(z_109*z_100) - z_29*(z_109*z_17) - z_112*z_148));
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_126 - 2.0*c_5*(z_133*z_18 - 2.0*z_29*z_141));
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_126 - 2.0*c_10*(z_133*z_18 - 2.0*z_29*z_141));
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
-    const real c_12 = c[15];
     const real c_13 = c[16];
-    const real z_149 = c_13 - sin_q5*c_12;
+    const real c_14 = c[17];
+    const real z_149 = c_14 - sin_q5*c_13;
     const real q1_dot = v[0];
     const real z_150 = q1_dot*z_45;
     const real z_151 = q2_dot*cos_q4;
@@ -287,30 +287,30 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_158 = l*z_157;
     const real z_159 = sin_q2*z_152;
     const real z_160 = l*(-(z_152 - z_159));
-    const real c_14 = c[17];
-    const real z_161 = z_156*c_14 - z_158 - 6.0*z_160;
-    const real z_162 = l*(2.0*z_52*z_155 + 2.0*q1_dot*z_49 + z_63*z_152 + sin_q5*z_157 - 2.0*q1_dot*z_50);
     const real c_15 = c[18];
-    const real z_163 = z_162 + z_156*c_15 - 6.0*z_160 - z_157*c_14;
+    const real z_161 = z_156*c_15 - z_158 - 6.0*z_160;
+    const real z_162 = l*(2.0*z_52*z_155 + 2.0*q1_dot*z_49 + z_63*z_152 + sin_q5*z_157 - 2.0*q1_dot*z_50);
+    const real c_16 = c[19];
+    const real z_163 = z_162 + z_156*c_16 - 6.0*z_160 - z_157*c_15;
     const real z_164 = 2.0*z_162 + z_156*c_8 - 3.0*z_160 - z_157*c_8;
     const real z_165 = z_163 + z_164;
     const real z_166 = m*(z_161 + z_165);
-    const real z_167 = c_3*z_164;
-    const real z_168 = c_3*sin_q5;
-    const real c_16 = c[19];
-    const real z_169 = z_44*c_16;
+    const real z_167 = c_0*z_164;
+    const real z_168 = c_0*sin_q5;
+    const real c_17 = c[20];
+    const real z_169 = z_44*c_17;
     const real z_170 = q1_dot*z_169;
     const real z_171 = z_164*z_168 + z_25*z_170 - l*(m*z_165);
     const real z_172 = q1_dot*q2_dot;
-    const real c_17 = c[20];
     const real c_18 = c[21];
     const real c_19 = c[22];
+    const real c_20 = c[23];
     const real z_173 = cos_q5*z_155;
     f1[1] = (1.0/12.0)*(cos_q2*(6.0*cos_q4*z_149 + 2.0*z_100*z_150 + 2.0*q1_dot*z_47*z_5 + 2.0*z_151*z_150 +
         z_152*(z_71*z_153) + sin_q3*z_75*z_152 + z_90*z_166 + z_26*z_167 - z_70*z_154 - l*(m*z_163 + m*z_161 +
-        (c_3*z_152 + m*(l*z_156 - 5.0*z_160)) + m*z_164) - z_171*z_17 - z_29*z_155*z_169 - z_28*z_170) -
-        sin_q2*(6.0*z_149*z_17 + 2.0*z_12*z_150 + 2.0*z_172*z_85 + cos_q4*z_171 + c_17 + sin_q3*c_18 + z_26*c_19 +
-        q2_dot*z_169*z_173 - z_152*z_128 - z_81*c_15*z_172));
+        (c_0*z_152 + m*(l*z_156 - 5.0*z_160)) + m*z_164) - z_171*z_17 - z_29*z_155*z_169 - z_28*z_170) -
+        sin_q2*(6.0*z_149*z_17 + 2.0*z_12*z_150 + 2.0*z_172*z_85 + cos_q4*z_171 + c_18 + sin_q3*c_19 + z_26*c_20 +
+        q2_dot*z_169*z_173 - z_152*z_128 - z_81*c_16*z_172));
     const real z_174 = q2_dot*q3_dot;
     const real z_175 = q2_dot*q2_dot;
     const real z_176 = z_95*z_175;
@@ -320,7 +320,7 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_180 = sin_q4*z_179;
     const real z_181 = l*(2.0*z_25*z_151 + z_26*z_175 - sin_q5*z_180);
     const real z_182 = c_8*z_175 - 2.0*z_181 - z_180*c_8 - z_178*c_8;
-    const real z_183 = c_3*z_182;
+    const real z_183 = c_0*z_182;
     const real z_184 = q1_dot*sin_q2;
     const real z_185 = 2.0*z_5*z_184 + 2.0*q1_dot*z_8 + cos_q3*z_152;
     const real z_186 = 2.0*z_100*z_184 + 2.0*q1_dot*z_13 + 2.0*z_184*z_151 + sin_q4*z_185;
@@ -328,24 +328,24 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_188 = q1_dot*z_23;
     const real z_189 = l*(2.0*z_89*z_184 + 2.0*z_28*z_184 + z_37*z_152 + sin_q5*z_186 - 2.0*z_25*z_188 -
         2.0*z_1*z_173);
-    const real c_20 = c[23];
-    const real z_190 = 2.0*z_189 + z_187*c_15 - z_186*c_8 - z_185*c_8;
-    const real z_191 = m*((z_189 + z_187*c_20 - z_186*c_14 - z_185*c_15) + z_190);
+    const real c_21 = c[24];
+    const real z_190 = 2.0*z_189 + z_187*c_16 - z_186*c_8 - z_185*c_8;
+    const real z_191 = m*((z_189 + z_187*c_21 - z_186*c_15 - z_185*c_16) + z_190);
     const real z_192 = sin_q4*z_168;
-    const real z_193 = c_16*(q2_dot*z_109);
-    const real z_194 = c_16*(q1_dot*z_71);
+    const real z_193 = c_17*(q2_dot*z_109);
+    const real z_194 = c_17*(q1_dot*z_71);
     const real z_195 = z_184*z_169;
     const real z_196 = q3_dot*cos_q5;
-    const real z_197 = (c_15*z_175 - z_181 - z_180*c_14 - z_178*c_15) + z_182;
+    const real z_197 = (c_16*z_175 - z_181 - z_180*c_15 - z_178*c_16) + z_182;
     const real z_198 = m*z_197;
     const real z_199 = z_45*z_184;
-    const real z_200 = c_3*z_190;
+    const real z_200 = c_0*z_190;
     f1[2] = ((-1.0/12.0))*(sin_q3*(2.0*z_174*z_118 + 2.0*z_47*(q3_dot*z_184) + z_152*z_137*z_79 + z_47*z_152 +
-        z_190*z_192 + sin_q2*cos_q5*z_167 + c_19*(cos_q2*cos_q5) + c_15*(z_117*z_174) + z_52*z_194 + z_194*z_196 +
-        cos_q5*z_187*z_169 - z_137*z_176 - cos_q5*z_183 - 2.0*q1_dot*z_76 - c_3*(l*(-(5.0*z_185 + z_186 -
+        z_190*z_192 + sin_q2*cos_q5*z_167 + c_20*(cos_q2*cos_q5) + c_16*(z_117*z_174) + z_52*z_194 + z_194*z_196 +
+        cos_q5*z_187*z_169 - z_137*z_176 - cos_q5*z_183 - 2.0*q1_dot*z_76 - c_0*(l*(-(5.0*z_185 + z_186 -
         12.0*z_187))) - z_120*z_191 - l*z_191 - z_29*z_193 - z_29*z_195) - cos_q3*(6.0*z_149*z_130 +
         2.0*q2_dot*z_110*z_18 + z_182*z_192 + 2.0*z_18*z_199 + 2.0*q1_dot*q3_dot*z_75 + 2.0*z_47*z_187 +
-        z_75*z_159 + cos_q5*z_200 + z_64*z_166 + cos_q2*c_18 - z_97*z_175 - z_120*z_198 - l*(m*(l*(6.0*z_175 -
+        z_75*z_159 + cos_q5*z_200 + z_64*z_166 + cos_q2*c_19 - z_97*z_175 - z_120*z_198 - l*(m*(l*(6.0*z_175 -
         5.0*z_178 - z_180) + z_197)) - z_152*(z_44*z_137) - sin_q2*sin_q4*z_171 - z_52*z_193 - z_193*z_196 -
         z_29*z_194 - z_195*z_196));
     const real z_201 = q3_dot*q3_dot;
@@ -356,30 +356,30 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_206 = l*(-(3.0*z_202 + 3.0*z_203 - 2.0*z_205));
     const real z_207 = q2_dot*z_5;
     const real z_208 = l*cos_q3;
-    const real z_209 = c_16*z_25;
+    const real z_209 = c_17*z_25;
     const real z_210 = 2.0*q2_dot*z_100 + 2.0*sin_q4*z_207 + cos_q4*z_175;
     const real z_211 = l*(2.0*z_25*(q2_dot*z_17) + 2.0*q2_dot*z_89 + 2.0*q2_dot*z_28 + sin_q5*z_210);
-    const real z_212 = c_15*z_207 + z_210*c_8 - 2.0*z_211;
+    const real z_212 = c_16*z_207 + z_210*c_8 - 2.0*z_211;
     f1[3] = (1.0/12.0)*(cos_q4*(6.0*z_149*z_87 + z_124*z_201 + z_206*z_168 + 2.0*z_110*z_207 + sin_q3*z_182*z_168
-        + 2.0*q4_dot*cos_q2*z_150 + z_72*z_156 + z_45*z_185 + z_38*z_200 + q3_dot*z_134*c_9 + z_71*z_155*z_209 -
+        + 2.0*q4_dot*cos_q2*z_150 + z_72*z_156 + z_45*z_185 + z_38*z_200 + q3_dot*z_134*c_5 + z_71*z_155*z_209 -
         l*(m*(l*(-(6.0*z_202 + 5.0*z_203 - z_205)) + z_206)) - z_96*z_179 - z_90*z_198 - z_208*z_191 - z_171*z_19
         - z_139*z_193) + sin_q4*(2.0*q3_dot*q4_dot*z_132 + z_212*z_168 + 2.0*q4_dot*z_72*z_155 + cos_q2*z_72*z_152
-        + q2_dot*z_95*z_209 - 6.0*sin_q2*z_149 - 2.0*z_177*z_131 - z_110*z_175 - c_3*(c_20*z_207 + z_210*c_14 -
-        z_211) - c_3*z_212 - 2.0*q4_dot*sin_q3*z_199 - 2.0*q2_dot*z_199 - cos_q2*z_171));
+        + q2_dot*z_95*z_209 - 6.0*sin_q2*z_149 - 2.0*z_177*z_131 - z_110*z_175 - c_0*(c_21*z_207 + z_210*c_15 -
+        z_211) - c_0*z_212 - 2.0*q4_dot*sin_q3*z_199 - 2.0*q2_dot*z_199 - cos_q2*z_171));
     const real z_213 = cos_q2*cos_q3;
-    const real c_21 = c[24];
-    const real z_214 = q3_dot*z_18;
     const real c_22 = c[25];
-    const real z_215 = q5_dot*c_16;
+    const real z_214 = q3_dot*z_18;
+    const real c_23 = c[26];
+    const real z_215 = q5_dot*c_17;
     const real z_216 = q4_dot*q4_dot;
     const real z_217 = z_84 + cos_q2*z_17;
     const real z_218 = q5_dot*cos_q3;
-    f1[4] = ((-1.0/12.0))*(sin_q5*(z_154*z_80 + sin_q3*z_200 + z_30*z_167 + c_19*z_213 + q3_dot*z_52*c_21 +
-        c_9*(sin_q5*z_214) + z_201*z_127 + z_155*z_143*z_215 + z_169*(q5_dot*z_188) + z_5*z_194 +
-        z_169*(z_1*z_155) - z_208*z_176 - cos_q3*z_183 - z_44*z_90*z_152 - c_22*z_214 - q5_dot*z_17*z_193 -
+    f1[4] = ((-1.0/12.0))*(sin_q5*(z_154*z_80 + sin_q3*z_200 + z_30*z_167 + c_20*z_213 + q3_dot*z_52*c_22 +
+        c_5*(sin_q5*z_214) + z_201*z_127 + z_155*z_143*z_215 + z_169*(q5_dot*z_188) + z_5*z_194 +
+        z_169*(z_1*z_155) - z_208*z_176 - cos_q3*z_183 - z_44*z_90*z_152 - c_23*z_214 - q5_dot*z_17*z_193 -
         z_215*(z_95*z_151) - z_27*z_193 - z_27*z_195) + cos_q5*(z_136*(l*z_216) + l*z_123*z_204 + z_109*(l*z_210)
-        + z_108*z_212 + z_186*(l*z_44) + z_217*c_19 + z_193*z_218 + z_195*z_218 + q5_dot*sin_q3*z_194 -
-        c_3*(l*(-(3.0*z_216 - 2.0*sin_q5*z_216))) - c_3*sin_q4*z_206 - z_95*(z_120*z_179) - z_17*z_183 -
+        + z_108*z_212 + z_186*(l*z_44) + z_217*c_20 + z_193*z_218 + z_195*z_218 + q5_dot*sin_q3*z_194 -
+        c_0*(l*(-(3.0*z_216 - 2.0*sin_q5*z_216))) - c_0*sin_q4*z_206 - z_95*(z_120*z_179) - z_17*z_183 -
         z_71*z_158 - z_39*z_200 - z_23*z_167 - z_214*z_127));
     const real z_219 = sin_q4*z_135;
     const real z_220 = l + z_219;
@@ -578,7 +578,7 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
                                  real shared[66])
 {
     const real l = c[1];
-    const real c_3 = c[6];
+    const real c_0 = c[3];
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
     const real q4 = x[3];
@@ -601,33 +601,33 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_15 = l*z_6 + z_14;
     const real z_16 = l*z_7 - z_15;
     const real z_17 = l*(z_7*sin_q5 + z_12) - z_16;
-    const real c_2 = c[5];
-    const real c_4 = c[7];
     const real c_1 = c[4];
+    const real c_2 = c[5];
+    const real c_3 = c[6];
     const real z_18 = -z_16;
-    const real z_19 = c_3 + z_17*c_2 + z_14*c_4 + z_15*c_1 + z_18*c_1;
+    const real z_19 = c_0 + z_17*c_1 + z_14*c_2 + z_15*c_3 + z_18*c_3;
     const real z_20 = l*z_19;
     const real z_21 = sin_q3*cos_q5;
     const real z_22 = sin_q4*cos_q3;
     const real z_23 = cos_q3 + z_22;
     const real z_24 = l*(z_23 - (z_21 + sin_q5*z_22));
-    const real z_25 = z_24*c_2;
+    const real z_25 = z_24*c_1;
     const real z_26 = l*z_23;
-    const real c_0 = c[3];
+    const real c_4 = c[7];
     const real m = c[0];
     const real z_27 = m*(2.0*z_24 + z_26);
     const real z_28 = sin_q5*z_27;
-    const real z_29 = l*((c_3*cos_q3 + z_25 + z_26*c_4) - z_28);
+    const real z_29 = l*((c_0*cos_q3 + z_25 + z_26*c_2) - z_28);
     const real z_30 = sin_q4*z_29;
-    const real z_31 = l*(z_25 + z_26*c_1 + cos_q3*c_0) + z_30;
+    const real z_31 = l*(z_25 + z_26*c_3 + cos_q3*c_4) + z_30;
     const real z_32 = m*(2.0*z_17 + z_18);
     const real z_33 = l*(m*(3.0*z_17 + z_15 + 5.0*z_18) - sin_q5*z_32);
     const real z_34 = l*(m*(3.0*z_17 + z_14 + 5.0*z_15 + 6.0*z_18)) + sin_q4*z_33;
     const real z_35 = l*cos_q5;
     const real z_36 = z_27*z_35;
     const real z_37 = z_32*z_11;
-    const real c_9 = c[12];
-    M1[0][0] = (1.0/6.0)*(z_20 + cos_q3*z_31 + c_3*z_14 + z_34*z_6 + z_35*z_37 + c_9 - z_13*z_19 - z_2*z_33 -
+    const real c_5 = c[8];
+    M1[0][0] = (1.0/6.0)*(z_20 + cos_q3*z_31 + c_0*z_14 + z_34*z_6 + z_35*z_37 + c_5 - z_13*z_19 - z_2*z_33 -
         sin_q3*z_36);
     const real z_38 = cos_q4*z_29;
     const real z_39 = cos_q2*sin_q3;
@@ -645,17 +645,17 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_47 = l*z_46 - z_44;
     const real z_48 = -l*(z_45 - sin_q5*z_46) - z_47;
     const real z_49 = -z_47;
-    const real z_50 = z_48*c_2 + z_49*c_1;
+    const real z_50 = z_48*c_1 + z_49*c_3;
     const real z_51 = m*(2.0*z_48 + z_49);
     const real z_52 = l*(m*(3.0*z_48 + z_44 + 5.0*z_49) - sin_q5*z_51);
     const real z_53 = sin_q4*z_52;
-    const real z_54 = l*(c_3 + z_44*c_4 + z_50) + z_53;
+    const real z_54 = l*(c_0 + z_44*c_2 + z_50) + z_53;
     const real z_55 = l*(cos_q4 - cos_q4*sin_q5);
-    const real z_56 = c_3*cos_q4;
+    const real z_56 = c_0*cos_q4;
     const real z_57 = z_56 + z_55*c_6;
-    const real z_58 = l*((z_55*c_2 + cos_q4*c_0) - sin_q5*z_57);
+    const real z_58 = l*((z_55*c_1 + cos_q4*c_4) - sin_q5*z_57);
     const real z_59 = cos_q4*z_58;
-    M1[1][1] = ((-1.0/6.0))*(sin_q3*z_54 + z_51*z_40 - l*(c_0 + z_44*c_1 + z_50) - z_59);
+    M1[1][1] = ((-1.0/6.0))*(sin_q3*z_54 + z_51*z_40 - l*(c_4 + z_44*c_3 + z_50) - z_59);
     const real z_60 = sin_q3*z_34;
     const real z_61 = z_32*z_40;
     M1[2][0] = (1.0/6.0)*(z_60 + z_31*z_11 + z_61 - z_6*z_36);
@@ -666,23 +666,23 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_65 = l*sin_q4;
     const real z_66 = l + z_65;
     const real z_67 = z_66 - sin_q4*z_64;
-    const real z_68 = z_67*c_2;
+    const real z_68 = z_67*c_1;
     const real z_69 = m*(2.0*z_67 + z_66);
-    const real z_70 = l*((c_3 + z_68 + z_66*c_4) - sin_q5*z_69);
-    const real c_11 = c[14];
+    const real z_70 = l*((c_0 + z_68 + z_66*c_2) - sin_q5*z_69);
+    const real c_9 = c[12];
     const real z_71 = cos_q5*cos_q5;
-    const real z_72 = c_11*z_71;
-    M1[2][2] = (1.0/6.0)*(l*(c_0 + z_68 + z_66*c_1) + sin_q4*z_70 + z_72);
+    const real z_72 = c_9*z_71;
+    M1[2][2] = (1.0/6.0)*(l*(c_4 + z_68 + z_66*c_3) + sin_q4*z_70 + z_72);
     const real z_73 = cos_q4*z_33;
     const real z_74 = cos_q2*sin_q4;
     M1[3][0] = ((-1.0/6.0))*(cos_q3*z_73 - z_29*z_74 - z_6*z_38);
     M1[3][1] = ((-1.0/6.0))*(z_53 - sin_q3*z_59);
-    const real c_5 = c[8];
-    const real z_75 = c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
+    const real c_10 = c[13];
+    const real z_75 = c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
     M1[3][2] = ((-1.0/6.0))*(cos_q4*z_75);
     const real z_76 = l - z_64;
-    const real z_77 = c_3 + z_76*c_6;
-    M1[3][3] = (1.0/6.0)*(l*((c_0 + z_76*c_2) - sin_q5*z_77));
+    const real z_77 = c_0 + z_76*c_6;
+    M1[3][3] = (1.0/6.0)*(l*((c_4 + z_76*c_1) - sin_q5*z_77));
     const real z_78 = cos_q5*z_27;
     const real z_79 = sin_q3*z_32;
     const real z_80 = sin_q4*cos_q5;
@@ -694,8 +694,8 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     M1[4][1] = ((-1.0/6.0))*(l*(z_51*z_82 + z_57*z_83 + z_57*z_84));
     M1[4][2] = ((-1.0/6.0))*(z_69*z_64 - sin_q4*z_72);
     M1[4][3] = em_real(0.0);
-    const real c_23 = c[26];
-    M1[4][4] = c_23;
+    const real c_11 = c[14];
+    M1[4][4] = c_11;
     shared[0] = cos_q2;
     shared[1] = sin_q2;
     shared[2] = cos_q3;
@@ -770,7 +770,7 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
                                     real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
-    const real c_0 = c[3];
+    const real c_4 = c[7];
     const real q2_dot = v[1];
     const real cos_q2 = shared[0];
     const real z_85 = q2_dot*cos_q2;
@@ -783,7 +783,7 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real sin_q3 = shared[3];
     const real z_89 = sin_q3*z_85;
     const real z_90 = z_86 - l*(z_88 + z_89);
-    const real c_1 = c[4];
+    const real c_3 = c[6];
     const real sin_q5 = shared[4];
     const real q4_dot = v[3];
     const real sin_q4 = shared[5];
@@ -809,10 +809,10 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_102 = z_45*z_85 - z_100 - z_101*z_11;
     const real z_103 = l*z_96 - z_90;
     const real z_104 = l*((sin_q5*z_96 - z_7*z_97) - z_102) - z_103;
-    const real c_2 = c[5];
+    const real c_1 = c[4];
     const real z_105 = -z_103;
-    const real z_106 = z_104*c_2 + z_105*c_1;
-    const real z_107 = c_0*z_85 + z_90*c_1 + z_106;
+    const real z_106 = z_104*c_1 + z_105*c_3;
+    const real z_107 = c_4*z_85 + z_90*c_3 + z_106;
     const real z_31 = shared[13];
     const real z_108 = cos_q5*z_87;
     const real z_109 = sin_q3*z_101;
@@ -824,17 +824,17 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_113 = cos_q3*z_95;
     const real z_114 = l*z_98 - l*(z_113 - sin_q4*z_98);
     const real z_115 = l*(z_110 + (z_95*z_83 + cos_q3*z_111 - sin_q4*z_112)) + z_114;
-    const real z_116 = z_115*c_2;
+    const real z_116 = z_115*c_1;
     const real z_29 = shared[16];
-    const real c_3 = c[6];
-    const real c_4 = c[7];
+    const real c_0 = c[3];
+    const real c_2 = c[5];
     const real z_27 = shared[17];
     const real z_117 = z_27*z_97;
     const real m = c[0];
     const real z_118 = m*(2.0*z_115 + z_114);
     const real z_119 = sin_q5*z_118;
-    const real z_120 = l*(c_3*z_98 + z_116 + z_114*c_4) + l*(z_117 - z_119);
-    const real z_121 = l*(z_116 + z_114*c_1 + c_0*z_98) - (z_29*z_95 - sin_q4*z_120);
+    const real z_120 = l*(c_0*z_98 + z_116 + z_114*c_2) + l*(z_117 - z_119);
+    const real z_121 = l*(z_116 + z_114*c_3 + c_4*z_98) - (z_29*z_95 - sin_q4*z_120);
     const real z_19 = shared[18];
     const real z_73 = shared[19];
     const real z_33 = shared[20];
@@ -842,15 +842,15 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_32 = shared[22];
     const real z_122 = m*(2.0*z_104 + z_105);
     const real z_123 = l*(m*(3.0*z_104 + z_90 + 5.0*z_105)) + l*(z_32*z_97 - sin_q5*z_122);
-    const real c_5 = c[8];
+    const real c_10 = c[13];
     const real z_34 = shared[23];
-    const real z_124 = l*(c_3*z_85 + z_90*c_4 + z_106) - (z_33*z_95 - sin_q4*z_123);
+    const real z_124 = l*(c_0*z_85 + z_90*c_2 + z_106) - (z_33*z_95 - sin_q4*z_123);
     const real z_78 = shared[24];
     const real z_21 = shared[25];
     const real z_125 = z_32*z_45;
     const real z_37 = shared[26];
     const real z_12 = shared[27];
-    Mdot1[0][0] = ((-1.0/6.0))*(l*z_107 + (z_31*z_98 + cos_q3*z_121) + l*(z_19*z_85 - sin_q2*z_107) + c_5*z_85 +
+    Mdot1[0][0] = ((-1.0/6.0))*(l*z_107 + (z_31*z_98 + cos_q3*z_121) + l*(z_19*z_85 - sin_q2*z_107) + c_10*z_85 +
         l*(z_87*z_78 - z_27*z_109 - z_21*z_118) - (z_93*z_73 + z_33*z_92 + z_2*z_123) - (z_34*z_89 + z_34*z_88 -
         z_124*z_6) - l*(z_85*z_125 - z_32*z_100 - z_101*z_37 - z_12*z_122));
     const real z_42 = shared[28];
@@ -876,19 +876,19 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_136 = l*z_87;
     const real z_137 = z_136 + l*(z_135 + sin_q4*z_87);
     const real z_138 = z_137 - l*(z_132 + (z_133 + sin_q4*z_134 + sin_q5*z_135));
-    const real z_139 = z_138*c_2;
+    const real z_139 = z_138*c_1;
     const real z_52 = shared[33];
     const real z_51 = shared[34];
     const real z_140 = m*(2.0*z_138 + z_137);
-    const real z_141 = z_52*z_95 - sin_q4*(l*(c_3*z_87 + z_139 + z_137*c_4) + l*(z_51*z_97 - sin_q5*z_140));
+    const real z_141 = z_52*z_95 - sin_q4*(l*(c_0*z_87 + z_139 + z_137*c_2) + l*(z_51*z_97 - sin_q5*z_140));
     const real z_58 = shared[35];
     const real z_142 = l*z_91 - l*(sin_q5*z_91 - cos_q4*z_97);
     const real z_57 = shared[36];
-    const real z_143 = c_3*z_91 + z_142*c_6;
-    const real z_144 = l*(z_142*c_2 + c_0*z_91) + l*(z_57*z_97 - sin_q5*z_143);
+    const real z_143 = c_0*z_91 + z_142*c_6;
+    const real z_144 = l*(z_142*c_1 + c_4*z_91) + l*(z_57*z_97 - sin_q5*z_143);
     const real z_145 = cos_q4*z_144;
     const real c_8 = c[11];
-    Mdot1[1][1] = ((-1.0/6.0))*((z_54*z_87 - sin_q3*(l*(z_139 + c_0*z_87 + z_137*c_1) - z_141)) + (z_58*z_91 +
+    Mdot1[1][1] = ((-1.0/6.0))*((z_54*z_87 - sin_q3*(l*(z_139 + c_4*z_87 + z_137*c_3) - z_141)) + (z_58*z_91 +
         z_145) + (m*z_138 + c_7*z_87 + z_137*c_6)*c_8 - l*(z_51*z_130 + z_51*z_131 + z_45*z_140));
     const real z_146 = cos_q3*z_85;
     Mdot1[0][2] = Mdot1[2][0] = (1.0/6.0)*((z_34*z_87 - sin_q3*z_124) + (z_31*z_146 - z_31*z_99 - z_121*z_11) -
@@ -902,10 +902,10 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_70 = shared[39];
     const real z_148 = l*z_95 - l*(z_111 + sin_q5*z_95);
     const real z_69 = shared[40];
-    const real z_149 = l*(z_69*z_97 + sin_q5*(c_3*z_95 + z_148*c_6));
-    const real c_9 = c[12];
-    const real z_150 = cos_q5*c_9;
-    Mdot1[2][2] = (1.0/6.0)*((z_70*z_95 + sin_q4*(l*(z_148*c_2 + c_0*z_95) - z_149)) + (m*z_148 + c_7*z_95)*c_8 -
+    const real z_149 = l*(z_69*z_97 + sin_q5*(c_0*z_95 + z_148*c_6));
+    const real c_5 = c[8];
+    const real z_150 = cos_q5*c_5;
+    Mdot1[2][2] = (1.0/6.0)*((z_70*z_95 + sin_q4*(l*(z_148*c_1 + c_4*z_95) - z_149)) + (m*z_148 + c_7*z_95)*c_8 -
         z_101*z_150);
     const real z_30 = shared[41];
     const real z_151 = cos_q2*z_95;
@@ -917,14 +917,14 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/6.0))*(z_141 + (z_91*z_152 + sin_q3*z_145 - z_59*z_87));
     const real z_75 = shared[44];
     const real z_71 = shared[45];
-    const real c_10 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_75*z_91 + cos_q4*(2.0*c_5*(q5_dot*z_71 - q5_dot*(sin_q5*sin_q5)) +
-        c_10*z_101));
+    const real c_12 = c[15];
+    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_75*z_91 + cos_q4*(2.0*c_10*(q5_dot*z_71 - q5_dot*(sin_q5*sin_q5)) +
+        c_12*z_101));
     const real z_77 = shared[46];
     const real z_35 = shared[47];
     const real z_153 = q5_dot*z_35;
-    const real c_11 = c[14];
-    Mdot1[3][3] = ((-1.0/6.0))*(c_10*z_97 - (cos_q5*c_11*z_101 - z_77*z_153));
+    const real c_9 = c[12];
+    Mdot1[3][3] = ((-1.0/6.0))*(c_12*z_97 - (cos_q5*c_9*z_101 - z_77*z_153));
     const real z_79 = shared[48];
     const real z_154 = sin_q3*sin_q5;
     const real z_155 = z_85*z_83;
@@ -940,13 +940,13 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     Mdot1[1][4] = Mdot1[4][1] = (1.0/6.0)*(l*(z_51*z_157 + z_101*(cos_q4*z_51) + z_140*z_82) -
         l*(z_97*(cos_q3*z_57) - z_57*z_112 - z_143*z_83) - l*(z_57*z_87*z_80 + cos_q5*(z_57*z_135) -
         z_101*(z_57*z_46) - z_143*z_84));
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_149 - 2.0*c_5*(z_71*z_95 - 2.0*z_101*z_80));
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_149 - 2.0*c_10*(z_71*z_95 - 2.0*z_101*z_80));
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
-    const real c_12 = c[15];
     const real c_13 = c[16];
-    const real z_158 = c_13 - sin_q5*c_12;
+    const real c_14 = c[17];
+    const real z_158 = c_14 - sin_q5*c_13;
     const real q1_dot = v[0];
     const real z_159 = q1_dot*z_29;
     const real z_160 = q1_dot*z_31;
@@ -962,28 +962,28 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_166 = l*z_165;
     const real z_167 = sin_q2*z_162;
     const real z_168 = l*(-(z_162 - z_167));
-    const real c_14 = c[17];
-    const real z_169 = z_164*c_14 - z_166 - 6.0*z_168;
-    const real z_170 = l*(2.0*z_111*z_163 + 2.0*q1_dot*z_108 + z_12*z_162 + sin_q5*z_165 - 2.0*q1_dot*z_109);
     const real c_15 = c[18];
-    const real z_171 = z_170 + z_164*c_15 - 6.0*z_168 - z_165*c_14;
+    const real z_169 = z_164*c_15 - z_166 - 6.0*z_168;
+    const real z_170 = l*(2.0*z_111*z_163 + 2.0*q1_dot*z_108 + z_12*z_162 + sin_q5*z_165 - 2.0*q1_dot*z_109);
+    const real c_16 = c[19];
+    const real z_171 = z_170 + z_164*c_16 - 6.0*z_168 - z_165*c_15;
     const real z_172 = 2.0*z_170 + z_164*c_8 - 3.0*z_168 - z_165*c_8;
     const real z_173 = z_171 + z_172;
     const real z_174 = m*(z_169 + z_173);
-    const real z_175 = c_3*z_172;
-    const real z_176 = c_3*sin_q5;
-    const real c_16 = c[19];
-    const real z_177 = c_16*(q1_dot*z_27);
+    const real z_175 = c_0*z_172;
+    const real z_176 = c_0*sin_q5;
+    const real c_17 = c[20];
+    const real z_177 = c_17*(q1_dot*z_27);
     const real z_178 = z_172*z_176 + z_97*z_177 - l*(m*z_173);
     const real z_179 = q1_dot*q2_dot;
-    const real c_17 = c[20];
     const real c_18 = c[21];
     const real c_19 = c[22];
+    const real c_20 = c[23];
     f1[1] = (1.0/12.0)*(cos_q2*(6.0*cos_q4*z_158 + 2.0*z_135*z_159 + 2.0*z_87*z_160 + 2.0*z_159*z_161 + z_61*z_162
-        + z_60*z_162 + z_43*z_174 + z_45*z_175 - z_20*z_162 - l*(m*z_171 + m*z_169 + (c_3*z_162 + m*(l*z_164 -
+        + z_60*z_162 + z_43*z_174 + z_45*z_175 - z_20*z_162 - l*(m*z_171 + m*z_169 + (c_0*z_162 + m*(l*z_164 -
         5.0*z_168)) + m*z_172) - z_178*z_46 - z_131*z_177 - z_130*z_177) - sin_q2*(6.0*z_158*z_46 + 2.0*z_91*z_159
-        + 2.0*sin_q3*z_31*z_179 + cos_q4*z_178 + c_17 + sin_q3*c_18 + z_45*c_19 + q2_dot*z_45*z_177 - z_162*z_73 -
-        z_42*c_15*z_179));
+        + 2.0*sin_q3*z_31*z_179 + cos_q4*z_178 + c_18 + sin_q3*c_19 + z_45*c_20 + q2_dot*z_45*z_177 - z_162*z_73 -
+        z_42*c_16*z_179));
     const real z_180 = q2_dot*q3_dot;
     const real z_181 = q2_dot*q2_dot;
     const real z_182 = z_51*z_181;
@@ -993,7 +993,7 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_186 = sin_q4*z_185;
     const real z_187 = l*(2.0*z_97*z_161 + z_45*z_181 - sin_q5*z_186);
     const real z_188 = c_8*z_181 - 2.0*z_187 - z_186*c_8 - z_184*c_8;
-    const real z_189 = c_3*z_188;
+    const real z_189 = c_0*z_188;
     const real z_190 = q1_dot*z_95;
     const real z_191 = q3_dot*sin_q2;
     const real z_192 = 2.0*q1_dot*z_88 + 2.0*q1_dot*z_89 + cos_q3*z_162;
@@ -1002,26 +1002,26 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_65 = shared[57];
     const real z_195 = l*(2.0*z_101*(q1_dot*z_11) + 2.0*q1_dot*z_100 + z_21*z_162 + sin_q5*z_193 -
         2.0*z_97*(q1_dot*z_7) - 2.0*z_45*z_194);
-    const real c_20 = c[23];
-    const real z_196 = 2.0*z_195 + z_194*c_15 - z_193*c_8 - z_192*c_8;
-    const real z_197 = m*((z_195 + z_194*c_20 - z_193*c_14 - z_192*c_15) + z_196);
+    const real c_21 = c[24];
+    const real z_196 = 2.0*z_195 + z_194*c_16 - z_193*c_8 - z_192*c_8;
+    const real z_197 = m*((z_195 + z_194*c_21 - z_193*c_15 - z_192*c_16) + z_196);
     const real z_198 = sin_q4*z_176;
-    const real z_199 = c_16*(q2_dot*z_57);
-    const real z_200 = c_16*(q1_dot*z_32);
+    const real z_199 = c_17*(q2_dot*z_57);
+    const real z_200 = c_17*(q1_dot*z_32);
     const real z_201 = q3_dot*cos_q5;
     const real z_202 = cos_q5*z_177;
-    const real z_203 = (c_15*z_181 - z_187 - z_186*c_14 - z_184*c_15) + z_188;
+    const real z_203 = (c_16*z_181 - z_187 - z_186*c_15 - z_184*c_16) + z_188;
     const real z_204 = m*z_203;
     const real z_205 = sin_q2*z_95;
     const real z_36 = shared[58];
-    const real z_206 = c_3*z_196;
+    const real z_206 = c_0*z_196;
     const real z_13 = shared[59];
     f1[2] = ((-1.0/12.0))*(sin_q3*(2.0*z_180*z_147 + 2.0*z_191*z_160 + z_32*z_167*z_35 + z_31*z_162 + z_196*z_198
-        + sin_q2*cos_q5*z_175 + c_19*(cos_q2*cos_q5) + c_15*(z_63*z_180) + z_111*z_200 + z_200*z_201 + z_85*z_202
-        - z_35*z_182 - cos_q5*z_189 - 2.0*z_33*z_190 - c_3*(l*(-(5.0*z_192 + z_193 - 12.0*z_194))) - z_65*z_197 -
+        + sin_q2*cos_q5*z_175 + c_20*(cos_q2*cos_q5) + c_16*(z_63*z_180) + z_111*z_200 + z_200*z_201 + z_85*z_202
+        - z_35*z_182 - cos_q5*z_189 - 2.0*z_33*z_190 - c_0*(l*(-(5.0*z_192 + z_193 - 12.0*z_194))) - z_65*z_197 -
         l*z_197 - z_101*z_199 - sin_q2*z_101*z_177) - cos_q3*(6.0*z_158*z_74 + 2.0*q2_dot*z_58*z_95 + z_188*z_198
         + 2.0*z_159*z_205 + 2.0*q1_dot*q3_dot*z_34 + 2.0*z_31*z_194 + z_34*z_167 + cos_q5*z_206 + z_13*z_174 +
-        cos_q2*c_18 - z_54*z_181 - z_65*z_204 - l*(m*(l*(6.0*z_181 - 5.0*z_184 - z_186) + z_203)) - z_162*z_36 -
+        cos_q2*c_19 - z_54*z_181 - z_65*z_204 - l*(m*(l*(6.0*z_181 - 5.0*z_184 - z_186) + z_203)) - z_162*z_36 -
         sin_q2*sin_q4*z_178 - z_111*z_199 - z_199*z_201 - z_101*z_200 - z_191*z_202));
     const real z_207 = q3_dot*q3_dot;
     const real z_208 = z_207;
@@ -1036,29 +1036,29 @@ EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict
     const real z_217 = sin_q3*z_97;
     const real z_218 = 2.0*q2_dot*z_135 + 2.0*sin_q4*z_214 + cos_q4*z_181;
     const real z_219 = l*(2.0*q2_dot*z_133 + 2.0*q2_dot*z_131 + 2.0*q2_dot*z_130 + sin_q5*z_218);
-    const real z_220 = c_15*z_214 + z_218*c_8 - 2.0*z_219;
+    const real z_220 = c_16*z_214 + z_218*c_8 - 2.0*z_219;
     f1[3] = (1.0/12.0)*(cos_q4*(6.0*z_158*z_39 + z_70*z_207 + z_213*z_176 + 2.0*z_58*z_214 + sin_q3*z_188*z_176 +
-        2.0*cos_q2*z_215 + z_33*z_164 + z_29*z_192 + z_83*z_206 + z_210*c_9*z_71 + cos_q3*z_97*z_200 -
+        2.0*cos_q2*z_215 + z_33*z_164 + z_29*z_192 + z_83*z_206 + z_210*c_5*z_71 + cos_q3*z_97*z_200 -
         l*(m*(l*(-(6.0*z_208 + 5.0*z_209 - z_212)) + z_213)) - z_52*z_185 - z_43*z_204 - z_216*z_197 - z_178*z_6 -
         z_217*z_199) + sin_q4*(2.0*q3_dot*q4_dot*z_75 + z_220*z_176 + 2.0*q4_dot*z_33*z_163 + cos_q2*z_33*z_162 +
-        c_16*z_97*(q2_dot*z_51) - 6.0*sin_q2*z_158 - 2.0*z_183*z_152 - z_58*z_181 - c_3*(c_20*z_214 + z_218*c_14 -
-        z_219) - c_3*z_220 - 2.0*z_6*z_215 - 2.0*z_93*z_159 - cos_q2*z_178));
+        c_17*z_97*(q2_dot*z_51) - 6.0*sin_q2*z_158 - 2.0*z_183*z_152 - z_58*z_181 - c_0*(c_21*z_214 + z_218*c_15 -
+        z_219) - c_0*z_220 - 2.0*z_6*z_215 - 2.0*z_93*z_159 - cos_q2*z_178));
     const real z_221 = cos_q2*cos_q3;
-    const real c_21 = c[24];
-    const real z_222 = q3_dot*z_95;
     const real c_22 = c[25];
+    const real z_222 = q3_dot*z_95;
+    const real c_23 = c[26];
     const real z_223 = q5_dot*z_199;
     const real z_224 = q5_dot*z_200;
     const real z_225 = q5_dot*z_177;
     const real z_226 = q4_dot*q4_dot;
     const real z_56 = shared[60];
     const real z_227 = z_127 + cos_q2*z_46;
-    f1[4] = ((-1.0/12.0))*(sin_q5*(l*z_162*z_37 + sin_q3*z_206 + z_11*z_175 + c_19*z_221 + c_21*(q3_dot*z_111) +
-        c_9*(sin_q5*z_222) + z_207*z_150 + z_22*z_224 + z_7*z_225 + z_87*z_200 + z_177*z_146 - z_216*z_182 -
-        cos_q3*z_189 - z_27*z_43*z_162 - c_22*z_222 - z_46*z_223 - q5_dot*c_16*(z_51*z_161) - z_98*z_199 -
+    f1[4] = ((-1.0/12.0))*(sin_q5*(l*z_162*z_37 + sin_q3*z_206 + z_11*z_175 + c_20*z_221 + c_22*(q3_dot*z_111) +
+        c_5*(sin_q5*z_222) + z_207*z_150 + z_22*z_224 + z_7*z_225 + z_87*z_200 + z_177*z_146 - z_216*z_182 -
+        cos_q3*z_189 - z_27*z_43*z_162 - c_23*z_222 - z_46*z_223 - q5_dot*c_17*(z_51*z_161) - z_98*z_199 -
         z_99*z_177) + cos_q5*(z_77*(l*z_226) + l*z_69*z_211 + z_57*(l*z_218) + z_56*z_220 + z_27*(l*z_193) +
-        z_227*c_19 + cos_q3*z_223 + z_11*z_225 + sin_q3*z_224 - c_3*(l*(-(3.0*z_226 - 2.0*sin_q5*z_226))) -
-        c_3*sin_q4*z_213 - z_51*(z_65*z_185) - z_46*z_189 - z_32*z_166 - z_22*z_206 - z_7*z_175 - z_222*z_150));
+        z_227*c_20 + cos_q3*z_223 + z_11*z_225 + sin_q3*z_224 - c_0*(l*(-(3.0*z_226 - 2.0*sin_q5*z_226))) -
+        c_0*sin_q4*z_213 - z_51*(z_65*z_185) - z_46*z_189 - z_32*z_166 - z_22*z_206 - z_7*z_175 - z_222*z_150));
     const real z_76 = shared[61];
     const real z_228 = sin_q4*z_76;
     const real z_229 = l + z_228;
@@ -1306,7 +1306,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double q1_dot = v[0];
     const double l = c[1];
-    const double c_0 = c[3];
+    const double c_4 = c[7];
     const double q2_dot = v[1];
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
@@ -1321,7 +1321,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double sin_q3 = em_sin(q3);
     const double z_8 = sin_q3*z_1;
     const double z_9 = z_2 - l*(z_6 + z_8);
-    const double c_1 = c[4];
+    const double c_3 = c[6];
     const double q5 = x[4];
     const double sin_q5 = em_sin(q5);
     const double q4_dot = v[3];
@@ -1350,24 +1350,24 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_31 = z_26*z_1 - sin_q2*z_28 - z_29*z_30;
     const double z_32 = l*z_20 - z_9;
     const double z_33 = l*((sin_q5*z_20 - z_23*z_25) - z_31) - z_32;
-    const double c_2 = c[5];
+    const double c_1 = c[4];
     const double z_34 = -z_32;
-    const double z_35 = z_33*c_2 + z_34*c_1;
-    const double z_36 = c_0*z_1 + z_9*c_1 + z_35;
+    const double z_35 = z_33*c_1 + z_34*c_3;
+    const double z_36 = c_4*z_1 + z_9*c_3 + z_35;
     const double z_37 = sin_q3*cos_q5;
     const double z_38 = sin_q5*cos_q3;
     const double z_39 = sin_q4*cos_q3;
     const double z_40 = cos_q3 + z_39;
     const double z_41 = l*(z_40 - (z_37 + sin_q4*z_38));
-    const double z_42 = z_41*c_2;
+    const double z_42 = z_41*c_1;
     const double z_43 = l*z_40;
-    const double c_3 = c[6];
-    const double c_4 = c[7];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
     const double m = c[0];
     const double z_44 = m*(2.0*z_41 + z_43);
-    const double z_45 = l*((c_3*cos_q3 + z_42 + z_43*c_4) - sin_q5*z_44);
+    const double z_45 = l*((c_0*cos_q3 + z_42 + z_43*c_2) - sin_q5*z_44);
     const double z_46 = sin_q4*z_45;
-    const double z_47 = l*(z_42 + z_43*c_1 + cos_q3*c_0) + z_46;
+    const double z_47 = l*(z_42 + z_43*c_3 + cos_q3*c_4) + z_46;
     const double z_48 = z_47*z_27;
     const double z_49 = cos_q5*z_5;
     const double z_50 = sin_q3*z_29;
@@ -1377,12 +1377,12 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_54 = cos_q3*z_18;
     const double z_55 = l*z_27 - l*(z_54 - sin_q4*z_27);
     const double z_56 = l*(z_51 + (z_18*z_38 + cos_q3*z_52 - sin_q4*z_53)) + z_55;
-    const double z_57 = z_56*c_2;
+    const double z_57 = z_56*c_1;
     const double z_58 = z_44*z_25;
     const double z_59 = m*(2.0*z_56 + z_55);
     const double z_60 = sin_q5*z_59;
-    const double z_61 = l*(c_3*z_27 + z_57 + z_55*c_4) + l*(z_58 - z_60);
-    const double z_62 = l*(z_57 + z_55*c_1 + c_0*z_27) - (z_45*z_18 - sin_q4*z_61);
+    const double z_61 = l*(c_0*z_27 + z_57 + z_55*c_2) + l*(z_58 - z_60);
+    const double z_62 = l*(z_57 + z_55*c_3 + c_4*z_27) - (z_45*z_18 - sin_q4*z_61);
     const double z_63 = cos_q5*z_30;
     const double z_64 = l*sin_q2;
     const double z_65 = l - z_64;
@@ -1390,15 +1390,15 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_67 = l*z_23 - z_66;
     const double z_68 = l*(z_23*sin_q5 + z_63) - z_67;
     const double z_69 = -z_67;
-    const double z_70 = c_3 + z_68*c_2 + z_65*c_4 + z_66*c_1 + z_69*c_1;
+    const double z_70 = c_0 + z_68*c_1 + z_65*c_2 + z_66*c_3 + z_69*c_3;
     const double z_71 = m*(2.0*z_68 + z_69);
     const double z_72 = l*(m*(3.0*z_68 + z_66 + 5.0*z_69) - sin_q5*z_71);
     const double z_73 = m*(2.0*z_33 + z_34);
     const double z_74 = l*(m*(3.0*z_33 + z_9 + 5.0*z_34)) + l*(z_71*z_25 - sin_q5*z_73);
-    const double c_5 = c[8];
+    const double c_10 = c[13];
     const double z_75 = l*(m*(3.0*z_68 + z_65 + 5.0*z_66 + 6.0*z_69)) + sin_q4*z_72;
     const double z_76 = z_72*z_18;
-    const double z_77 = l*(c_3*z_1 + z_9*c_4 + z_35) - (z_76 - sin_q4*z_74);
+    const double z_77 = l*(c_0*z_1 + z_9*c_2 + z_35) - (z_76 - sin_q4*z_74);
     const double z_78 = z_71*z_26;
     const double z_79 = sin_q2*z_71;
     const double z_80 = z_71*z_30;
@@ -1435,13 +1435,13 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_105 = l*(z_20*z_91 + z_23*z_92 + cos_q5*(z_23*z_59)) + l*(z_71*z_98 + z_71*z_99 - z_100*z_73) +
         l*(z_38*(z_44*z_1) + z_58*z_30 - z_53*(sin_q2*z_44) - z_60*z_30) - l*(z_18*z_78 - z_71*z_102 - z_89*z_103
         - z_104*z_73);
-    bias[0] = (1.0/6.0)*(q1_dot*(l*z_36 + (z_48 + cos_q3*z_62) + l*(z_70*z_1 - sin_q2*z_36) + c_5*z_1 +
+    bias[0] = (1.0/6.0)*(q1_dot*(l*z_36 + (z_48 + cos_q3*z_62) + l*(z_70*z_1 - sin_q2*z_36) + c_10*z_1 +
         l*(z_44*z_49 - z_44*z_50 - z_37*z_59) - (z_72*z_16 + z_72*z_13 + z_21*z_74) - (z_75*z_8 + z_75*z_6 -
         z_77*z_19) - l*(z_1*z_78 - z_28*z_79 - z_29*z_80 - z_63*z_73)) + q5_dot*z_105 - q2_dot*z_90 - q3_dot*z_93
         - q4_dot*z_97);
-    const double c_12 = c[15];
     const double c_13 = c[16];
-    const double z_106 = c_13 - sin_q5*c_12;
+    const double c_14 = c[17];
+    const double z_106 = c_14 - sin_q5*c_13;
     const double z_107 = sin_q3*z_18;
     const double z_108 = q1_dot*z_45;
     const double z_109 = q2_dot*cos_q4;
@@ -1456,25 +1456,25 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_118 = l*z_117;
     const double z_119 = sin_q2*z_110;
     const double z_120 = l*(-(z_110 - z_119));
-    const double c_14 = c[17];
-    const double z_121 = z_116*c_14 - z_118 - 6.0*z_120;
-    const double z_122 = l*(2.0*z_52*z_115 + 2.0*q1_dot*z_49 + z_63*z_110 + sin_q5*z_117 - 2.0*q1_dot*z_50);
     const double c_15 = c[18];
-    const double z_123 = z_122 + z_116*c_15 - 6.0*z_120 - z_117*c_14;
+    const double z_121 = z_116*c_15 - z_118 - 6.0*z_120;
+    const double z_122 = l*(2.0*z_52*z_115 + 2.0*q1_dot*z_49 + z_63*z_110 + sin_q5*z_117 - 2.0*q1_dot*z_50);
+    const double c_16 = c[19];
+    const double z_123 = z_122 + z_116*c_16 - 6.0*z_120 - z_117*c_15;
     const double c_8 = c[11];
     const double z_124 = 2.0*z_122 + z_116*c_8 - 3.0*z_120 - z_117*c_8;
     const double z_125 = z_123 + z_124;
     const double z_126 = m*(z_121 + z_125);
-    const double z_127 = c_3*z_124;
-    const double z_128 = c_3*sin_q5;
-    const double c_16 = c[19];
-    const double z_129 = z_44*c_16;
+    const double z_127 = c_0*z_124;
+    const double z_128 = c_0*sin_q5;
+    const double c_17 = c[20];
+    const double z_129 = z_44*c_17;
     const double z_130 = q1_dot*z_129;
     const double z_131 = z_124*z_128 + z_25*z_130 - l*(m*z_125);
     const double z_132 = q1_dot*q2_dot;
-    const double c_17 = c[20];
     const double c_18 = c[21];
     const double c_19 = c[22];
+    const double c_20 = c[23];
     const double z_133 = cos_q5*z_115;
     const double z_134 = l - z_114;
     const double z_135 = l*z_17 - z_134;
@@ -1482,21 +1482,21 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_137 = -z_135;
     const double z_138 = m*(2.0*z_136 + z_137);
     const double z_139 = l*(m*(3.0*z_136 + z_134 + 5.0*z_137) - sin_q5*z_138);
-    const double z_140 = l*(c_3 + z_136*c_2 + z_134*c_4 + z_137*c_1) + sin_q4*z_139;
+    const double z_140 = l*(c_0 + z_136*c_1 + z_134*c_2 + z_137*c_3) + sin_q4*z_139;
     const double z_141 = z_28 + z_89;
     const double z_142 = l*z_5;
     const double z_143 = z_142 + l*(z_107 + sin_q4*z_5);
     const double z_144 = z_143 - l*(z_141 + (z_25*z_17 + sin_q4*z_98 + sin_q5*z_107));
-    const double z_145 = z_144*c_2;
+    const double z_145 = z_144*c_1;
     const double z_146 = m*(2.0*z_144 + z_143);
-    const double z_147 = z_139*z_18 - sin_q4*(l*(c_3*z_5 + z_145 + z_143*c_4) + l*(z_138*z_25 - sin_q5*z_146));
+    const double z_147 = z_139*z_18 - sin_q4*(l*(c_0*z_5 + z_145 + z_143*c_2) + l*(z_138*z_25 - sin_q5*z_146));
     const double z_148 = l*(cos_q4 - cos_q4*sin_q5);
-    const double z_149 = c_3*cos_q4;
+    const double z_149 = c_0*cos_q4;
     const double z_150 = z_149 + z_148*c_6;
-    const double z_151 = l*((z_148*c_2 + cos_q4*c_0) - sin_q5*z_150);
+    const double z_151 = l*((z_148*c_1 + cos_q4*c_4) - sin_q5*z_150);
     const double z_152 = l*z_12 - l*(sin_q5*z_12 - cos_q4*z_25);
-    const double z_153 = c_3*z_12 + z_152*c_6;
-    const double z_154 = l*(z_152*c_2 + c_0*z_12) + l*(z_150*z_25 - sin_q5*z_153);
+    const double z_153 = c_0*z_12 + z_152*c_6;
+    const double z_154 = l*(z_152*c_1 + c_4*z_12) + l*(z_150*z_25 - sin_q5*z_153);
     const double z_155 = cos_q4*z_154;
     const double z_156 = m*z_148 + cos_q4*c_7;
     const double z_157 = sin_q4*z_151;
@@ -1512,10 +1512,10 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
         z_153*z_38) - l*(z_150*z_5*z_101 + cos_q5*(z_150*z_107) - z_29*(z_150*z_17) - z_153*z_164);
     bias[1] = (1.0/12.0)*((cos_q2*(6.0*cos_q4*z_106 + 2.0*z_107*z_108 + 2.0*q1_dot*z_86 + 2.0*z_109*z_108 +
         z_110*(z_71*z_112) + sin_q3*z_75*z_110 + z_114*z_126 + z_26*z_127 - z_70*z_113 - l*(m*z_123 + m*z_121 +
-        (c_3*z_110 + m*(l*z_116 - 5.0*z_120)) + m*z_124) - z_131*z_17 - z_29*z_115*z_129 - z_28*z_130) -
-        sin_q2*(6.0*z_106*z_17 + 2.0*z_12*z_108 + 2.0*z_132*z_85 + cos_q4*z_131 + c_17 + sin_q3*c_18 + z_26*c_19 +
-        q2_dot*z_129*z_133 - z_110*z_94 - z_81*c_15*z_132)) - 2.0*(q1_dot*z_90 + q5_dot*z_165 - q2_dot*((z_140*z_5
-        - sin_q3*(l*(z_145 + c_0*z_5 + z_143*c_1) - z_147)) + (z_151*z_12 + z_155) + (m*z_144 + c_7*z_5 +
+        (c_0*z_110 + m*(l*z_116 - 5.0*z_120)) + m*z_124) - z_131*z_17 - z_29*z_115*z_129 - z_28*z_130) -
+        sin_q2*(6.0*z_106*z_17 + 2.0*z_12*z_108 + 2.0*z_132*z_85 + cos_q4*z_131 + c_18 + sin_q3*c_19 + z_26*c_20 +
+        q2_dot*z_129*z_133 - z_110*z_94 - z_81*c_16*z_132)) - 2.0*(q1_dot*z_90 + q5_dot*z_165 - q2_dot*((z_140*z_5
+        - sin_q3*(l*(z_145 + c_4*z_5 + z_143*c_3) - z_147)) + (z_151*z_12 + z_155) + (m*z_144 + c_7*z_5 +
         z_143*c_6)*c_8 - l*(z_138*z_28 + z_138*z_89 + z_26*z_146)) - q3_dot*z_158 - q4_dot*z_160));
     const double z_166 = q2_dot*q3_dot;
     const double z_167 = q2_dot*q2_dot;
@@ -1526,7 +1526,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_172 = sin_q4*z_171;
     const double z_173 = l*(2.0*z_25*z_109 + z_26*z_167 - sin_q5*z_172);
     const double z_174 = c_8*z_167 - 2.0*z_173 - z_172*c_8 - z_170*c_8;
-    const double z_175 = c_3*z_174;
+    const double z_175 = c_0*z_174;
     const double z_176 = q1_dot*sin_q2;
     const double z_177 = 2.0*z_5*z_176 + 2.0*q1_dot*z_8 + cos_q3*z_110;
     const double z_178 = 2.0*z_107*z_176 + 2.0*q1_dot*z_13 + 2.0*z_176*z_109 + sin_q4*z_177;
@@ -1535,42 +1535,42 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_181 = q1_dot*z_23;
     const double z_182 = l*(2.0*z_89*z_176 + 2.0*z_28*z_176 + z_37*z_110 + sin_q5*z_178 - 2.0*z_25*z_181 -
         2.0*z_1*z_133);
-    const double c_20 = c[23];
-    const double z_183 = 2.0*z_182 + z_179*c_15 - z_178*c_8 - z_177*c_8;
-    const double z_184 = m*((z_182 + z_179*c_20 - z_178*c_14 - z_177*c_15) + z_183);
+    const double c_21 = c[24];
+    const double z_183 = 2.0*z_182 + z_179*c_16 - z_178*c_8 - z_177*c_8;
+    const double z_184 = m*((z_182 + z_179*c_21 - z_178*c_15 - z_177*c_16) + z_183);
     const double z_185 = sin_q4*z_128;
-    const double z_186 = c_16*(q2_dot*z_150);
-    const double z_187 = c_16*(q1_dot*z_71);
+    const double z_186 = c_17*(q2_dot*z_150);
+    const double z_187 = c_17*(q1_dot*z_71);
     const double z_188 = z_176*z_129;
     const double z_189 = q3_dot*cos_q5;
-    const double z_190 = (c_15*z_167 - z_173 - z_172*c_14 - z_170*c_15) + z_174;
+    const double z_190 = (c_16*z_167 - z_173 - z_172*c_15 - z_170*c_16) + z_174;
     const double z_191 = m*z_190;
     const double z_192 = z_45*z_176;
-    const double z_193 = c_3*z_183;
+    const double z_193 = c_0*z_183;
     const double z_194 = l*sin_q5;
     const double z_195 = l + z_180;
     const double z_196 = z_195 - sin_q4*z_194;
     const double z_197 = m*(2.0*z_196 + z_195);
-    const double z_198 = l*((c_3 + z_196*c_2 + z_195*c_4) - sin_q5*z_197);
+    const double z_198 = l*((c_0 + z_196*c_1 + z_195*c_2) - sin_q5*z_197);
     const double z_199 = l*z_18 - l*(z_52 + sin_q5*z_18);
-    const double z_200 = l*(z_197*z_25 + sin_q5*(c_3*z_18 + z_199*c_6));
-    const double c_9 = c[12];
-    const double z_201 = cos_q5*c_9;
-    const double z_202 = c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
+    const double z_200 = l*(z_197*z_25 + sin_q5*(c_0*z_18 + z_199*c_6));
+    const double c_5 = c[8];
+    const double z_201 = cos_q5*c_5;
+    const double z_202 = c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
     const double z_203 = q4_dot*q4_dot;
     const double z_204 = cos_q5*cos_q5;
     const double z_205 = q5_dot*z_204;
-    const double c_10 = c[13];
-    const double z_206 = 2.0*c_5*(z_205 - q5_dot*(sin_q5*sin_q5)) + c_10*z_29;
-    const double z_207 = z_200 - 2.0*c_5*(z_204*z_18 - 2.0*z_29*z_101);
+    const double c_12 = c[15];
+    const double z_206 = 2.0*c_10*(z_205 - q5_dot*(sin_q5*sin_q5)) + c_12*z_29;
+    const double z_207 = z_200 - 2.0*c_10*(z_204*z_18 - 2.0*z_29*z_101);
     bias[2] = ((-1.0/12.0))*((sin_q3*(2.0*z_166*z_157 + 2.0*z_47*(q3_dot*z_176) + z_110*z_111*z_79 + z_47*z_110 +
-        z_183*z_185 + sin_q2*cos_q5*z_127 + c_19*(cos_q2*cos_q5) + c_15*(z_156*z_166) + z_52*z_187 + z_187*z_189 +
-        cos_q5*z_179*z_129 - z_111*z_168 - cos_q5*z_175 - 2.0*q1_dot*z_76 - c_3*(l*(-(5.0*z_177 + z_178 -
+        z_183*z_185 + sin_q2*cos_q5*z_127 + c_20*(cos_q2*cos_q5) + c_16*(z_156*z_166) + z_52*z_187 + z_187*z_189 +
+        cos_q5*z_179*z_129 - z_111*z_168 - cos_q5*z_175 - 2.0*q1_dot*z_76 - c_0*(l*(-(5.0*z_177 + z_178 -
         12.0*z_179))) - z_180*z_184 - l*z_184 - z_29*z_186 - z_29*z_188) - cos_q3*(6.0*z_106*z_96 +
         2.0*q2_dot*z_151*z_18 + z_174*z_185 + 2.0*z_18*z_192 + 2.0*q1_dot*q3_dot*z_75 + 2.0*z_47*z_179 +
-        z_75*z_119 + cos_q5*z_193 + z_64*z_126 + cos_q2*c_18 - z_140*z_167 - z_180*z_191 - l*(m*(l*(6.0*z_167 -
+        z_75*z_119 + cos_q5*z_193 + z_64*z_126 + cos_q2*c_19 - z_140*z_167 - z_180*z_191 - l*(m*(l*(6.0*z_167 -
         5.0*z_170 - z_172) + z_190)) - z_110*(z_44*z_111) - sin_q2*sin_q4*z_131 - z_52*z_186 - z_186*z_189 -
-        z_29*z_187 - z_188*z_189)) + 2.0*(q1_dot*z_93 + q3_dot*((z_198*z_18 + sin_q4*(l*(z_199*c_2 + c_0*z_18) -
+        z_29*z_187 - z_188*z_189)) + 2.0*(q1_dot*z_93 + q3_dot*((z_198*z_18 + sin_q4*(l*(z_199*c_1 + c_4*z_18) -
         z_200)) + (m*z_199 + c_7*z_18)*c_8 - z_29*z_201) + (sin_q4*z_202*z_203 + z_206*z_18) - q2_dot*z_158 -
         q5_dot*z_207));
     const double z_208 = q3_dot*q3_dot;
@@ -1581,36 +1581,36 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_213 = l*(-(3.0*z_209 + 3.0*z_210 - 2.0*z_212));
     const double z_214 = q2_dot*z_5;
     const double z_215 = l*cos_q3;
-    const double z_216 = c_16*z_25;
+    const double z_216 = c_17*z_25;
     const double z_217 = q3_dot*z_202;
     const double z_218 = 2.0*q2_dot*z_107 + 2.0*sin_q4*z_214 + cos_q4*z_167;
     const double z_219 = l*(2.0*z_25*(q2_dot*z_17) + 2.0*q2_dot*z_89 + 2.0*q2_dot*z_28 + sin_q5*z_218);
-    const double z_220 = c_15*z_214 + z_218*c_8 - 2.0*z_219;
+    const double z_220 = c_16*z_214 + z_218*c_8 - 2.0*z_219;
     const double z_221 = l - z_194;
-    const double z_222 = c_3 + z_221*c_6;
+    const double z_222 = c_0 + z_221*c_6;
     const double z_223 = q5_dot*z_111;
-    const double c_11 = c[14];
+    const double c_9 = c[12];
     bias[3] = (1.0/12.0)*((cos_q4*(6.0*z_106*z_87 + z_198*z_208 + z_213*z_128 + 2.0*z_151*z_214 +
-        sin_q3*z_174*z_128 + 2.0*q4_dot*cos_q2*z_108 + z_72*z_116 + z_45*z_177 + z_38*z_193 + q3_dot*z_205*c_9 +
+        sin_q3*z_174*z_128 + 2.0*q4_dot*cos_q2*z_108 + z_72*z_116 + z_45*z_177 + z_38*z_193 + q3_dot*z_205*c_5 +
         z_71*z_115*z_216 - l*(m*(l*(-(6.0*z_209 + 5.0*z_210 - z_212)) + z_213)) - z_139*z_171 - z_114*z_191 -
         z_215*z_184 - z_131*z_19 - z_99*z_186) + sin_q4*(2.0*q4_dot*z_217 + z_220*z_128 + 2.0*q4_dot*z_72*z_115 +
         cos_q2*z_72*z_110 + q2_dot*z_138*z_216 - 6.0*sin_q2*z_106 - 2.0*z_169*z_159 - z_151*z_167 -
-        c_3*(c_20*z_214 + z_218*c_14 - z_219) - c_3*z_220 - 2.0*q4_dot*sin_q3*z_192 - 2.0*q2_dot*z_192 -
-        cos_q2*z_131)) - 2.0*(q1_dot*z_97 + (z_12*z_217 + q3_dot*cos_q4*z_206) - q2_dot*z_160 - q4_dot*(c_10*z_25
-        - (cos_q5*c_11*z_29 - z_222*z_223))));
+        c_0*(c_21*z_214 + z_218*c_15 - z_219) - c_0*z_220 - 2.0*q4_dot*sin_q3*z_192 - 2.0*q2_dot*z_192 -
+        cos_q2*z_131)) - 2.0*(q1_dot*z_97 + (z_12*z_217 + q3_dot*cos_q4*z_206) - q2_dot*z_160 - q4_dot*(c_12*z_25
+        - (cos_q5*c_9*z_29 - z_222*z_223))));
     const double z_224 = cos_q2*cos_q3;
-    const double c_21 = c[24];
-    const double z_225 = q3_dot*z_18;
     const double c_22 = c[25];
-    const double z_226 = q5_dot*c_16;
+    const double z_225 = q3_dot*z_18;
+    const double c_23 = c[26];
+    const double z_226 = q5_dot*c_17;
     const double z_227 = z_84 + cos_q2*z_17;
     const double z_228 = q5_dot*cos_q3;
-    bias[4] = ((-1.0/12.0))*((sin_q5*(z_113*z_80 + sin_q3*z_193 + z_30*z_127 + c_19*z_224 + q3_dot*z_52*c_21 +
-        c_9*(sin_q5*z_225) + z_208*z_201 + z_115*z_103*z_226 + z_129*(q5_dot*z_181) + z_5*z_187 +
-        z_129*(z_1*z_115) - z_215*z_168 - cos_q3*z_175 - z_44*z_114*z_110 - c_22*z_225 - q5_dot*z_17*z_186 -
+    bias[4] = ((-1.0/12.0))*((sin_q5*(z_113*z_80 + sin_q3*z_193 + z_30*z_127 + c_20*z_224 + q3_dot*z_52*c_22 +
+        c_5*(sin_q5*z_225) + z_208*z_201 + z_115*z_103*z_226 + z_129*(q5_dot*z_181) + z_5*z_187 +
+        z_129*(z_1*z_115) - z_215*z_168 - cos_q3*z_175 - z_44*z_114*z_110 - c_23*z_225 - q5_dot*z_17*z_186 -
         z_226*(z_138*z_109) - z_27*z_186 - z_27*z_188) + cos_q5*(z_222*(l*z_203) + l*z_197*z_211 + z_150*(l*z_218)
-        + z_149*z_220 + z_178*(l*z_44) + z_227*c_19 + z_186*z_228 + z_188*z_228 + q5_dot*sin_q3*z_187 -
-        c_3*(l*(-(3.0*z_203 - 2.0*sin_q5*z_203))) - c_3*sin_q4*z_213 - z_138*(z_180*z_171) - z_17*z_175 -
+        + z_149*z_220 + z_178*(l*z_44) + z_227*c_20 + z_186*z_228 + z_188*z_228 + q5_dot*sin_q3*z_187 -
+        c_0*(l*(-(3.0*z_203 - 2.0*sin_q5*z_203))) - c_0*sin_q4*z_213 - z_138*(z_180*z_171) - z_17*z_175 -
         z_71*z_118 - z_39*z_193 - z_23*z_127 - z_225*z_201)) - 2.0*(q1_dot*z_105 + q3_dot*z_207 - q2_dot*z_165));
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
@@ -1703,7 +1703,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 {
     const double q1_dot = v[0];
     const double l = c[1];
-    const double c_3 = c[6];
+    const double c_0 = c[3];
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double q4 = x[3];
@@ -1726,30 +1726,30 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_15 = l*z_12 + z_14;
     const double z_16 = l*z_7 - z_15;
     const double z_17 = l*(z_7*sin_q5 + cos_q5*z_11) - z_16;
-    const double c_2 = c[5];
-    const double c_4 = c[7];
     const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
     const double z_18 = -z_16;
-    const double z_19 = c_3 + z_17*c_2 + z_14*c_4 + z_15*c_1 + z_18*c_1;
+    const double z_19 = c_0 + z_17*c_1 + z_14*c_2 + z_15*c_3 + z_18*c_3;
     const double z_20 = sin_q4*cos_q3;
     const double z_21 = cos_q3 + z_20;
     const double z_22 = l*(z_21 - (sin_q3*cos_q5 + sin_q5*z_20));
-    const double z_23 = z_22*c_2;
+    const double z_23 = z_22*c_1;
     const double z_24 = l*z_21;
-    const double c_0 = c[3];
+    const double c_4 = c[7];
     const double m = c[0];
     const double z_25 = m*(2.0*z_22 + z_24);
     const double z_26 = sin_q5*z_25;
-    const double z_27 = l*((c_3*cos_q3 + z_23 + z_24*c_4) - z_26);
+    const double z_27 = l*((c_0*cos_q3 + z_23 + z_24*c_2) - z_26);
     const double z_28 = sin_q4*z_27;
-    const double z_29 = l*(z_23 + z_24*c_1 + cos_q3*c_0) + z_28;
+    const double z_29 = l*(z_23 + z_24*c_3 + cos_q3*c_4) + z_28;
     const double z_30 = m*(2.0*z_17 + z_18);
     const double z_31 = l*(m*(3.0*z_17 + z_15 + 5.0*z_18) - sin_q5*z_30);
     const double z_32 = l*(m*(3.0*z_17 + z_14 + 5.0*z_15 + 6.0*z_18)) + sin_q4*z_31;
     const double z_33 = l*cos_q5;
     const double z_34 = z_25*z_33;
     const double z_35 = z_30*z_33;
-    const double c_9 = c[12];
+    const double c_5 = c[8];
     const double q2_dot = v[1];
     const double z_36 = cos_q4*sin_q2;
     const double z_37 = cos_q2*sin_q3;
@@ -1768,13 +1768,13 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_44 = l*z_6 - z_43;
     const double z_45 = -l*(cos_q3*cos_q5 - sin_q5*z_6) - z_44;
     const double z_46 = -z_44;
-    const double z_47 = z_45*c_2 + z_46*c_1;
+    const double z_47 = z_45*c_1 + z_46*c_3;
     const double z_48 = m*(2.0*z_45 + z_46);
     const double z_49 = sin_q4*(l*(m*(3.0*z_45 + z_43 + 5.0*z_46) - sin_q5*z_48));
     const double z_50 = l*(cos_q4 - cos_q4*sin_q5);
-    const double z_51 = c_3*cos_q4 + z_50*c_6;
+    const double z_51 = c_0*cos_q4 + z_50*c_6;
     const double z_52 = sin_q5*z_51;
-    const double z_53 = l*((z_50*c_2 + cos_q4*c_0) - z_52);
+    const double z_53 = l*((z_50*c_1 + cos_q4*c_4) - z_52);
     const double z_54 = cos_q4*z_53;
     const double z_55 = z_20*z_53 + cos_q3*(m*z_50 + cos_q4*c_7)*c_8 - sin_q3*(z_51*z_33);
     const double z_56 = z_49 - sin_q3*z_54;
@@ -1782,21 +1782,21 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_58 = l*sin_q5;
     const double z_59 = l + l*sin_q4;
     const double z_60 = z_59 - sin_q4*z_58;
-    const double z_61 = z_60*c_2;
+    const double z_61 = z_60*c_1;
     const double z_62 = m*(2.0*z_60 + z_59);
-    const double c_11 = c[14];
+    const double c_9 = c[12];
     const double z_63 = cos_q5*cos_q5;
-    const double c_5 = c[8];
-    const double z_64 = cos_q4*(c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5));
-    const double z_65 = z_62*z_58 - c_11*(sin_q4*z_63);
+    const double c_10 = c[13];
+    const double z_64 = cos_q4*(c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5));
+    const double z_65 = z_62*z_58 - c_9*(sin_q4*z_63);
     const double z_66 = l - z_58;
-    e[0] = (1.0/12.0)*(q1_dot*(q1_dot*(l*z_19 + cos_q3*z_29 + c_3*z_14 + z_32*z_12 + z_11*z_35 + c_9 - z_13*z_19 -
+    e[0] = (1.0/12.0)*(q1_dot*(q1_dot*(l*z_19 + cos_q3*z_29 + c_0*z_14 + z_32*z_12 + z_11*z_35 + c_5 - z_13*z_19 -
         z_2*z_31 - sin_q3*z_34) + q3_dot*z_40 + q5_dot*z_42 - q2_dot*z_39 - q4_dot*z_41) + q3_dot*(q1_dot*z_40 +
-        q2_dot*z_55 + q3_dot*(l*(c_0 + z_61 + z_59*c_1) + sin_q4*(l*((c_3 + z_61 + z_59*c_4) - sin_q5*z_62)) +
-        c_11*z_63) - q4_dot*z_64 - q5_dot*z_65) + q5_dot*(q1_dot*z_42 + q5_dot*c_11 - q2_dot*z_57 - q3_dot*z_65) -
-        q2_dot*(q1_dot*z_39 + q2_dot*(sin_q3*(l*(c_3 + z_43*c_4 + z_47) + z_49) + cos_q3*z_48*z_33 - l*(c_0 +
-        z_43*c_1 + z_47) - z_54) + q4_dot*z_56 + q5_dot*z_57 - q3_dot*z_55) - q4_dot*(q1_dot*z_41 + q2_dot*z_56 +
-        q3_dot*z_64 - q4_dot*(l*((c_0 + z_66*c_2) - sin_q5*(c_3 + z_66*c_6)))));
+        q2_dot*z_55 + q3_dot*(l*(c_4 + z_61 + z_59*c_3) + sin_q4*(l*((c_0 + z_61 + z_59*c_2) - sin_q5*z_62)) +
+        c_9*z_63) - q4_dot*z_64 - q5_dot*z_65) + q5_dot*(q1_dot*z_42 + q5_dot*c_9 - q2_dot*z_57 - q3_dot*z_65) -
+        q2_dot*(q1_dot*z_39 + q2_dot*(sin_q3*(l*(c_0 + z_43*c_2 + z_47) + z_49) + cos_q3*z_48*z_33 - l*(c_4 +
+        z_43*c_3 + z_47) - z_54) + q4_dot*z_56 + q5_dot*z_57 - q3_dot*z_55) - q4_dot*(q1_dot*z_41 + q2_dot*z_56 +
+        q3_dot*z_64 - q4_dot*(l*((c_4 + z_66*c_1) - sin_q5*(c_0 + z_66*c_6)))));
     e[1] = 0.0;
     e[2] = 0.0;
     const double z_67 = z_36 + cos_q2*z_6;
@@ -5127,33 +5127,33 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l = parameters[1];
     const double m = parameters[0];
     const double z_0 = l*m;
-    prepared[3] = 5.0*z_0; /* c_0 */
-    prepared[4] = 6.0*m; /* c_1 */
-    prepared[5] = 3.0*m; /* c_2 */
-    prepared[6] = z_0; /* c_3 */
-    prepared[7] = 5.0*m; /* c_4 */
+    prepared[3] = z_0; /* c_0 */
+    prepared[4] = 3.0*m; /* c_1 */
+    prepared[5] = 5.0*m; /* c_2 */
+    prepared[6] = 6.0*m; /* c_3 */
+    prepared[7] = 5.0*z_0; /* c_4 */
     const double z_1 = m*(l*l);
-    prepared[8] = z_1; /* c_5 */
+    prepared[8] = 4.0*z_1; /* c_5 */
     prepared[9] = 2.0*m; /* c_6 */
     prepared[10] = 2.0*z_0; /* c_7 */
     prepared[11] = 3.0*l; /* c_8 */
-    prepared[12] = 4.0*z_1; /* c_9 */
-    prepared[13] = 3.0*z_1; /* c_10 */
-    prepared[14] = 2.0*z_1; /* c_11 */
+    prepared[12] = 2.0*z_1; /* c_9 */
+    prepared[13] = z_1; /* c_10 */
+    prepared[14] = (1.0/3.0)*z_1; /* c_11 */
+    prepared[15] = 3.0*z_1; /* c_12 */
     const double g = parameters[2];
     const double z_2 = z_0*g;
-    prepared[15] = z_2; /* c_12 */
-    prepared[16] = 3.0*z_2; /* c_13 */
-    prepared[17] = 5.0*l; /* c_14 */
-    prepared[18] = 6.0*l; /* c_15 */
-    prepared[19] = 2.0*l; /* c_16 */
-    prepared[20] = (-42.0)*z_2; /* c_17 */
-    prepared[21] = 30.0*z_2; /* c_18 */
-    prepared[22] = 6.0*z_2; /* c_19 */
-    prepared[23] = 12.0*l; /* c_20 */
-    prepared[24] = 8.0*z_1; /* c_21 */
-    prepared[25] = 6.0*z_1; /* c_22 */
-    prepared[26] = (1.0/3.0)*z_1; /* c_23 */
+    prepared[16] = z_2; /* c_13 */
+    prepared[17] = 3.0*z_2; /* c_14 */
+    prepared[18] = 5.0*l; /* c_15 */
+    prepared[19] = 6.0*l; /* c_16 */
+    prepared[20] = 2.0*l; /* c_17 */
+    prepared[21] = (-42.0)*z_2; /* c_18 */
+    prepared[22] = 30.0*z_2; /* c_19 */
+    prepared[23] = 6.0*z_2; /* c_20 */
+    prepared[24] = 12.0*l; /* c_21 */
+    prepared[25] = 8.0*z_1; /* c_22 */
+    prepared[26] = 6.0*z_1; /* c_23 */
     prepared[27] = fabs(l); /* c_24 */
     prepared[28] = 0.5*(m*g); /* c_25 */
     prepared[29] = -l; /* c_26 */
@@ -5172,7 +5172,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double l = c[1];
-    const double c_3 = c[6];
+    const double c_0 = c[3];
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double q4 = x[3];
@@ -5194,31 +5194,31 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_14 = l*z_6 + z_13;
     const double z_15 = l*z_7 - z_14;
     const double z_16 = l*(z_7*sin_q5 + cos_q5*z_11) - z_15;
-    const double c_2 = c[5];
-    const double c_4 = c[7];
     const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
     const double z_17 = -z_15;
-    const double z_18 = c_3 + z_16*c_2 + z_13*c_4 + z_14*c_1 + z_17*c_1;
+    const double z_18 = c_0 + z_16*c_1 + z_13*c_2 + z_14*c_3 + z_17*c_3;
     const double z_19 = sin_q4*cos_q3;
     const double z_20 = cos_q3 + z_19;
     const double z_21 = l*(z_20 - (sin_q3*cos_q5 + sin_q5*z_19));
-    const double z_22 = z_21*c_2;
+    const double z_22 = z_21*c_1;
     const double z_23 = l*z_20;
-    const double c_0 = c[3];
+    const double c_4 = c[7];
     const double m = c[0];
     const double z_24 = m*(2.0*z_21 + z_23);
     const double z_25 = sin_q5*z_24;
-    const double z_26 = l*((c_3*cos_q3 + z_22 + z_23*c_4) - z_25);
+    const double z_26 = l*((c_0*cos_q3 + z_22 + z_23*c_2) - z_25);
     const double z_27 = sin_q4*z_26;
-    const double z_28 = l*(z_22 + z_23*c_1 + cos_q3*c_0) + z_27;
+    const double z_28 = l*(z_22 + z_23*c_3 + cos_q3*c_4) + z_27;
     const double z_29 = m*(2.0*z_16 + z_17);
     const double z_30 = l*(m*(3.0*z_16 + z_14 + 5.0*z_17) - sin_q5*z_29);
     const double z_31 = l*(m*(3.0*z_16 + z_13 + 5.0*z_14 + 6.0*z_17)) + sin_q4*z_30;
     const double z_32 = l*cos_q5;
     const double z_33 = z_24*z_32;
     const double z_34 = z_29*z_32;
-    const double c_9 = c[12];
-    M[0] = (1.0/6.0)*(l*z_18 + cos_q3*z_28 + c_3*z_13 + z_31*z_6 + z_11*z_34 + c_9 - z_12*z_18 - z_2*z_30 -
+    const double c_5 = c[8];
+    M[0] = (1.0/6.0)*(l*z_18 + cos_q3*z_28 + c_0*z_13 + z_31*z_6 + z_11*z_34 + c_5 - z_12*z_18 - z_2*z_30 -
         sin_q3*z_33);
     const double z_35 = cos_q4*z_26;
     const double c_8 = c[11];
@@ -5231,39 +5231,38 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_38 = l*z_37 - z_36;
     const double z_39 = -l*(cos_q3*cos_q5 - sin_q5*z_37) - z_38;
     const double z_40 = -z_38;
-    const double z_41 = z_39*c_2 + z_40*c_1;
+    const double z_41 = z_39*c_1 + z_40*c_3;
     const double z_42 = m*(2.0*z_39 + z_40);
     const double z_43 = sin_q4*(l*(m*(3.0*z_39 + z_36 + 5.0*z_40) - sin_q5*z_42));
     const double z_44 = l*(cos_q4 - cos_q4*sin_q5);
-    const double z_45 = c_3*cos_q4 + z_44*c_6;
+    const double z_45 = c_0*cos_q4 + z_44*c_6;
     const double z_46 = sin_q5*z_45;
-    const double z_47 = l*((z_44*c_2 + cos_q4*c_0) - z_46);
+    const double z_47 = l*((z_44*c_1 + cos_q4*c_4) - z_46);
     const double z_48 = cos_q4*z_47;
-    M[6] = ((-1.0/6.0))*(sin_q3*(l*(c_3 + z_36*c_4 + z_41) + z_43) + cos_q3*z_42*z_32 - l*(c_0 + z_36*c_1 + z_41)
+    M[6] = ((-1.0/6.0))*(sin_q3*(l*(c_0 + z_36*c_2 + z_41) + z_43) + cos_q3*z_42*z_32 - l*(c_4 + z_36*c_3 + z_41)
         - z_48);
     M[10] = M[2] = (1.0/6.0)*(sin_q3*z_31 + z_28*z_11 + cos_q3*z_34 - z_6*z_33);
     M[11] = M[7] = (1.0/6.0)*(z_19*z_47 + cos_q3*(m*z_44 + cos_q4*c_7)*c_8 - sin_q3*(z_45*z_32));
     const double z_49 = l*sin_q5;
     const double z_50 = l + l*sin_q4;
     const double z_51 = z_50 - sin_q4*z_49;
-    const double z_52 = z_51*c_2;
+    const double z_52 = z_51*c_1;
     const double z_53 = m*(2.0*z_51 + z_50);
-    const double c_11 = c[14];
+    const double c_9 = c[12];
     const double z_54 = cos_q5*cos_q5;
-    M[12] = (1.0/6.0)*(l*(c_0 + z_52 + z_50*c_1) + sin_q4*(l*((c_3 + z_52 + z_50*c_4) - sin_q5*z_53)) +
-        c_11*z_54);
+    M[12] = (1.0/6.0)*(l*(c_4 + z_52 + z_50*c_3) + sin_q4*(l*((c_0 + z_52 + z_50*c_2) - sin_q5*z_53)) + c_9*z_54);
     M[15] = M[3] = ((-1.0/6.0))*(cos_q4*cos_q3*z_30 - cos_q2*z_27 - z_6*z_35);
     M[16] = M[8] = ((-1.0/6.0))*(z_43 - sin_q3*z_48);
-    const double c_5 = c[8];
-    M[17] = M[13] = ((-1.0/6.0))*(cos_q4*(c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5)));
+    const double c_10 = c[13];
+    M[17] = M[13] = ((-1.0/6.0))*(cos_q4*(c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5)));
     const double z_55 = l - z_49;
-    M[18] = (1.0/6.0)*(l*((c_0 + z_55*c_2) - sin_q5*(c_3 + z_55*c_6)));
+    M[18] = (1.0/6.0)*(l*((c_4 + z_55*c_1) - sin_q5*(c_0 + z_55*c_6)));
     M[20] = M[4] = (1.0/6.0)*(l*(z_7*cos_q5*z_24 + cos_q5*z_19*z_29 - sin_q5*(sin_q3*z_29) - z_25*z_11));
     M[21] = M[9] = ((-1.0/6.0))*(l*(cos_q5*(cos_q4*z_42) + cos_q3*z_46 + cos_q5*z_45*z_37));
-    M[22] = M[14] = ((-1.0/6.0))*(z_53*z_49 - c_11*(sin_q4*z_54));
+    M[22] = M[14] = ((-1.0/6.0))*(z_53*z_49 - c_9*(sin_q4*z_54));
     M[23] = M[19] = 0.0;
-    const double c_23 = c[26];
-    M[24] = c_23;
+    const double c_11 = c[14];
+    M[24] = c_11;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -5449,7 +5448,7 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[58])
 {
     const double l = c[1];
-    const double c_3 = c[6];
+    const double c_0 = c[3];
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double q4 = x[3];
@@ -5472,24 +5471,24 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_15 = l*z_6 + z_14;
     const double z_16 = l*z_7 - z_15;
     const double z_17 = l*(z_7*sin_q5 + z_12) - z_16;
-    const double c_2 = c[5];
-    const double c_4 = c[7];
     const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
     const double z_18 = -z_16;
-    const double z_19 = c_3 + z_17*c_2 + z_14*c_4 + z_15*c_1 + z_18*c_1;
+    const double z_19 = c_0 + z_17*c_1 + z_14*c_2 + z_15*c_3 + z_18*c_3;
     const double z_20 = sin_q3*cos_q5;
     const double z_21 = sin_q4*cos_q3;
     const double z_22 = cos_q3 + z_21;
     const double z_23 = l*(z_22 - (z_20 + sin_q5*z_21));
-    const double z_24 = z_23*c_2;
+    const double z_24 = z_23*c_1;
     const double z_25 = l*z_22;
-    const double c_0 = c[3];
+    const double c_4 = c[7];
     const double m = c[0];
     const double z_26 = m*(2.0*z_23 + z_25);
     const double z_27 = sin_q5*z_26;
-    const double z_28 = l*((c_3*cos_q3 + z_24 + z_25*c_4) - z_27);
+    const double z_28 = l*((c_0*cos_q3 + z_24 + z_25*c_2) - z_27);
     const double z_29 = sin_q4*z_28;
-    const double z_30 = l*(z_24 + z_25*c_1 + cos_q3*c_0) + z_29;
+    const double z_30 = l*(z_24 + z_25*c_3 + cos_q3*c_4) + z_29;
     const double z_31 = cos_q3*z_30;
     const double z_32 = m*(2.0*z_17 + z_18);
     const double z_33 = sin_q5*z_32;
@@ -5497,8 +5496,8 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_35 = l*(m*(3.0*z_17 + z_14 + 5.0*z_15 + 6.0*z_18)) + sin_q4*z_34;
     const double z_36 = l*cos_q5;
     const double z_37 = sin_q3*z_36;
-    const double c_9 = c[12];
-    M1[0][0] = (1.0/6.0)*(l*z_19 + z_31 + c_3*z_14 + z_35*z_6 + z_11*(z_32*z_36) + c_9 - z_13*z_19 - z_2*z_34 -
+    const double c_5 = c[8];
+    M1[0][0] = (1.0/6.0)*(l*z_19 + z_31 + c_0*z_14 + z_35*z_6 + z_11*(z_32*z_36) + c_5 - z_13*z_19 - z_2*z_34 -
         z_26*z_37);
     const double z_38 = cos_q4*sin_q2;
     const double z_39 = cos_q2*sin_q3;
@@ -5515,41 +5514,41 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_46 = l*z_45 - z_43;
     const double z_47 = -l*(z_44 - sin_q5*z_45) - z_46;
     const double z_48 = -z_46;
-    const double z_49 = z_47*c_2 + z_48*c_1;
+    const double z_49 = z_47*c_1 + z_48*c_3;
     const double z_50 = m*(2.0*z_47 + z_48);
     const double z_51 = l*(m*(3.0*z_47 + z_43 + 5.0*z_48) - sin_q5*z_50);
     const double z_52 = sin_q4*z_51;
-    const double z_53 = l*(c_3 + z_43*c_4 + z_49) + z_52;
+    const double z_53 = l*(c_0 + z_43*c_2 + z_49) + z_52;
     const double z_54 = l*(cos_q4 - cos_q4*sin_q5);
-    const double z_55 = c_3*cos_q4 + z_54*c_6;
+    const double z_55 = c_0*cos_q4 + z_54*c_6;
     const double z_56 = sin_q5*z_55;
-    const double z_57 = l*((z_54*c_2 + cos_q4*c_0) - z_56);
+    const double z_57 = l*((z_54*c_1 + cos_q4*c_4) - z_56);
     const double z_58 = cos_q4*z_57;
-    M1[1][1] = ((-1.0/6.0))*(sin_q3*z_53 + z_50*z_40 - l*(c_0 + z_43*c_1 + z_49) - z_58);
+    M1[1][1] = ((-1.0/6.0))*(sin_q3*z_53 + z_50*z_40 - l*(c_4 + z_43*c_3 + z_49) - z_58);
     M1[0][2] = M1[2][0] = (1.0/6.0)*(sin_q3*z_35 + z_30*z_11 + z_32*z_40 - z_6*(z_26*z_36));
     const double z_59 = m*z_54 + cos_q4*c_7;
     M1[1][2] = M1[2][1] = (1.0/6.0)*(z_21*z_57 + cos_q3*z_59*c_8 - z_55*z_37);
     const double z_60 = l*sin_q5;
     const double z_61 = l + l*sin_q4;
     const double z_62 = z_61 - sin_q4*z_60;
-    const double z_63 = z_62*c_2;
+    const double z_63 = z_62*c_1;
     const double z_64 = m*(2.0*z_62 + z_61);
-    const double z_65 = l*((c_3 + z_63 + z_61*c_4) - sin_q5*z_64);
-    const double c_11 = c[14];
+    const double z_65 = l*((c_0 + z_63 + z_61*c_2) - sin_q5*z_64);
+    const double c_9 = c[12];
     const double z_66 = cos_q5*cos_q5;
-    const double z_67 = c_11*z_66;
-    M1[2][2] = (1.0/6.0)*(l*(c_0 + z_63 + z_61*c_1) + sin_q4*z_65 + z_67);
+    const double z_67 = c_9*z_66;
+    M1[2][2] = (1.0/6.0)*(l*(c_4 + z_63 + z_61*c_3) + sin_q4*z_65 + z_67);
     const double z_68 = cos_q4*cos_q3;
     const double z_69 = cos_q2*sin_q4;
     const double z_70 = cos_q4*z_28;
     M1[0][3] = M1[3][0] = ((-1.0/6.0))*(z_34*z_68 - z_28*z_69 - z_6*z_70);
     M1[1][3] = M1[3][1] = ((-1.0/6.0))*(z_52 - sin_q3*z_58);
-    const double c_5 = c[8];
-    const double z_71 = c_5*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
+    const double c_10 = c[13];
+    const double z_71 = c_10*(3.0*cos_q5 - 2.0*sin_q5*cos_q5);
     M1[2][3] = M1[3][2] = ((-1.0/6.0))*(cos_q4*z_71);
     const double z_72 = l - z_60;
-    const double z_73 = c_3 + z_72*c_6;
-    M1[3][3] = (1.0/6.0)*(l*((c_0 + z_72*c_2) - sin_q5*z_73));
+    const double z_73 = c_0 + z_72*c_6;
+    M1[3][3] = (1.0/6.0)*(l*((c_4 + z_72*c_1) - sin_q5*z_73));
     const double z_74 = z_7*z_26;
     const double z_75 = sin_q3*sin_q5;
     const double z_76 = z_26*z_11;
@@ -5562,8 +5561,8 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M1[1][4] = M1[4][1] = ((-1.0/6.0))*(l*(cos_q5*z_79 + z_55*z_80 + z_55*z_81));
     M1[2][4] = M1[4][2] = ((-1.0/6.0))*(z_64*z_60 - sin_q4*z_67);
     M1[3][4] = M1[4][3] = 0.0;
-    const double c_23 = c[26];
-    M1[4][4] = c_23;
+    const double c_11 = c[14];
+    M1[4][4] = c_11;
     const double z_82 = sin_q4*z_72;
     const double z_83 = l + z_82;
     const double z_84 = cos_q3*z_83 - z_37;
@@ -5673,7 +5672,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1])
 {
     const double l = c[1];
-    const double c_0 = c[3];
+    const double c_4 = c[7];
     const double q2_dot = v[1];
     const double cos_q2 = shared[0];
     const double z_101 = q2_dot*cos_q2;
@@ -5683,7 +5682,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double sin_q3 = shared[2];
     const double z_103 = sin_q3*z_101;
     const double z_104 = l*z_101 - l*(z_102 + z_103);
-    const double c_1 = c[4];
+    const double c_3 = c[6];
     const double sin_q5 = shared[3];
     const double q4_dot = v[3];
     const double sin_q4 = shared[4];
@@ -5708,10 +5707,10 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_114 = q5_dot*sin_q5;
     const double z_115 = l*z_109 - z_104;
     const double z_116 = l*((sin_q5*z_109 - z_7*z_110) - (z_44*z_101 - z_113 - z_11*z_114)) - z_115;
-    const double c_2 = c[5];
+    const double c_1 = c[4];
     const double z_117 = -z_115;
-    const double z_118 = z_116*c_2 + z_117*c_1;
-    const double z_119 = c_0*z_101 + z_104*c_1 + z_118;
+    const double z_118 = z_116*c_1 + z_117*c_3;
+    const double z_119 = c_4*z_101 + z_104*c_3 + z_118;
     const double z_30 = shared[13];
     const double cos_q3 = shared[14];
     const double z_120 = q3_dot*cos_q3;
@@ -5723,17 +5722,17 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_124 = cos_q3*z_108;
     const double z_125 = l*z_111 - l*(z_124 - z_123);
     const double z_126 = l*((z_121 - z_122) + (z_108*z_80 + q5_dot*z_78 - sin_q5*z_123)) + z_125;
-    const double z_127 = z_126*c_2;
+    const double z_127 = z_126*c_1;
     const double z_28 = shared[17];
     const double z_128 = z_28*z_108;
-    const double c_3 = c[6];
-    const double c_4 = c[7];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
     const double z_26 = shared[18];
     const double m = c[0];
     const double z_129 = m*(2.0*z_126 + z_125);
     const double z_130 = sin_q5*z_129;
-    const double z_131 = l*(c_3*z_111 + z_127 + z_125*c_4) + l*(z_26*z_110 - z_130);
-    const double z_132 = l*(z_127 + z_125*c_1 + c_0*z_111) - (z_128 - sin_q4*z_131);
+    const double z_131 = l*(c_0*z_111 + z_127 + z_125*c_2) + l*(z_26*z_110 - z_130);
+    const double z_132 = l*(z_127 + z_125*c_3 + c_4*z_111) - (z_128 - sin_q4*z_131);
     const double z_19 = shared[19];
     const double z_34 = shared[20];
     const double z_2 = shared[21];
@@ -5741,13 +5740,13 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_133 = z_32*z_110;
     const double z_134 = m*(2.0*z_116 + z_117);
     const double z_135 = l*(m*(3.0*z_116 + z_104 + 5.0*z_117)) + l*(z_133 - sin_q5*z_134);
-    const double c_5 = c[8];
+    const double c_10 = c[13];
     const double z_35 = shared[23];
-    const double z_136 = l*(c_3*z_101 + z_104*c_4 + z_118) - (z_34*z_108 - sin_q4*z_135);
+    const double z_136 = l*(c_0*z_101 + z_104*c_2 + z_118) - (z_34*z_108 - sin_q4*z_135);
     const double z_20 = shared[24];
     const double z_137 = z_32*z_44;
     const double z_12 = shared[25];
-    Mdot1[0][0] = ((-1.0/6.0))*(l*z_119 + (z_30*z_111 + cos_q3*z_132) + l*(z_19*z_101 - sin_q2*z_119) + c_5*z_101
+    Mdot1[0][0] = ((-1.0/6.0))*(l*z_119 + (z_30*z_111 + cos_q3*z_132) + l*(z_19*z_101 - sin_q2*z_119) + c_10*z_101
         + l*(z_26*z_121 - z_26*z_122 - z_20*z_129) - (z_34*z_107 + z_34*z_106 + z_2*z_135) - (z_35*z_103 +
         z_35*z_102 - z_136*z_6) - l*(z_101*z_137 - z_32*z_113 - z_114*(z_32*z_11) - z_12*z_134));
     const double z_42 = shared[26];
@@ -5770,21 +5769,21 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_75 = shared[33];
     const double z_143 = l*z_120 + l*(sin_q3*z_108 + z_142);
     const double z_144 = z_143 - l*((z_140 + z_141) + (q5_dot*z_81 + sin_q5*z_142 + z_75*z_108));
-    const double z_145 = z_144*c_2;
+    const double z_145 = z_144*c_1;
     const double z_51 = shared[34];
     const double z_50 = shared[35];
     const double z_146 = m*(2.0*z_144 + z_143);
-    const double z_147 = z_51*z_108 - sin_q4*(l*(c_3*z_120 + z_145 + z_143*c_4) + l*(z_50*z_110 - sin_q5*z_146));
+    const double z_147 = z_51*z_108 - sin_q4*(l*(c_0*z_120 + z_145 + z_143*c_2) + l*(z_50*z_110 - sin_q5*z_146));
     const double z_57 = shared[36];
     const double z_148 = z_57*z_105;
     const double z_149 = l*z_105 - l*(sin_q5*z_105 - cos_q4*z_110);
     const double z_55 = shared[37];
     const double z_150 = z_55*z_110;
-    const double z_151 = c_3*z_105 + z_149*c_6;
-    const double z_152 = l*(z_149*c_2 + c_0*z_105) + l*(z_150 - sin_q5*z_151);
+    const double z_151 = c_0*z_105 + z_149*c_6;
+    const double z_152 = l*(z_149*c_1 + c_4*z_105) + l*(z_150 - sin_q5*z_151);
     const double z_153 = cos_q4*z_152;
     const double c_8 = c[11];
-    Mdot1[1][1] = ((-1.0/6.0))*((z_53*z_120 - sin_q3*(l*(z_145 + c_0*z_120 + z_143*c_1) - z_147)) + (z_148 +
+    Mdot1[1][1] = ((-1.0/6.0))*((z_53*z_120 - sin_q3*(l*(z_145 + c_4*z_120 + z_143*c_3) - z_147)) + (z_148 +
         z_153) + (m*z_144 + c_7*z_120 + z_143*c_6)*c_8 - l*(z_50*z_140 + z_50*z_141 + z_44*z_146));
     const double z_31 = shared[38];
     const double z_154 = z_26*z_101;
@@ -5799,11 +5798,11 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_77 = shared[42];
     const double z_155 = l*z_108 - l*(q5_dot*z_77 + sin_q5*z_108);
     const double z_64 = shared[43];
-    const double z_156 = l*(z_64*z_110 + sin_q5*(c_3*z_108 + z_155*c_6));
-    const double c_9 = c[12];
+    const double z_156 = l*(z_64*z_110 + sin_q5*(c_0*z_108 + z_155*c_6));
+    const double c_5 = c[8];
     const double z_157 = cos_q5*z_114;
-    Mdot1[2][2] = (1.0/6.0)*((z_65*z_108 + sin_q4*(l*(z_155*c_2 + c_0*z_108) - z_156)) + (m*z_155 + c_7*z_108)*c_8
-        - c_9*z_157);
+    Mdot1[2][2] = (1.0/6.0)*((z_65*z_108 + sin_q4*(l*(z_155*c_1 + c_4*z_108) - z_156)) + (m*z_155 + c_7*z_108)*c_8
+        - c_5*z_157);
     const double z_68 = shared[44];
     const double z_29 = shared[45];
     const double z_69 = shared[46];
@@ -5813,13 +5812,13 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/6.0))*(z_147 + (sin_q3*z_148 + sin_q3*z_153 - z_58*z_120));
     const double z_71 = shared[48];
     const double z_66 = shared[49];
-    const double c_10 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_71*z_105 + cos_q4*(2.0*c_5*(q5_dot*z_66 - q5_dot*(sin_q5*sin_q5)) +
-        c_10*z_114));
+    const double c_12 = c[15];
+    Mdot1[2][3] = Mdot1[3][2] = (1.0/6.0)*(z_71*z_105 + cos_q4*(2.0*c_10*(q5_dot*z_66 - q5_dot*(sin_q5*sin_q5)) +
+        c_12*z_114));
     const double z_73 = shared[50];
     const double z_36 = shared[51];
-    const double c_11 = c[14];
-    Mdot1[3][3] = ((-1.0/6.0))*(c_10*z_110 - (c_11*z_157 - z_73*(q5_dot*z_36)));
+    const double c_9 = c[12];
+    Mdot1[3][3] = ((-1.0/6.0))*(c_12*z_110 - (c_9*z_157 - z_73*(q5_dot*z_36)));
     const double z_74 = shared[52];
     const double z_33 = shared[53];
     const double z_27 = shared[54];
@@ -5831,7 +5830,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double z_56 = shared[57];
     Mdot1[1][4] = Mdot1[4][1] = (1.0/6.0)*(l*(q4_dot*z_50*z_77 + z_114*z_79 + z_146*z_100) - l*(cos_q3*z_150 -
         z_56*z_111 - z_151*z_80) - l*(z_55*z_120*z_77 + z_20*z_55*z_108 - z_114*(z_55*z_45) - z_151*z_81));
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_156 - 2.0*c_5*(z_66*z_108 - 2.0*z_114*z_77));
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/6.0))*(z_156 - 2.0*c_10*(z_66*z_108 - 2.0*z_114*z_77));
     Mdot1[3][4] = Mdot1[4][3] = 0.0;
     Mdot1[4][4] = 0.0;
 }

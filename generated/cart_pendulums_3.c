@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:ed02d78f576397d2d5aa2c84f973d86b953cf91da4fd1e825bd10f5c7bcc4da7 */
+/* body sha256:e22aa333d48bdb63ab546c8829b3c1e0b9c41c66cf4f90eb21b7cbee89e4dd08 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -72,54 +72,54 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   const real *restrict u, real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real q1_dot = v[1];
     const real q1 = x[1];
     const real sin_q1 = em_sin(q1);
     const real z_1 = q1_dot*sin_q1;
-    const real z_2 = c_0*z_1;
+    const real z_2 = c_1*z_1;
     Mdot1[0][1] = Mdot1[1][0] = z_2;
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[9];
+    const real c_3 = c[11];
     const real q2_dot = v[2];
     const real q2 = x[2];
     const real sin_q2 = em_sin(q2);
     const real z_4 = q2_dot*sin_q2;
-    const real z_5 = c_1*z_4;
+    const real z_5 = c_3*z_4;
     Mdot1[0][2] = Mdot1[2][0] = z_5;
-    const real c_2 = c[10];
+    const real c_4 = c[12];
     const real cos_q2 = em_cos(q2);
     const real cos_q1 = em_cos(q1);
     const real z_8 = q1_dot*cos_q1;
     const real z_9 = q2_dot*cos_q2;
-    Mdot1[1][2] = Mdot1[2][1] = -c_2*((cos_q2*z_1 + cos_q1*z_4) - (sin_q2*z_8 + sin_q1*z_9));
+    Mdot1[1][2] = Mdot1[2][1] = -c_4*((cos_q2*z_1 + cos_q1*z_4) - (sin_q2*z_8 + sin_q1*z_9));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[11];
+    const real c_6 = c[14];
     const real q3_dot = v[3];
     const real q3 = x[3];
     const real sin_q3 = em_sin(q3);
     const real z_11 = q3_dot*sin_q3;
-    const real z_12 = c_3*z_11;
+    const real z_12 = c_6*z_11;
     Mdot1[0][3] = Mdot1[3][0] = z_12;
-    const real c_4 = c[12];
+    const real c_7 = c[15];
     const real cos_q3 = em_cos(q3);
     const real z_14 = q3_dot*cos_q3;
-    Mdot1[1][3] = Mdot1[3][1] = -c_4*((cos_q3*z_1 + cos_q1*z_11) - (sin_q3*z_8 + sin_q1*z_14));
-    const real c_5 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = -c_5*((cos_q3*z_4 + cos_q2*z_11) - (sin_q3*z_9 + sin_q2*z_14));
+    Mdot1[1][3] = Mdot1[3][1] = -c_7*((cos_q3*z_1 + cos_q1*z_11) - (sin_q3*z_8 + sin_q1*z_14));
+    const real c_8 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -c_8*((cos_q3*z_4 + cos_q2*z_11) - (sin_q3*z_9 + sin_q2*z_14));
     Mdot1[3][3] = em_real(0.0);
     const real F = u[0];
     f1[0] = F;
     const real x_dot = v[0];
-    const real z_15 = q1_dot*q2_dot*c_2*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    const real z_16 = q1_dot*q3_dot*c_4*(cos_q3*sin_q1 - cos_q1*sin_q3);
-    const real c_6 = c[14];
-    f1[1] = (x_dot*z_2 - z_15 - z_16) + sin_q1*c_6;
-    const real z_17 = q2_dot*q3_dot*c_5*(cos_q3*sin_q2 - cos_q2*sin_q3);
-    const real c_7 = c[15];
-    f1[2] = (z_15 + x_dot*z_5 - z_17) + sin_q2*c_7;
-    const real c_8 = c[16];
-    f1[3] = (z_16 + z_17 + x_dot*z_12) + sin_q3*c_8;
+    const real z_15 = q1_dot*q2_dot*c_4*(cos_q2*sin_q1 - cos_q1*sin_q2);
+    const real z_16 = q1_dot*q3_dot*c_7*(cos_q3*sin_q1 - cos_q1*sin_q3);
+    const real c_10 = c[18];
+    f1[1] = (x_dot*z_2 - z_15 - z_16) + sin_q1*c_10;
+    const real z_17 = q2_dot*q3_dot*c_8*(cos_q3*sin_q2 - cos_q2*sin_q3);
+    const real c_11 = c[19];
+    f1[2] = (z_15 + x_dot*z_5 - z_17) + sin_q2*c_11;
+    const real c_12 = c[20];
+    f1[3] = (z_16 + z_17 + x_dot*z_12) + sin_q3*c_12;
 }
 
 /* xdot alone (20) */
@@ -182,35 +182,35 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[6])
 {
-    const real c_9 = c[17];
-    M1[0][0] = c_9;
+    const real c_0 = c[8];
+    M1[0][0] = c_0;
     const real q1 = x[1];
     const real cos_q1 = em_cos(q1);
-    const real c_0 = c[8];
-    M1[1][0] = -cos_q1*c_0;
-    const real c_10 = c[18];
-    M1[1][1] = c_10;
+    const real c_1 = c[9];
+    M1[1][0] = -cos_q1*c_1;
+    const real c_2 = c[10];
+    M1[1][1] = c_2;
     const real q2 = x[2];
     const real cos_q2 = em_cos(q2);
-    const real c_1 = c[9];
-    M1[2][0] = -cos_q2*c_1;
+    const real c_3 = c[11];
+    M1[2][0] = -cos_q2*c_3;
     const real sin_q1 = em_sin(q1);
     const real sin_q2 = em_sin(q2);
-    const real c_2 = c[10];
-    M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
-    const real c_11 = c[19];
-    M1[2][2] = c_11;
+    const real c_4 = c[12];
+    M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_4;
+    const real c_5 = c[13];
+    M1[2][2] = c_5;
     const real q3 = x[3];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[11];
-    M1[3][0] = -cos_q3*c_3;
+    const real c_6 = c[14];
+    M1[3][0] = -cos_q3*c_6;
     const real sin_q3 = em_sin(q3);
-    const real c_4 = c[12];
-    M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
-    const real c_5 = c[13];
-    M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
-    const real c_12 = c[20];
-    M1[3][3] = c_12;
+    const real c_7 = c[15];
+    M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_7;
+    const real c_8 = c[16];
+    M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_8;
+    const real c_9 = c[17];
+    M1[3][3] = c_9;
     shared[0] = sin_q1;
     shared[1] = sin_q2;
     shared[2] = cos_q2;
@@ -224,51 +224,51 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  const real shared[6], real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real q1_dot = v[1];
     const real sin_q1 = shared[0];
     const real z_6 = q1_dot*sin_q1;
-    const real z_7 = c_0*z_6;
+    const real z_7 = c_1*z_6;
     Mdot1[0][1] = Mdot1[1][0] = z_7;
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[9];
+    const real c_3 = c[11];
     const real q2_dot = v[2];
     const real sin_q2 = shared[1];
     const real z_8 = q2_dot*sin_q2;
-    const real z_9 = c_1*z_8;
+    const real z_9 = c_3*z_8;
     Mdot1[0][2] = Mdot1[2][0] = z_9;
-    const real c_2 = c[10];
+    const real c_4 = c[12];
     const real cos_q2 = shared[2];
     const real cos_q1 = shared[3];
     const real z_10 = q1_dot*cos_q1;
     const real z_11 = q2_dot*cos_q2;
-    Mdot1[1][2] = Mdot1[2][1] = -c_2*((cos_q2*z_6 + cos_q1*z_8) - (sin_q2*z_10 + sin_q1*z_11));
+    Mdot1[1][2] = Mdot1[2][1] = -c_4*((cos_q2*z_6 + cos_q1*z_8) - (sin_q2*z_10 + sin_q1*z_11));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[11];
+    const real c_6 = c[14];
     const real q3_dot = v[3];
     const real sin_q3 = shared[4];
     const real z_12 = q3_dot*sin_q3;
-    const real z_13 = c_3*z_12;
+    const real z_13 = c_6*z_12;
     Mdot1[0][3] = Mdot1[3][0] = z_13;
-    const real c_4 = c[12];
+    const real c_7 = c[15];
     const real cos_q3 = shared[5];
     const real z_14 = q3_dot*cos_q3;
-    Mdot1[1][3] = Mdot1[3][1] = -c_4*((cos_q3*z_6 + cos_q1*z_12) - (sin_q3*z_10 + sin_q1*z_14));
-    const real c_5 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = -c_5*((cos_q3*z_8 + cos_q2*z_12) - (sin_q3*z_11 + sin_q2*z_14));
+    Mdot1[1][3] = Mdot1[3][1] = -c_7*((cos_q3*z_6 + cos_q1*z_12) - (sin_q3*z_10 + sin_q1*z_14));
+    const real c_8 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -c_8*((cos_q3*z_8 + cos_q2*z_12) - (sin_q3*z_11 + sin_q2*z_14));
     Mdot1[3][3] = em_real(0.0);
     const real F = u[0];
     f1[0] = F;
     const real x_dot = v[0];
-    const real z_15 = q1_dot*q2_dot*c_2*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    const real z_16 = q1_dot*q3_dot*c_4*(cos_q3*sin_q1 - cos_q1*sin_q3);
-    const real c_6 = c[14];
-    f1[1] = (x_dot*z_7 - z_15 - z_16) + sin_q1*c_6;
-    const real z_17 = q2_dot*q3_dot*c_5*(cos_q3*sin_q2 - cos_q2*sin_q3);
-    const real c_7 = c[15];
-    f1[2] = (z_15 + x_dot*z_9 - z_17) + sin_q2*c_7;
-    const real c_8 = c[16];
-    f1[3] = (z_16 + z_17 + x_dot*z_13) + sin_q3*c_8;
+    const real z_15 = q1_dot*q2_dot*c_4*(cos_q2*sin_q1 - cos_q1*sin_q2);
+    const real z_16 = q1_dot*q3_dot*c_7*(cos_q3*sin_q1 - cos_q1*sin_q3);
+    const real c_10 = c[18];
+    f1[1] = (x_dot*z_7 - z_15 - z_16) + sin_q1*c_10;
+    const real z_17 = q2_dot*q3_dot*c_8*(cos_q3*sin_q2 - cos_q2*sin_q3);
+    const real c_11 = c[19];
+    f1[2] = (z_15 + x_dot*z_9 - z_17) + sin_q2*c_11;
+    const real c_12 = c[20];
+    f1[3] = (z_16 + z_17 + x_dot*z_13) + sin_q3*c_12;
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -322,35 +322,35 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[6])
 {
-    const real c_9 = c[17];
-    M1[0][0] = c_9;
+    const real c_0 = c[8];
+    M1[0][0] = c_0;
     const real q1 = x[1];
     const real cos_q1 = em_cos(q1);
-    const real c_0 = c[8];
-    M1[0][1] = M1[1][0] = -cos_q1*c_0;
-    const real c_10 = c[18];
-    M1[1][1] = c_10;
+    const real c_1 = c[9];
+    M1[0][1] = M1[1][0] = -cos_q1*c_1;
+    const real c_2 = c[10];
+    M1[1][1] = c_2;
     const real q2 = x[2];
     const real cos_q2 = em_cos(q2);
-    const real c_1 = c[9];
-    M1[0][2] = M1[2][0] = -cos_q2*c_1;
+    const real c_3 = c[11];
+    M1[0][2] = M1[2][0] = -cos_q2*c_3;
     const real sin_q1 = em_sin(q1);
     const real sin_q2 = em_sin(q2);
-    const real c_2 = c[10];
-    M1[1][2] = M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
-    const real c_11 = c[19];
-    M1[2][2] = c_11;
+    const real c_4 = c[12];
+    M1[1][2] = M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_4;
+    const real c_5 = c[13];
+    M1[2][2] = c_5;
     const real q3 = x[3];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[11];
-    M1[0][3] = M1[3][0] = -cos_q3*c_3;
+    const real c_6 = c[14];
+    M1[0][3] = M1[3][0] = -cos_q3*c_6;
     const real sin_q3 = em_sin(q3);
-    const real c_4 = c[12];
-    M1[1][3] = M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
-    const real c_5 = c[13];
-    M1[2][3] = M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
-    const real c_12 = c[20];
-    M1[3][3] = c_12;
+    const real c_7 = c[15];
+    M1[1][3] = M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_7;
+    const real c_8 = c[16];
+    M1[2][3] = M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_8;
+    const real c_9 = c[17];
+    M1[3][3] = c_9;
     shared[0] = sin_q1;
     shared[1] = sin_q2;
     shared[2] = cos_q2;
@@ -364,35 +364,35 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
                              real Mdot1[N1][N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real q1_dot = v[1];
     const real sin_q1 = shared[0];
     const real z_6 = q1_dot*sin_q1;
-    Mdot1[0][1] = Mdot1[1][0] = c_0*z_6;
+    Mdot1[0][1] = Mdot1[1][0] = c_1*z_6;
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[9];
+    const real c_3 = c[11];
     const real q2_dot = v[2];
     const real sin_q2 = shared[1];
     const real z_7 = q2_dot*sin_q2;
-    Mdot1[0][2] = Mdot1[2][0] = c_1*z_7;
-    const real c_2 = c[10];
+    Mdot1[0][2] = Mdot1[2][0] = c_3*z_7;
+    const real c_4 = c[12];
     const real cos_q2 = shared[2];
     const real cos_q1 = shared[3];
     const real z_8 = q1_dot*cos_q1;
     const real z_9 = q2_dot*cos_q2;
-    Mdot1[1][2] = Mdot1[2][1] = -c_2*((cos_q2*z_6 + cos_q1*z_7) - (sin_q2*z_8 + sin_q1*z_9));
+    Mdot1[1][2] = Mdot1[2][1] = -c_4*((cos_q2*z_6 + cos_q1*z_7) - (sin_q2*z_8 + sin_q1*z_9));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[11];
+    const real c_6 = c[14];
     const real q3_dot = v[3];
     const real sin_q3 = shared[4];
     const real z_10 = q3_dot*sin_q3;
-    Mdot1[0][3] = Mdot1[3][0] = c_3*z_10;
-    const real c_4 = c[12];
+    Mdot1[0][3] = Mdot1[3][0] = c_6*z_10;
+    const real c_7 = c[15];
     const real cos_q3 = shared[5];
     const real z_11 = q3_dot*cos_q3;
-    Mdot1[1][3] = Mdot1[3][1] = -c_4*((cos_q3*z_6 + cos_q1*z_10) - (sin_q3*z_8 + sin_q1*z_11));
-    const real c_5 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = -c_5*((cos_q3*z_7 + cos_q2*z_10) - (sin_q3*z_9 + sin_q2*z_11));
+    Mdot1[1][3] = Mdot1[3][1] = -c_7*((cos_q3*z_6 + cos_q1*z_10) - (sin_q3*z_8 + sin_q1*z_11));
+    const real c_8 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -c_8*((cos_q3*z_7 + cos_q2*z_10) - (sin_q3*z_9 + sin_q2*z_11));
     Mdot1[3][3] = em_real(0.0);
 }
 
@@ -502,30 +502,30 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double F = u[0];
     const double q1 = x[1];
     const double sin_q1 = em_sin(q1);
-    const double c_0 = c[8];
+    const double c_1 = c[9];
     const double q1_dot = v[1];
     const double q2 = x[2];
     const double sin_q2 = em_sin(q2);
-    const double c_1 = c[9];
+    const double c_3 = c[11];
     const double q2_dot = v[2];
     const double q3 = x[3];
     const double sin_q3 = em_sin(q3);
-    const double c_3 = c[11];
+    const double c_6 = c[14];
     const double q3_dot = v[3];
-    bias[0] = F - (sin_q1*c_0*(q1_dot*q1_dot) + sin_q2*c_1*(q2_dot*q2_dot) + sin_q3*c_3*(q3_dot*q3_dot));
+    bias[0] = F - (sin_q1*c_1*(q1_dot*q1_dot) + sin_q2*c_3*(q2_dot*q2_dot) + sin_q3*c_6*(q3_dot*q3_dot));
     const double x_dot = v[0];
     const double z_3 = q1_dot*sin_q1;
-    const double z_4 = x_dot*c_0*z_3;
+    const double z_4 = x_dot*c_1*z_3;
     const double cos_q2 = em_cos(q2);
     const double cos_q1 = em_cos(q1);
-    const double c_2 = c[10];
-    const double z_7 = q1_dot*c_2;
+    const double c_4 = c[12];
+    const double z_7 = q1_dot*c_4;
     const double z_8 = q2_dot*(cos_q2*sin_q1 - cos_q1*sin_q2)*z_7;
     const double cos_q3 = em_cos(q3);
-    const double c_4 = c[12];
-    const double z_10 = q1_dot*c_4;
+    const double c_7 = c[15];
+    const double z_10 = q1_dot*c_7;
     const double z_11 = q3_dot*(cos_q3*sin_q1 - cos_q1*sin_q3)*z_10;
-    const double c_6 = c[14];
+    const double c_10 = c[18];
     const double z_12 = q2_dot*sin_q2;
     const double z_13 = q1_dot*cos_q1;
     const double z_14 = q2_dot*cos_q2;
@@ -533,17 +533,17 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_16 = q3_dot*sin_q3;
     const double z_17 = q3_dot*cos_q3;
     const double z_18 = (cos_q3*z_3 + cos_q1*z_16) - (sin_q3*z_13 + sin_q1*z_17);
-    bias[1] = ((z_4 - z_8 - z_11) + sin_q1*c_6) - (z_4 - q2_dot*c_2*z_15 - q3_dot*c_4*z_18);
-    const double z_19 = x_dot*c_1*z_12;
-    const double c_5 = c[13];
-    const double z_20 = q2_dot*c_5;
-    const double z_21 = q3_dot*(cos_q3*sin_q2 - cos_q2*sin_q3)*z_20;
-    const double c_7 = c[15];
-    const double z_22 = (cos_q3*z_12 + cos_q2*z_16) - (sin_q3*z_14 + sin_q2*z_17);
-    bias[2] = ((z_8 + z_19 - z_21) + sin_q2*c_7) - (z_19 - z_15*z_7 - q3_dot*c_5*z_22);
-    const double z_23 = x_dot*c_3*z_16;
+    bias[1] = ((z_4 - z_8 - z_11) + sin_q1*c_10) - (z_4 - q2_dot*c_4*z_15 - q3_dot*c_7*z_18);
+    const double z_19 = x_dot*c_3*z_12;
     const double c_8 = c[16];
-    bias[3] = ((z_11 + z_21 + z_23) + sin_q3*c_8) - (z_23 - z_18*z_10 - z_22*z_20);
+    const double z_20 = q2_dot*c_8;
+    const double z_21 = q3_dot*(cos_q3*sin_q2 - cos_q2*sin_q3)*z_20;
+    const double c_11 = c[19];
+    const double z_22 = (cos_q3*z_12 + cos_q2*z_16) - (sin_q3*z_14 + sin_q2*z_17);
+    bias[2] = ((z_8 + z_19 - z_21) + sin_q2*c_11) - (z_19 - z_15*z_7 - q3_dot*c_8*z_22);
+    const double z_23 = x_dot*c_6*z_16;
+    const double c_12 = c[20];
+    bias[3] = ((z_11 + z_21 + z_23) + sin_q3*c_12) - (z_23 - z_18*z_10 - z_22*z_20);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -551,43 +551,43 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double x_dot = v[0];
-    const double c_9 = c[17];
+    const double c_0 = c[8];
     const double q1_dot = v[1];
     const double q1 = x[1];
     const double cos_q1 = em_cos(q1);
-    const double c_0 = c[8];
-    const double z_1 = cos_q1*c_0;
+    const double c_1 = c[9];
+    const double z_1 = cos_q1*c_1;
     const double q2_dot = v[2];
     const double q2 = x[2];
     const double cos_q2 = em_cos(q2);
-    const double c_1 = c[9];
-    const double z_3 = cos_q2*c_1;
+    const double c_3 = c[11];
+    const double z_3 = cos_q2*c_3;
     const double q3_dot = v[3];
     const double q3 = x[3];
     const double cos_q3 = em_cos(q3);
-    const double c_3 = c[11];
-    const double z_5 = cos_q3*c_3;
-    const double c_10 = c[18];
+    const double c_6 = c[14];
+    const double z_5 = cos_q3*c_6;
+    const double c_2 = c[10];
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    const double c_2 = c[10];
-    const double z_8 = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
-    const double sin_q3 = em_sin(q3);
     const double c_4 = c[12];
-    const double z_10 = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
-    const double c_11 = c[19];
+    const double z_8 = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_4;
+    const double sin_q3 = em_sin(q3);
+    const double c_7 = c[15];
+    const double z_10 = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_7;
     const double c_5 = c[13];
-    const double z_11 = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
-    const double c_12 = c[20];
-    e[0] = 0.5*(x_dot*(x_dot*c_9 - q1_dot*z_1 - q2_dot*z_3 - q3_dot*z_5) - q1_dot*(x_dot*z_1 - q1_dot*c_10 -
-        q2_dot*z_8 - q3_dot*z_10) - q2_dot*(x_dot*z_3 - q1_dot*z_8 - q2_dot*c_11 - q3_dot*z_11) -
-        q3_dot*(x_dot*z_5 - q1_dot*z_10 - q2_dot*z_11 - q3_dot*c_12));
+    const double c_8 = c[16];
+    const double z_11 = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_8;
+    const double c_9 = c[17];
+    e[0] = 0.5*(x_dot*(x_dot*c_0 - q1_dot*z_1 - q2_dot*z_3 - q3_dot*z_5) - q1_dot*(x_dot*z_1 - q1_dot*c_2 -
+        q2_dot*z_8 - q3_dot*z_10) - q2_dot*(x_dot*z_3 - q1_dot*z_8 - q2_dot*c_5 - q3_dot*z_11) - q3_dot*(x_dot*z_5
+        - q1_dot*z_10 - q2_dot*z_11 - q3_dot*c_9));
     e[1] = 0.0;
     e[2] = 0.0;
-    const double c_7 = c[15];
-    const double c_6 = c[14];
-    const double c_8 = c[16];
-    e[3] = cos_q2*c_7 + cos_q1*c_6 + cos_q3*c_8;
+    const double c_11 = c[19];
+    const double c_10 = c[18];
+    const double c_12 = c[20];
+    e[3] = cos_q2*c_11 + cos_q1*c_10 + cos_q3*c_12;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -970,33 +970,33 @@ EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double l1 = parameters[4];
+    const double m0 = parameters[0];
     const double m1 = parameters[1];
     const double m2 = parameters[2];
     const double m3 = parameters[3];
     const double z_0 = m2 + m3;
     const double z_1 = m1 + z_0;
-    prepared[8] = l1*z_1; /* c_0 */
+    prepared[8] = m0 + z_1; /* c_0 */
+    const double l1 = parameters[4];
+    prepared[9] = l1*z_1; /* c_1 */
+    prepared[10] = z_1*(l1*l1); /* c_2 */
     const double l2 = parameters[5];
     const double z_2 = l2*z_0;
-    prepared[9] = z_2; /* c_1 */
-    prepared[10] = l1*z_2; /* c_2 */
+    prepared[11] = z_2; /* c_3 */
+    prepared[12] = l1*z_2; /* c_4 */
+    prepared[13] = z_0*(l2*l2); /* c_5 */
     const double l3 = parameters[6];
     const double z_3 = m3*l3;
-    prepared[11] = z_3; /* c_3 */
-    prepared[12] = l1*z_3; /* c_4 */
-    prepared[13] = l2*z_3; /* c_5 */
+    prepared[14] = z_3; /* c_6 */
+    prepared[15] = l1*z_3; /* c_7 */
+    prepared[16] = l2*z_3; /* c_8 */
+    prepared[17] = m3*(l3*l3); /* c_9 */
     const double g = parameters[7];
     const double z_4 = l1*g;
-    prepared[14] = m1*z_4 + m2*z_4 + m3*z_4; /* c_6 */
+    prepared[18] = m1*z_4 + m2*z_4 + m3*z_4; /* c_10 */
     const double z_5 = l2*g;
-    prepared[15] = m2*z_5 + m3*z_5; /* c_7 */
-    prepared[16] = g*z_3; /* c_8 */
-    const double m0 = parameters[0];
-    prepared[17] = m0 + z_1; /* c_9 */
-    prepared[18] = z_1*(l1*l1); /* c_10 */
-    prepared[19] = z_0*(l2*l2); /* c_11 */
-    prepared[20] = m3*(l3*l3); /* c_12 */
+    prepared[19] = m2*z_5 + m3*z_5; /* c_11 */
+    prepared[20] = g*z_3; /* c_12 */
     prepared[21] = 1.5*l1; /* c_13 */
     prepared[22] = (-0.25)*l1; /* c_14 */
     prepared[23] = (-1.5)*l1; /* c_15 */
@@ -1014,35 +1014,35 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_9 = c[17];
-    M[0] = c_9;
+    const double c_0 = c[8];
+    M[0] = c_0;
     const double q1 = x[1];
     const double cos_q1 = em_cos(q1);
-    const double c_0 = c[8];
-    M[4] = M[1] = -cos_q1*c_0;
-    const double c_10 = c[18];
-    M[5] = c_10;
+    const double c_1 = c[9];
+    M[4] = M[1] = -cos_q1*c_1;
+    const double c_2 = c[10];
+    M[5] = c_2;
     const double q2 = x[2];
     const double cos_q2 = em_cos(q2);
-    const double c_1 = c[9];
-    M[8] = M[2] = -cos_q2*c_1;
+    const double c_3 = c[11];
+    M[8] = M[2] = -cos_q2*c_3;
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    const double c_2 = c[10];
-    M[9] = M[6] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
-    const double c_11 = c[19];
-    M[10] = c_11;
+    const double c_4 = c[12];
+    M[9] = M[6] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_4;
+    const double c_5 = c[13];
+    M[10] = c_5;
     const double q3 = x[3];
     const double cos_q3 = em_cos(q3);
-    const double c_3 = c[11];
-    M[12] = M[3] = -cos_q3*c_3;
+    const double c_6 = c[14];
+    M[12] = M[3] = -cos_q3*c_6;
     const double sin_q3 = em_sin(q3);
-    const double c_4 = c[12];
-    M[13] = M[7] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
-    const double c_5 = c[13];
-    M[14] = M[11] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
-    const double c_12 = c[20];
-    M[15] = c_12;
+    const double c_7 = c[15];
+    M[13] = M[7] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_7;
+    const double c_8 = c[16];
+    M[14] = M[11] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_8;
+    const double c_9 = c[17];
+    M[15] = c_9;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

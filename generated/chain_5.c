@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:9ba05c8e0af2ea6e92db3f4b77a174bd4884440c1e5db14def3f23f9ed6eefd4 */
+/* body sha256:959e513c05d3edead8bf92a87daccae1aeaf842d393799c55affcaf6148bf767 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -72,7 +72,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[11];
+    const real c_1 = c[12];
     const real theta_2 = x[1];
     const real cos_theta_2 = em_cos(theta_2);
     const real theta_1_dot = v[0];
@@ -85,77 +85,77 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_5 = theta_2_dot*sin_theta_2;
     const real z_6 = theta_1_dot*cos_theta_1;
     const real z_7 = theta_2_dot*cos_theta_2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_1*(sin_theta_2*z_6 +
         sin_theta_1*z_7));
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[12];
+    const real c_3 = c[14];
     const real theta_3 = x[2];
     const real cos_theta_3 = em_cos(theta_3);
     const real theta_3_dot = v[2];
     const real sin_theta_3 = em_sin(theta_3);
     const real z_10 = theta_3_dot*sin_theta_3;
     const real z_11 = theta_3_dot*cos_theta_3;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
+    Mdot1[0][2] = Mdot1[2][0] = -(c_3*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_3*(sin_theta_3*z_6 +
         sin_theta_1*z_11));
-    const real c_2 = c[13];
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
+    const real c_4 = c[15];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_4*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_4*(sin_theta_3*z_7 +
         sin_theta_2*z_11));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[14];
+    const real c_6 = c[17];
     const real theta_4 = x[3];
     const real cos_theta_4 = em_cos(theta_4);
     const real theta_4_dot = v[3];
     const real sin_theta_4 = em_sin(theta_4);
     const real z_14 = theta_4_dot*sin_theta_4;
     const real z_15 = theta_4_dot*cos_theta_4;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
+    Mdot1[0][3] = Mdot1[3][0] = -(c_6*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_6*(sin_theta_4*z_6 +
         sin_theta_1*z_15));
-    const real c_4 = c[15];
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
+    const real c_7 = c[18];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_7*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_7*(sin_theta_4*z_7 +
         sin_theta_2*z_15));
-    const real c_5 = c[16];
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
+    const real c_8 = c[19];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_8*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_8*(sin_theta_4*z_11 +
         sin_theta_3*z_15));
     Mdot1[3][3] = em_real(0.0);
-    const real c_6 = c[17];
+    const real c_10 = c[21];
     const real theta_5 = x[4];
     const real cos_theta_5 = em_cos(theta_5);
     const real theta_5_dot = v[4];
     const real sin_theta_5 = em_sin(theta_5);
     const real z_18 = theta_5_dot*sin_theta_5;
     const real z_19 = theta_5_dot*cos_theta_5;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
+    Mdot1[0][4] = Mdot1[4][0] = -(c_10*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_10*(sin_theta_5*z_6 +
         sin_theta_1*z_19));
-    const real c_7 = c[18];
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
+    const real c_11 = c[22];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_11*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_11*(sin_theta_5*z_7 +
         sin_theta_2*z_19));
-    const real c_8 = c[19];
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
+    const real c_12 = c[23];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_12*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_12*(sin_theta_5*z_11 +
         sin_theta_3*z_19));
-    const real c_9 = c[20];
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
+    const real c_13 = c[24];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_13*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_13*(sin_theta_5*z_15 +
         sin_theta_4*z_19));
     Mdot1[4][4] = em_real(0.0);
-    const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const real c_10 = c[21];
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const real c_11 = c[22];
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
-    const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const real c_12 = c[23];
-    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
-    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    const real c_13 = c[24];
-    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
-    const real c_14 = c[25];
-    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+    const real z_20 = theta_1_dot*theta_2_dot*(c_1*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const real z_21 = theta_1_dot*theta_3_dot*(c_3*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const real z_22 = theta_1_dot*theta_4_dot*(c_6*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const real z_23 = theta_1_dot*theta_5_dot*(c_10*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real c_15 = c[26];
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_15);
+    const real z_24 = theta_2_dot*theta_3_dot*(c_4*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const real z_25 = theta_2_dot*theta_4_dot*(c_7*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const real z_26 = theta_2_dot*theta_5_dot*(c_11*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real c_16 = c[27];
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_16;
+    const real z_27 = theta_3_dot*theta_4_dot*(c_8*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const real z_28 = theta_3_dot*theta_5_dot*(c_12*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const real c_17 = c[28];
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_17;
+    const real z_29 = theta_4_dot*theta_5_dot*(c_13*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    const real c_18 = c[29];
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_18;
+    const real c_19 = c[30];
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_19;
 }
 
 /* xdot alone (20) */
@@ -221,51 +221,51 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[10])
 {
-    const real c_15 = c[26];
-    M1[0][0] = c_15;
     const real c_0 = c[11];
+    M1[0][0] = c_0;
+    const real c_1 = c[12];
     const real theta_1 = x[0];
     const real cos_theta_1 = em_cos(theta_1);
     const real theta_2 = x[1];
     const real cos_theta_2 = em_cos(theta_2);
     const real sin_theta_1 = em_sin(theta_1);
     const real sin_theta_2 = em_sin(theta_2);
-    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const real c_16 = c[27];
-    M1[1][1] = c_16;
-    const real c_1 = c[12];
+    M1[1][0] = c_1*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const real c_2 = c[13];
+    M1[1][1] = c_2;
+    const real c_3 = c[14];
     const real theta_3 = x[2];
     const real cos_theta_3 = em_cos(theta_3);
     const real sin_theta_3 = em_sin(theta_3);
-    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const real c_2 = c[13];
-    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const real c_17 = c[28];
-    M1[2][2] = c_17;
-    const real c_3 = c[14];
+    M1[2][0] = c_3*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const real c_4 = c[15];
+    M1[2][1] = c_4*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const real c_5 = c[16];
+    M1[2][2] = c_5;
+    const real c_6 = c[17];
     const real theta_4 = x[3];
     const real cos_theta_4 = em_cos(theta_4);
     const real sin_theta_4 = em_sin(theta_4);
-    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const real c_4 = c[15];
-    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const real c_5 = c[16];
-    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const real c_18 = c[29];
-    M1[3][3] = c_18;
-    const real c_6 = c[17];
+    M1[3][0] = c_6*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const real c_7 = c[18];
+    M1[3][1] = c_7*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const real c_8 = c[19];
+    M1[3][2] = c_8*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const real c_9 = c[20];
+    M1[3][3] = c_9;
+    const real c_10 = c[21];
     const real theta_5 = x[4];
     const real cos_theta_5 = em_cos(theta_5);
     const real sin_theta_5 = em_sin(theta_5);
-    M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const real c_7 = c[18];
-    M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const real c_8 = c[19];
-    M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const real c_9 = c[20];
-    M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const real c_19 = c[30];
-    M1[4][4] = c_19;
+    M1[4][0] = c_10*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const real c_11 = c[22];
+    M1[4][1] = c_11*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const real c_12 = c[23];
+    M1[4][2] = c_12*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const real c_13 = c[24];
+    M1[4][3] = c_13*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const real c_14 = c[25];
+    M1[4][4] = c_14;
     shared[0] = cos_theta_2;
     shared[1] = sin_theta_1;
     shared[2] = cos_theta_1;
@@ -283,7 +283,7 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[11];
+    const real c_1 = c[12];
     const real cos_theta_2 = shared[0];
     const real theta_1_dot = v[0];
     const real sin_theta_1 = shared[1];
@@ -294,74 +294,74 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real z_11 = theta_2_dot*sin_theta_2;
     const real z_12 = theta_1_dot*cos_theta_1;
     const real z_13 = theta_2_dot*cos_theta_2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_1*(sin_theta_2*z_12 +
         sin_theta_1*z_13));
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[12];
+    const real c_3 = c[14];
     const real cos_theta_3 = shared[4];
     const real theta_3_dot = v[2];
     const real sin_theta_3 = shared[5];
     const real z_14 = theta_3_dot*sin_theta_3;
     const real z_15 = theta_3_dot*cos_theta_3;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+    Mdot1[0][2] = Mdot1[2][0] = -(c_3*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_3*(sin_theta_3*z_12 +
         sin_theta_1*z_15));
-    const real c_2 = c[13];
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+    const real c_4 = c[15];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_4*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_4*(sin_theta_3*z_13 +
         sin_theta_2*z_15));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[14];
+    const real c_6 = c[17];
     const real cos_theta_4 = shared[6];
     const real theta_4_dot = v[3];
     const real sin_theta_4 = shared[7];
     const real z_16 = theta_4_dot*sin_theta_4;
     const real z_17 = theta_4_dot*cos_theta_4;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+    Mdot1[0][3] = Mdot1[3][0] = -(c_6*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_6*(sin_theta_4*z_12 +
         sin_theta_1*z_17));
-    const real c_4 = c[15];
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+    const real c_7 = c[18];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_7*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_7*(sin_theta_4*z_13 +
         sin_theta_2*z_17));
-    const real c_5 = c[16];
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+    const real c_8 = c[19];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_8*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_8*(sin_theta_4*z_15 +
         sin_theta_3*z_17));
     Mdot1[3][3] = em_real(0.0);
-    const real c_6 = c[17];
+    const real c_10 = c[21];
     const real cos_theta_5 = shared[8];
     const real theta_5_dot = v[4];
     const real sin_theta_5 = shared[9];
     const real z_18 = theta_5_dot*sin_theta_5;
     const real z_19 = theta_5_dot*cos_theta_5;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+    Mdot1[0][4] = Mdot1[4][0] = -(c_10*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_10*(sin_theta_5*z_12 +
         sin_theta_1*z_19));
-    const real c_7 = c[18];
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+    const real c_11 = c[22];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_11*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_11*(sin_theta_5*z_13 +
         sin_theta_2*z_19));
-    const real c_8 = c[19];
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+    const real c_12 = c[23];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_12*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_12*(sin_theta_5*z_15 +
         sin_theta_3*z_19));
-    const real c_9 = c[20];
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+    const real c_13 = c[24];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_13*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_13*(sin_theta_5*z_17 +
         sin_theta_4*z_19));
     Mdot1[4][4] = em_real(0.0);
-    const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const real c_10 = c[21];
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const real c_11 = c[22];
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
-    const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const real c_12 = c[23];
-    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
-    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    const real c_13 = c[24];
-    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
-    const real c_14 = c[25];
-    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+    const real z_20 = theta_1_dot*theta_2_dot*(c_1*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const real z_21 = theta_1_dot*theta_3_dot*(c_3*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const real z_22 = theta_1_dot*theta_4_dot*(c_6*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const real z_23 = theta_1_dot*theta_5_dot*(c_10*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real c_15 = c[26];
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_15);
+    const real z_24 = theta_2_dot*theta_3_dot*(c_4*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const real z_25 = theta_2_dot*theta_4_dot*(c_7*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const real z_26 = theta_2_dot*theta_5_dot*(c_11*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real c_16 = c[27];
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_16;
+    const real z_27 = theta_3_dot*theta_4_dot*(c_8*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const real z_28 = theta_3_dot*theta_5_dot*(c_12*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const real c_17 = c[28];
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_17;
+    const real z_29 = theta_4_dot*theta_5_dot*(c_13*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    const real c_18 = c[29];
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_18;
+    const real c_19 = c[30];
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_19;
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -418,51 +418,51 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real shared[10])
 {
-    const real c_15 = c[26];
-    M1[0][0] = c_15;
     const real c_0 = c[11];
+    M1[0][0] = c_0;
+    const real c_1 = c[12];
     const real theta_1 = x[0];
     const real cos_theta_1 = em_cos(theta_1);
     const real theta_2 = x[1];
     const real cos_theta_2 = em_cos(theta_2);
     const real sin_theta_1 = em_sin(theta_1);
     const real sin_theta_2 = em_sin(theta_2);
-    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const real c_16 = c[27];
-    M1[1][1] = c_16;
-    const real c_1 = c[12];
+    M1[0][1] = M1[1][0] = c_1*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const real c_2 = c[13];
+    M1[1][1] = c_2;
+    const real c_3 = c[14];
     const real theta_3 = x[2];
     const real cos_theta_3 = em_cos(theta_3);
     const real sin_theta_3 = em_sin(theta_3);
-    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const real c_2 = c[13];
-    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const real c_17 = c[28];
-    M1[2][2] = c_17;
-    const real c_3 = c[14];
+    M1[0][2] = M1[2][0] = c_3*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const real c_4 = c[15];
+    M1[1][2] = M1[2][1] = c_4*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const real c_5 = c[16];
+    M1[2][2] = c_5;
+    const real c_6 = c[17];
     const real theta_4 = x[3];
     const real cos_theta_4 = em_cos(theta_4);
     const real sin_theta_4 = em_sin(theta_4);
-    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const real c_4 = c[15];
-    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const real c_5 = c[16];
-    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const real c_18 = c[29];
-    M1[3][3] = c_18;
-    const real c_6 = c[17];
+    M1[0][3] = M1[3][0] = c_6*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const real c_7 = c[18];
+    M1[1][3] = M1[3][1] = c_7*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const real c_8 = c[19];
+    M1[2][3] = M1[3][2] = c_8*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const real c_9 = c[20];
+    M1[3][3] = c_9;
+    const real c_10 = c[21];
     const real theta_5 = x[4];
     const real cos_theta_5 = em_cos(theta_5);
     const real sin_theta_5 = em_sin(theta_5);
-    M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const real c_7 = c[18];
-    M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const real c_8 = c[19];
-    M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const real c_9 = c[20];
-    M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const real c_19 = c[30];
-    M1[4][4] = c_19;
+    M1[0][4] = M1[4][0] = c_10*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const real c_11 = c[22];
+    M1[1][4] = M1[4][1] = c_11*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const real c_12 = c[23];
+    M1[2][4] = M1[4][2] = c_12*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const real c_13 = c[24];
+    M1[3][4] = M1[4][3] = c_13*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const real c_14 = c[25];
+    M1[4][4] = c_14;
     shared[0] = cos_theta_2;
     shared[1] = sin_theta_1;
     shared[2] = cos_theta_1;
@@ -480,7 +480,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
                              real Mdot1[N1][N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[11];
+    const real c_1 = c[12];
     const real cos_theta_2 = shared[0];
     const real theta_1_dot = v[0];
     const real sin_theta_1 = shared[1];
@@ -491,52 +491,52 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real z_11 = theta_2_dot*sin_theta_2;
     const real z_12 = theta_1_dot*cos_theta_1;
     const real z_13 = theta_2_dot*cos_theta_2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_1*(sin_theta_2*z_12 +
         sin_theta_1*z_13));
     Mdot1[1][1] = em_real(0.0);
-    const real c_1 = c[12];
+    const real c_3 = c[14];
     const real cos_theta_3 = shared[4];
     const real theta_3_dot = v[2];
     const real sin_theta_3 = shared[5];
     const real z_14 = theta_3_dot*sin_theta_3;
     const real z_15 = theta_3_dot*cos_theta_3;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+    Mdot1[0][2] = Mdot1[2][0] = -(c_3*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_3*(sin_theta_3*z_12 +
         sin_theta_1*z_15));
-    const real c_2 = c[13];
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+    const real c_4 = c[15];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_4*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_4*(sin_theta_3*z_13 +
         sin_theta_2*z_15));
     Mdot1[2][2] = em_real(0.0);
-    const real c_3 = c[14];
+    const real c_6 = c[17];
     const real cos_theta_4 = shared[6];
     const real theta_4_dot = v[3];
     const real sin_theta_4 = shared[7];
     const real z_16 = theta_4_dot*sin_theta_4;
     const real z_17 = theta_4_dot*cos_theta_4;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+    Mdot1[0][3] = Mdot1[3][0] = -(c_6*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_6*(sin_theta_4*z_12 +
         sin_theta_1*z_17));
-    const real c_4 = c[15];
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+    const real c_7 = c[18];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_7*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_7*(sin_theta_4*z_13 +
         sin_theta_2*z_17));
-    const real c_5 = c[16];
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+    const real c_8 = c[19];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_8*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_8*(sin_theta_4*z_15 +
         sin_theta_3*z_17));
     Mdot1[3][3] = em_real(0.0);
-    const real c_6 = c[17];
+    const real c_10 = c[21];
     const real cos_theta_5 = shared[8];
     const real theta_5_dot = v[4];
     const real sin_theta_5 = shared[9];
     const real z_18 = theta_5_dot*sin_theta_5;
     const real z_19 = theta_5_dot*cos_theta_5;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+    Mdot1[0][4] = Mdot1[4][0] = -(c_10*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_10*(sin_theta_5*z_12 +
         sin_theta_1*z_19));
-    const real c_7 = c[18];
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+    const real c_11 = c[22];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_11*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_11*(sin_theta_5*z_13 +
         sin_theta_2*z_19));
-    const real c_8 = c[19];
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+    const real c_12 = c[23];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_12*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_12*(sin_theta_5*z_15 +
         sin_theta_3*z_19));
-    const real c_9 = c[20];
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+    const real c_13 = c[24];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_13*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_13*(sin_theta_5*z_17 +
         sin_theta_4*z_19));
     Mdot1[4][4] = em_real(0.0);
 }
@@ -695,7 +695,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_28 = m_5*z_27 + m_4*z_24;
     const double z_29 = z_28 + m_3*z_22;
     const double z_30 = z_29 + m_2*z_20;
-    const double c_10 = c[21];
+    const double c_15 = c[26];
     const double z_31 = theta_1_dot*theta_1_dot;
     const double z_32 = theta_2_dot*theta_2_dot;
     const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
@@ -715,24 +715,24 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_47 = m_5*z_46 + m_4*z_45;
     const double z_48 = m_3*z_44 + z_47;
     const double z_49 = m_2*z_43 + z_48;
-    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
+    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_15)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
         l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
     const double z_50 = cos_theta_2*z_17;
-    const double c_11 = c[22];
-    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
+    const double c_16 = c[27];
+    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_16)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
         l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
     const double z_51 = cos_theta_3*z_16;
-    const double c_12 = c[23];
-    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
+    const double c_17 = c[28];
+    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_17)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
         l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
     const double z_52 = cos_theta_4*z_15;
-    const double c_13 = c[24];
-    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
+    const double c_18 = c[29];
+    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_18)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
         l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
     const double c_20 = c[31];
     const double z_53 = z_14*z_26;
-    const double c_14 = c[25];
-    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
+    const double c_19 = c[30];
+    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_19)) - (c_20*(z_53 + sin_theta_5*z_39) -
         c_20*(z_27*z_13 + cos_theta_5*z_46));
 }
 
@@ -741,56 +741,56 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double theta_1_dot = v[0];
-    const double c_15 = c[26];
-    const double theta_2_dot = v[1];
     const double c_0 = c[11];
+    const double theta_2_dot = v[1];
+    const double c_1 = c[12];
     const double theta_1 = x[0];
     const double cos_theta_1 = em_cos(theta_1);
     const double theta_2 = x[1];
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double z_4 = c_1*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
     const double theta_3_dot = v[2];
-    const double c_1 = c[12];
+    const double c_3 = c[14];
     const double theta_3 = x[2];
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double z_7 = c_3*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
     const double theta_4_dot = v[3];
-    const double c_3 = c[14];
+    const double c_6 = c[17];
     const double theta_4 = x[3];
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double z_10 = c_6*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
     const double theta_5_dot = v[4];
-    const double c_6 = c[17];
+    const double c_10 = c[21];
     const double theta_5 = x[4];
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double c_16 = c[27];
+    const double z_13 = c_10*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
     const double c_2 = c[13];
-    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
     const double c_4 = c[15];
-    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double z_14 = c_4*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
     const double c_7 = c[18];
-    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double c_17 = c[28];
+    const double z_15 = c_7*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_11 = c[22];
+    const double z_16 = c_11*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
     const double c_5 = c[16];
-    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
     const double c_8 = c[19];
-    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double c_18 = c[29];
+    const double z_17 = c_8*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_12 = c[23];
+    const double z_18 = c_12*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     const double c_9 = c[20];
-    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double c_19 = c[30];
-    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
-        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
-        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
-        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
-        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
-        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
+    const double c_13 = c[24];
+    const double z_19 = c_13*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_14 = c[25];
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_0 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
+        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_2 + theta_3_dot*z_14 + theta_4_dot*z_15 +
+        theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_5 + theta_4_dot*z_17 +
+        theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17 + theta_4_dot*c_9
+        + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 + theta_3_dot*z_18 +
+        theta_4_dot*z_19 + theta_5_dot*c_14));
     e[1] = 0.0;
     e[2] = 0.0;
     const double l_1 = c[5];
@@ -1412,25 +1412,30 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_0 = l_1*m_4 + l_1*m_5;
     const double z_1 = l_1*m_3 + z_0;
     const double z_2 = l_1*m_2 + z_1;
+    const double m_1 = parameters[0];
+    prepared[11] = l_1*z_2 + m_1*(l_1*l_1); /* c_0 */
     const double l_2 = parameters[6];
-    prepared[11] = z_2*l_2; /* c_0 */
-    const double l_3 = parameters[7];
-    prepared[12] = l_3*z_1; /* c_1 */
+    prepared[12] = z_2*l_2; /* c_1 */
     const double z_3 = m_4*l_2 + m_5*l_2;
     const double z_4 = m_3*l_2 + z_3;
-    prepared[13] = l_3*z_4; /* c_2 */
-    const double l_4 = parameters[8];
-    prepared[14] = l_4*z_0; /* c_3 */
-    prepared[15] = l_4*z_3; /* c_4 */
+    prepared[13] = l_2*(m_2*l_2 + z_4); /* c_2 */
+    const double l_3 = parameters[7];
+    prepared[14] = l_3*z_1; /* c_3 */
+    prepared[15] = l_3*z_4; /* c_4 */
     const double z_5 = m_4*l_3 + m_5*l_3;
-    prepared[16] = l_4*z_5; /* c_5 */
+    prepared[16] = l_3*(m_3*l_3 + z_5); /* c_5 */
+    const double l_4 = parameters[8];
+    prepared[17] = l_4*z_0; /* c_6 */
+    prepared[18] = l_4*z_3; /* c_7 */
+    prepared[19] = l_4*z_5; /* c_8 */
+    prepared[20] = l_4*(m_4*l_4 + m_5*l_4); /* c_9 */
     const double l_5 = parameters[9];
     const double z_6 = m_5*l_5;
-    prepared[17] = l_1*z_6; /* c_6 */
-    prepared[18] = l_2*z_6; /* c_7 */
-    prepared[19] = l_3*z_6; /* c_8 */
-    prepared[20] = l_4*z_6; /* c_9 */
-    const double m_1 = parameters[0];
+    prepared[21] = l_1*z_6; /* c_10 */
+    prepared[22] = l_2*z_6; /* c_11 */
+    prepared[23] = l_3*z_6; /* c_12 */
+    prepared[24] = l_4*z_6; /* c_13 */
+    prepared[25] = m_5*(l_5*l_5); /* c_14 */
     const double g = parameters[10];
     const double z_7 = l_1*m_1*g;
     const double z_8 = m_2*g;
@@ -1440,16 +1445,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_12 = z_10 + z_11;
     const double z_13 = z_9 + z_12;
     const double z_14 = z_8 + z_13;
-    prepared[21] = z_7 + l_1*z_14; /* c_10 */
-    prepared[22] = l_2*z_14; /* c_11 */
-    prepared[23] = l_3*z_13; /* c_12 */
-    prepared[24] = l_4*z_12; /* c_13 */
-    prepared[25] = g*z_6; /* c_14 */
-    prepared[26] = l_1*z_2 + m_1*(l_1*l_1); /* c_15 */
-    prepared[27] = l_2*(m_2*l_2 + z_4); /* c_16 */
-    prepared[28] = l_3*(m_3*l_3 + z_5); /* c_17 */
-    prepared[29] = l_4*(m_4*l_4 + m_5*l_4); /* c_18 */
-    prepared[30] = m_5*(l_5*l_5); /* c_19 */
+    prepared[26] = z_7 + l_1*z_14; /* c_15 */
+    prepared[27] = l_2*z_14; /* c_16 */
+    prepared[28] = l_3*z_13; /* c_17 */
+    prepared[29] = l_4*z_12; /* c_18 */
+    prepared[30] = g*z_6; /* c_19 */
     prepared[31] = z_6; /* c_20 */
     prepared[32] = z_8; /* c_21 */
     prepared[33] = z_9; /* c_22 */
@@ -1474,51 +1474,51 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_15 = c[26];
-    M[0] = c_15;
     const double c_0 = c[11];
+    M[0] = c_0;
+    const double c_1 = c[12];
     const double theta_1 = x[0];
     const double cos_theta_1 = em_cos(theta_1);
     const double theta_2 = x[1];
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    M[5] = M[1] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const double c_16 = c[27];
-    M[6] = c_16;
-    const double c_1 = c[12];
+    M[5] = M[1] = c_1*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double c_2 = c[13];
+    M[6] = c_2;
+    const double c_3 = c[14];
     const double theta_3 = x[2];
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
-    M[10] = M[2] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const double c_2 = c[13];
-    M[11] = M[7] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const double c_17 = c[28];
-    M[12] = c_17;
-    const double c_3 = c[14];
+    M[10] = M[2] = c_3*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double c_4 = c[15];
+    M[11] = M[7] = c_4*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double c_5 = c[16];
+    M[12] = c_5;
+    const double c_6 = c[17];
     const double theta_4 = x[3];
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
-    M[15] = M[3] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const double c_4 = c[15];
-    M[16] = M[8] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const double c_5 = c[16];
-    M[17] = M[13] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const double c_18 = c[29];
-    M[18] = c_18;
-    const double c_6 = c[17];
+    M[15] = M[3] = c_6*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double c_7 = c[18];
+    M[16] = M[8] = c_7*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_8 = c[19];
+    M[17] = M[13] = c_8*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_9 = c[20];
+    M[18] = c_9;
+    const double c_10 = c[21];
     const double theta_5 = x[4];
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    M[20] = M[4] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double c_7 = c[18];
-    M[21] = M[9] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double c_8 = c[19];
-    M[22] = M[14] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double c_9 = c[20];
-    M[23] = M[19] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double c_19 = c[30];
-    M[24] = c_19;
+    M[20] = M[4] = c_10*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double c_11 = c[22];
+    M[21] = M[9] = c_11*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double c_12 = c[23];
+    M[22] = M[14] = c_12*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double c_13 = c[24];
+    M[23] = M[19] = c_13*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_14 = c[25];
+    M[24] = c_14;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:85bdb0f945d80e57b3c75cff3e0877b8a333d8a3f9d0fcb21c8fef55f58c492a */
+/* body sha256:bd478ee58fd3d40a9fd9d2a62df8b4bb037bece83609bc1d4efe62846a9c7b9b */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -76,7 +76,7 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
-    const real c_0 = c[5];
+    const real c_2 = c[7];
     const real phi_dot = v[1];
     const real phi = x[1];
     const real sin_phi = em_sin(phi);
@@ -86,25 +86,25 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real l = c[2];
     const real c_1 = c[6];
     const real z_4 = (l - l*cos_phi)*c_1;
-    const real c_2 = c[7];
-    const real z_5 = (c_0*z_3 - z_1*z_4) - c_2*z_3;
-    Mdot1[0][0] = c_0*z_1 - z_5;
+    const real c_3 = c[8];
+    const real z_5 = (c_2*z_3 - z_1*z_4) - c_3*z_3;
+    Mdot1[0][0] = c_2*z_1 - z_5;
     Mdot1[0][1] = Mdot1[1][0] = -(-z_5);
     Mdot1[1][1] = em_real(0.0);
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
-    const real c_3 = c[8];
-    const real cos_theta = em_cos(theta);
     const real c_4 = c[9];
+    const real cos_theta = em_cos(theta);
     const real c_5 = c[10];
     const real c_6 = c[11];
-    const real z_8 = c_5*(sin_phi*cos_theta - cos_phi*sin_theta) + c_6*(cos_phi*cos_theta + sin_phi*sin_theta);
-    f1[0] = sin_theta*c_3 + z_8 - cos_theta*c_4;
+    const real c_7 = c[12];
+    const real z_8 = c_6*(sin_phi*cos_theta - cos_phi*sin_theta) + c_7*(cos_phi*cos_theta + sin_phi*sin_theta);
+    f1[0] = sin_theta*c_4 + z_8 - cos_theta*c_5;
     const real theta_dot = v[0];
     const real z_9 = theta_dot*theta_dot;
     const real z_10 = z_9 - 2.0*theta_dot*phi_dot;
     const real z_11 = cos_phi*z_10;
-    f1[1] = 0.5*(sin_phi*(z_10*z_4 - l*(c_1*(-(z_9 - z_11)))) + c_2*(sin_phi*z_11) - 2.0*z_8);
+    f1[1] = 0.5*(sin_phi*(z_10*z_4 - l*(c_1*(-(z_9 - z_11)))) + c_3*(sin_phi*z_11) - 2.0*z_8);
 }
 
 /* xdot alone (20) */
@@ -161,18 +161,18 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[3])
 {
-    const real c_7 = c[12];
+    const real c_0 = c[5];
     const real l = c[2];
     const real phi = x[1];
     const real cos_phi = em_cos(phi);
     const real c_1 = c[6];
     const real z_1 = (l - l*cos_phi)*c_1;
-    const real c_0 = c[5];
+    const real c_2 = c[7];
     const real sin_phi = em_sin(phi);
-    const real z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
-    M1[0][0] = c_7 + z_1 + z_3;
+    const real z_3 = c_2*(sin_phi*sin_phi) - cos_phi*z_1;
+    M1[0][0] = c_0 + z_1 + z_3;
     M1[1][0] = -z_3;
-    M1[1][1] = c_0;
+    M1[1][1] = c_2;
     shared[0] = sin_phi;
     shared[1] = cos_phi;
     shared[2] = z_1;
@@ -182,34 +182,34 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                  const real shared[3], real Mdot1[N1][N1], real f1[N1])
 {
-    const real c_0 = c[5];
+    const real c_2 = c[7];
     const real phi_dot = v[1];
     const real sin_phi = shared[0];
     const real z_4 = phi_dot*sin_phi;
     const real cos_phi = shared[1];
     const real z_5 = cos_phi*z_4;
     const real z_1 = shared[2];
-    const real c_2 = c[7];
-    const real z_6 = (c_0*z_5 - z_1*z_4) - c_2*z_5;
-    Mdot1[0][0] = c_0*z_4 - z_6;
+    const real c_3 = c[8];
+    const real z_6 = (c_2*z_5 - z_1*z_4) - c_3*z_5;
+    Mdot1[0][0] = c_2*z_4 - z_6;
     Mdot1[0][1] = Mdot1[1][0] = -(-z_6);
     Mdot1[1][1] = em_real(0.0);
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
-    const real c_3 = c[8];
-    const real cos_theta = em_cos(theta);
     const real c_4 = c[9];
+    const real cos_theta = em_cos(theta);
     const real c_5 = c[10];
     const real c_6 = c[11];
-    const real z_9 = c_5*(sin_phi*cos_theta - cos_phi*sin_theta) + c_6*(cos_phi*cos_theta + sin_phi*sin_theta);
-    f1[0] = sin_theta*c_3 + z_9 - cos_theta*c_4;
+    const real c_7 = c[12];
+    const real z_9 = c_6*(sin_phi*cos_theta - cos_phi*sin_theta) + c_7*(cos_phi*cos_theta + sin_phi*sin_theta);
+    f1[0] = sin_theta*c_4 + z_9 - cos_theta*c_5;
     const real theta_dot = v[0];
     const real z_10 = theta_dot*theta_dot;
     const real z_11 = z_10 - 2.0*theta_dot*phi_dot;
     const real l = c[2];
     const real c_1 = c[6];
     const real z_12 = cos_phi*z_11;
-    f1[1] = 0.5*(sin_phi*(z_1*z_11 - l*(c_1*(-(z_10 - z_12)))) + c_2*(sin_phi*z_12) - 2.0*z_9);
+    f1[1] = 0.5*(sin_phi*(z_1*z_11 - l*(c_1*(-(z_10 - z_12)))) + c_3*(sin_phi*z_12) - 2.0*z_9);
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -291,31 +291,31 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
-    const double c_3 = c[8];
-    const double cos_theta = em_cos(theta);
     const double c_4 = c[9];
+    const double cos_theta = em_cos(theta);
     const double c_5 = c[10];
+    const double c_6 = c[11];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
     const double cos_phi = em_cos(phi);
-    const double c_6 = c[11];
-    const double z_4 = c_5*(sin_phi*cos_theta - cos_phi*sin_theta) + c_6*(cos_phi*cos_theta + sin_phi*sin_theta);
+    const double c_7 = c[12];
+    const double z_4 = c_6*(sin_phi*cos_theta - cos_phi*sin_theta) + c_7*(cos_phi*cos_theta + sin_phi*sin_theta);
     const double theta_dot = v[0];
-    const double c_0 = c[5];
+    const double c_2 = c[7];
     const double phi_dot = v[1];
     const double z_5 = phi_dot*sin_phi;
     const double z_6 = cos_phi*z_5;
     const double l = c[2];
     const double c_1 = c[6];
     const double z_7 = (l - l*cos_phi)*c_1;
-    const double c_2 = c[7];
-    const double z_8 = (c_0*z_6 - z_5*z_7) - c_2*z_6;
+    const double c_3 = c[8];
+    const double z_8 = (c_2*z_6 - z_5*z_7) - c_3*z_6;
     const double z_9 = -z_8;
-    bias[0] = (sin_theta*c_3 + z_4 - cos_theta*c_4) - (theta_dot*(c_0*z_5 - z_8) - phi_dot*z_9);
+    bias[0] = (sin_theta*c_4 + z_4 - cos_theta*c_5) - (theta_dot*(c_2*z_5 - z_8) - phi_dot*z_9);
     const double z_10 = theta_dot*theta_dot;
     const double z_11 = z_10 - 2.0*theta_dot*phi_dot;
     const double z_12 = cos_phi*z_11;
-    bias[1] = 0.5*((sin_phi*(z_11*z_7 - l*(c_1*(-(z_10 - z_12)))) + c_2*(sin_phi*z_12) - 2.0*z_4) +
+    bias[1] = 0.5*((sin_phi*(z_11*z_7 - l*(c_1*(-(z_10 - z_12)))) + c_3*(sin_phi*z_12) - 2.0*z_4) +
         2.0*theta_dot*z_9);
 }
 
@@ -324,17 +324,17 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double theta_dot = v[0];
-    const double c_7 = c[12];
+    const double c_0 = c[5];
     const double l = c[2];
     const double phi = x[1];
     const double cos_phi = em_cos(phi);
     const double c_1 = c[6];
     const double z_1 = (l - l*cos_phi)*c_1;
-    const double c_0 = c[5];
+    const double c_2 = c[7];
     const double sin_phi = em_sin(phi);
-    const double z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
+    const double z_3 = c_2*(sin_phi*sin_phi) - cos_phi*z_1;
     const double phi_dot = v[1];
-    e[0] = 0.5*(theta_dot*(theta_dot*(c_7 + z_1 + z_3) - phi_dot*z_3) - phi_dot*(theta_dot*z_3 - phi_dot*c_0));
+    e[0] = 0.5*(theta_dot*(theta_dot*(c_0 + z_1 + z_3) - phi_dot*z_3) - phi_dot*(theta_dot*z_3 - phi_dot*c_2));
     e[1] = 0.0;
     e[2] = 0.0;
     const double g = c[3];
@@ -407,12 +407,12 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     const double z_8 = l*(sin_theta + z_5);
     const double z_9 = l*(cos_theta*z_7 + sin_theta*z_8);
     const double z_10 = z_9*z_9;
-    const double c_0 = c[5];
+    const double c_2 = c[7];
     const double c_13 = c[18];
-    const double c_7 = c[12];
+    const double c_0 = c[5];
     const double m = c[1];
-    const double z_11 = 1.0/(c_7 + m*(z_7*z_7 + z_8*z_8));
-    const double z_12 = z_6*z_11/(c_0 - c_13*z_11*z_10);
+    const double z_11 = 1.0/(c_0 + m*(z_7*z_7 + z_8*z_8));
+    const double z_12 = z_6*z_11/(c_2 - c_13*z_11*z_10);
     after[2] = (M*z_6 + c_12*z_10*z_12)*z_11;
     const double c_14 = c[19];
     after[3] = z_9*c_14*z_12;
@@ -768,28 +768,28 @@ EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double m = parameters[1];
+    const double M = parameters[0];
     const double l = parameters[2];
     const double z_0 = l*l;
-    const double z_1 = m*z_0;
-    prepared[5] = z_1; /* c_0 */
+    prepared[5] = M*z_0; /* c_0 */
+    const double m = parameters[1];
     prepared[6] = l*m; /* c_1 */
-    prepared[7] = 2.0*z_1; /* c_2 */
+    const double z_1 = m*z_0;
+    prepared[7] = z_1; /* c_2 */
+    prepared[8] = 2.0*z_1; /* c_3 */
     const double gamma = parameters[4];
     const double cos_gamma = em_cos(gamma);
-    const double M = parameters[0];
     const double g = parameters[3];
     const double z_3 = l*g;
     const double z_4 = M*z_3;
     const double z_5 = m*z_3;
     const double z_6 = cos_gamma*z_5;
-    prepared[8] = cos_gamma*z_4 + z_6; /* c_3 */
+    prepared[9] = cos_gamma*z_4 + z_6; /* c_4 */
     const double sin_gamma = em_sin(gamma);
     const double z_8 = sin_gamma*z_5;
-    prepared[9] = sin_gamma*z_4 + z_8; /* c_4 */
-    prepared[10] = z_6; /* c_5 */
-    prepared[11] = z_8; /* c_6 */
-    prepared[12] = M*z_0; /* c_7 */
+    prepared[10] = sin_gamma*z_4 + z_8; /* c_5 */
+    prepared[11] = z_6; /* c_6 */
+    prepared[12] = z_8; /* c_7 */
     prepared[13] = sin_gamma; /* c_8 */
     prepared[14] = M*l; /* c_9 */
     prepared[15] = cos_gamma; /* c_10 */
@@ -813,18 +813,18 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_7 = c[12];
+    const double c_0 = c[5];
     const double l = c[2];
     const double phi = x[1];
     const double cos_phi = em_cos(phi);
     const double c_1 = c[6];
     const double z_1 = (l - l*cos_phi)*c_1;
-    const double c_0 = c[5];
+    const double c_2 = c[7];
     const double sin_phi = em_sin(phi);
-    const double z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
-    M[0] = c_7 + z_1 + z_3;
+    const double z_3 = c_2*(sin_phi*sin_phi) - cos_phi*z_1;
+    M[0] = c_0 + z_1 + z_3;
     M[2] = M[1] = -z_3;
-    M[3] = c_0;
+    M[3] = c_2;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -874,18 +874,18 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[3])
 {
-    const real c_7 = c[12];
+    const real c_0 = c[5];
     const real l = c[2];
     const real phi = x[1];
     const real cos_phi = em_cos(phi);
     const real c_1 = c[6];
     const real z_1 = (l - l*cos_phi)*c_1;
-    const real c_0 = c[5];
+    const real c_2 = c[7];
     const real sin_phi = em_sin(phi);
-    const real z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
-    M1[0][0] = c_7 + z_1 + z_3;
+    const real z_3 = c_2*(sin_phi*sin_phi) - cos_phi*z_1;
+    M1[0][0] = c_0 + z_1 + z_3;
     M1[0][1] = M1[1][0] = -z_3;
-    M1[1][1] = c_0;
+    M1[1][1] = c_2;
     shared[0] = sin_phi;
     shared[1] = cos_phi;
     shared[2] = z_1;
@@ -895,16 +895,16 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[3],
                              real Mdot1[N1][N1])
 {
-    const real c_0 = c[5];
+    const real c_2 = c[7];
     const real phi_dot = v[1];
     const real sin_phi = shared[0];
     const real z_4 = phi_dot*sin_phi;
     const real cos_phi = shared[1];
     const real z_5 = cos_phi*z_4;
     const real z_1 = shared[2];
-    const real c_2 = c[7];
-    const real z_6 = (c_0*z_5 - z_1*z_4) - c_2*z_5;
-    Mdot1[0][0] = c_0*z_4 - z_6;
+    const real c_3 = c[8];
+    const real z_6 = (c_2*z_5 - z_1*z_4) - c_3*z_5;
+    Mdot1[0][0] = c_2*z_4 - z_6;
     Mdot1[0][1] = Mdot1[1][0] = -(-z_6);
     Mdot1[1][1] = em_real(0.0);
 }

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:8b9b4fce5acddf62d695bfd5d3f02f53c39a30b7d2cdbe45a499865d4ea3799e */
+/* body sha256:e9bae02f82e290776996b80db56e72231e41531caf04ed1483c64bc024bf50c4 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -72,7 +72,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[5];
+    const real c_1 = c[6];
     const real theta1_dot = v[0];
     const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
@@ -83,13 +83,13 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real cos_theta1 = em_cos(theta1);
     const real sin_theta2 = em_sin(theta2);
     const real z_5 = cos_theta1*sin_theta2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2));
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(theta1_dot*z_2 + theta2_dot*z_5) - c_1*(theta1_dot*z_5 + theta2_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    const real c_1 = c[6];
-    f1[0] = -(z_6 + sin_theta1*c_1);
-    const real c_2 = c[7];
-    f1[1] = z_6 - sin_theta2*c_2;
+    const real z_6 = theta1_dot*theta2_dot*(c_1*(z_2 - z_5));
+    const real c_3 = c[8];
+    f1[0] = -(z_6 + sin_theta1*c_3);
+    const real c_4 = c[9];
+    f1[1] = z_6 - sin_theta2*c_4;
 }
 
 /* xdot alone (20) */
@@ -146,18 +146,18 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_3 = c[8];
-    M1[0][0] = c_3;
     const real c_0 = c[5];
+    M1[0][0] = c_0;
+    const real c_1 = c[6];
     const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
     const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
     const real sin_theta1 = em_sin(theta1);
     const real sin_theta2 = em_sin(theta2);
-    M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const real c_4 = c[9];
-    M1[1][1] = c_4;
+    M1[1][0] = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const real c_2 = c[7];
+    M1[1][1] = c_2;
     shared[0] = cos_theta2;
     shared[1] = sin_theta1;
     shared[2] = cos_theta1;
@@ -169,7 +169,7 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[5];
+    const real c_1 = c[6];
     const real theta1_dot = v[0];
     const real cos_theta2 = shared[0];
     const real sin_theta1 = shared[1];
@@ -178,13 +178,13 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real cos_theta1 = shared[2];
     const real sin_theta2 = shared[3];
     const real z_5 = cos_theta1*sin_theta2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(theta1_dot*z_4 + theta2_dot*z_5) - c_1*(theta1_dot*z_5 + theta2_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
-    const real c_1 = c[6];
-    f1[0] = -(z_6 + sin_theta1*c_1);
-    const real c_2 = c[7];
-    f1[1] = z_6 - sin_theta2*c_2;
+    const real z_6 = theta1_dot*theta2_dot*(c_1*(z_4 - z_5));
+    const real c_3 = c[8];
+    f1[0] = -(z_6 + sin_theta1*c_3);
+    const real c_4 = c[9];
+    f1[1] = z_6 - sin_theta2*c_4;
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -234,18 +234,18 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[4])
 {
-    const real c_3 = c[8];
-    M1[0][0] = c_3;
     const real c_0 = c[5];
+    M1[0][0] = c_0;
+    const real c_1 = c[6];
     const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
     const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
     const real sin_theta1 = em_sin(theta1);
     const real sin_theta2 = em_sin(theta2);
-    M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const real c_4 = c[9];
-    M1[1][1] = c_4;
+    M1[0][1] = M1[1][0] = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const real c_2 = c[7];
+    M1[1][1] = c_2;
     shared[0] = cos_theta2;
     shared[1] = sin_theta1;
     shared[2] = cos_theta1;
@@ -257,7 +257,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
                              real Mdot1[N1][N1])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[5];
+    const real c_1 = c[6];
     const real theta1_dot = v[0];
     const real cos_theta2 = shared[0];
     const real sin_theta1 = shared[1];
@@ -266,7 +266,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real cos_theta1 = shared[2];
     const real sin_theta2 = shared[3];
     const real z_5 = cos_theta1*sin_theta2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[0][1] = Mdot1[1][0] = -(c_1*(theta1_dot*z_4 + theta2_dot*z_5) - c_1*(theta1_dot*z_5 + theta2_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
 }
 
@@ -371,7 +371,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double theta1_dot = v[0];
     const double theta2_dot = v[1];
-    const double c_0 = c[5];
+    const double c_1 = c[6];
     const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double theta1 = x[0];
@@ -380,12 +380,12 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double cos_theta1 = em_cos(theta1);
     const double sin_theta2 = em_sin(theta2);
     const double z_5 = cos_theta1*sin_theta2;
-    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    const double c_1 = c[6];
-    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
-    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
-    const double c_2 = c[7];
-    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
+    const double z_6 = theta1_dot*theta2_dot*(c_1*(z_2 - z_5));
+    const double c_3 = c[8];
+    const double z_7 = c_1*(theta1_dot*z_2 + theta2_dot*z_5) - c_1*(theta1_dot*z_5 + theta2_dot*z_2);
+    bias[0] = -((z_6 + sin_theta1*c_3) - theta2_dot*z_7);
+    const double c_4 = c[9];
+    bias[1] = (z_6 - sin_theta2*c_4) + theta1_dot*z_7;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -393,18 +393,18 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double theta1_dot = v[0];
-    const double c_3 = c[8];
-    const double theta2_dot = v[1];
     const double c_0 = c[5];
+    const double theta2_dot = v[1];
+    const double c_1 = c[6];
     const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
     const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[9];
-    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
+    const double z_4 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_2 = c[7];
+    e[0] = 0.5*(theta1_dot*(theta1_dot*c_0 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_2));
     e[1] = 0.0;
     e[2] = 0.0;
     const double g = c[4];
@@ -599,20 +599,20 @@ EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double l2 = parameters[3];
-    const double l1 = parameters[2];
-    const double m2 = parameters[1];
-    const double z_0 = l1*m2;
-    prepared[5] = l2*z_0; /* c_0 */
-    const double g = parameters[4];
     const double m1 = parameters[0];
-    const double z_1 = m1*l1;
-    prepared[6] = g*z_1 + g*z_0; /* c_1 */
-    prepared[7] = m2*l2*g; /* c_2 */
-    const double z_2 = l1*l1;
-    prepared[8] = m1*z_2 + m2*z_2; /* c_3 */
-    prepared[9] = m2*(l2*l2); /* c_4 */
-    prepared[10] = z_1; /* c_5 */
+    const double l1 = parameters[2];
+    const double z_0 = l1*l1;
+    const double m2 = parameters[1];
+    prepared[5] = m1*z_0 + m2*z_0; /* c_0 */
+    const double l2 = parameters[3];
+    const double z_1 = l1*m2;
+    prepared[6] = l2*z_1; /* c_1 */
+    prepared[7] = m2*(l2*l2); /* c_2 */
+    const double g = parameters[4];
+    const double z_2 = m1*l1;
+    prepared[8] = g*z_2 + g*z_1; /* c_3 */
+    prepared[9] = m2*l2*g; /* c_4 */
+    prepared[10] = z_2; /* c_5 */
     prepared[11] = (1.0/12.0)*l1; /* c_6 */
     prepared[12] = (1.0/12.0)*l2; /* c_7 */
 }
@@ -628,18 +628,18 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_3 = c[8];
-    M[0] = c_3;
     const double c_0 = c[5];
+    M[0] = c_0;
+    const double c_1 = c[6];
     const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
     const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    M[2] = M[1] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[9];
-    M[3] = c_4;
+    M[2] = M[1] = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_2 = c[7];
+    M[3] = c_2;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:9f6944fca430763073741972c3db29455c2b90cac767afb9656868a975536fa6 */
+/* body sha256:32adece9126f02ed8532d2c46afb7eeee8b75b26ca819d819a233f4069df74ad */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -76,8 +76,8 @@ EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *re
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
     f1[0] = em_real(0.0);
-    const real c_0 = c[13];
-    f2[0] = c_0;
+    const real c_1 = c[14];
+    f2[0] = c_1;
     const real x_ = x[0];
     A1[0][0] = 2.0*x_;
     const real y = x[1];
@@ -90,11 +90,11 @@ EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *re
     const real x_dot = v[0];
     const real y_dot = v[1];
     const real sin_z_0 = em_sin(z_0);
-    const real c_1 = c[14];
-    const real z_4 = sin_z_0*c_1;
-    const real z_5 = y_dot + z_4;
     const real c_2 = c[15];
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_2));
+    const real z_4 = sin_z_0*c_2;
+    const real z_5 = y_dot + z_4;
+    const real c_3 = c[16];
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_3));
 }
 
 /* xdot alone (20) */
@@ -246,21 +246,21 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            double *restrict gamma)
 {
     bias[0] = 0.0;
-    const double c_0 = c[13];
-    bias[1] = c_0;
+    const double c_1 = c[14];
+    bias[1] = c_1;
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double w = c[4];
     const double z_0 = t*w;
     const double sin_z_0 = em_sin(z_0);
-    const double c_1 = c[14];
-    const double z_2 = sin_z_0*c_1;
+    const double c_2 = c[15];
+    const double z_2 = sin_z_0*c_2;
     const double z_3 = y_dot + z_2;
     const double cos_z_0 = em_cos(z_0);
     const double y = x[1];
     const double a_ = c[3];
-    const double c_2 = c[15];
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
+    const double c_3 = c[16];
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_3));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -450,19 +450,19 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double m = parameters[0];
     M1[0][0] = m;
     M2[0][0] = m;
-    const double g = parameters[2];
-    const double z_0 = m*g;
-    prepared[13] = -z_0; /* c_0 */
     const double a_ = parameters[3];
     const double w = parameters[4];
-    const double z_1 = a_*w;
-    prepared[14] = z_1; /* c_1 */
-    prepared[15] = a_*(w*w); /* c_2 */
-    prepared[16] = 2.0*z_1; /* c_3 */
+    const double z_0 = a_*w;
+    prepared[13] = 2.0*z_0; /* c_0 */
+    const double g = parameters[2];
+    const double z_1 = m*g;
+    prepared[14] = -z_1; /* c_1 */
+    prepared[15] = z_0; /* c_2 */
+    prepared[16] = a_*(w*w); /* c_3 */
     const double l = parameters[1];
     prepared[17] = l*l; /* c_4 */
     prepared[18] = fabs(a_); /* c_5 */
-    prepared[19] = z_0; /* c_6 */
+    prepared[19] = z_1; /* c_6 */
     prepared[20] = ((-1.0/20.0))*l; /* c_7 */
     prepared[21] = -a_; /* c_8 */
     prepared[22] = (1.0/20.0)*l; /* c_9 */
@@ -508,9 +508,9 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
     const double cos_z_0 = em_cos(z_0);
     const double z_2 = y - a_*cos_z_0;
     A[1] = 2.0*z_2;
-    const double c_3 = c[16];
+    const double c_0 = c[13];
     const double sin_z_0 = em_sin(z_0);
-    b[0] = c_3*(z_2*sin_z_0);
+    b[0] = c_0*(z_2*sin_z_0);
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
@@ -560,9 +560,9 @@ EM_INLINE void settled_masses(double t, const double *restrict x, const double *
     const double cos_z_0 = em_cos(z_0);
     const double z_2 = y - a_*cos_z_0;
     A2[0][0] = 2.0*z_2;
-    const double c_3 = c[16];
+    const double c_0 = c[13];
     const double sin_z_0 = em_sin(z_0);
-    b[0] = c_3*(z_2*sin_z_0);
+    b[0] = c_0*(z_2*sin_z_0);
 }
 
 /* After an accepted step, and at the start: constraints on positions, constraints on velocities.

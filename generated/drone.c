@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:7aca9816432207b59c9e2a211355400574032ea7342d14efc9d4405dee9c8783 */
+/* body sha256:fee8d3277db12da536ac12a436545475007a9a0403510f091fbe925286ea9d82 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -82,7 +82,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real sway = x[6];
     const real cos_sway = em_cos(sway);
     const real heave_dot = v[7];
@@ -93,17 +93,17 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real sway_dot = v[6];
     const real cos_heave = em_cos(heave);
     const real z_5 = sway_dot*cos_heave;
-    Mdot1[0][3] = Mdot1[3][0] = -c_0*(cos_sway*z_2 + sin_sway*z_5);
+    Mdot1[0][3] = Mdot1[3][0] = -c_1*(cos_sway*z_2 + sin_sway*z_5);
     Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
-    Mdot1[2][3] = Mdot1[3][2] = c_0*(cos_sway*z_5 - sin_sway*z_2);
-    const real c_1 = c[9];
-    Mdot1[3][3] = -cos_heave*c_1*z_2;
+    Mdot1[2][3] = Mdot1[3][2] = c_1*(cos_sway*z_5 - sin_sway*z_2);
+    const real c_4 = c[12];
+    Mdot1[3][3] = -cos_heave*c_4*z_2;
     const real z_6 = heave_dot*cos_heave;
     const real z_7 = sway_dot*sin_heave;
-    Mdot1[0][4] = Mdot1[4][0] = -c_0*(sin_sway*z_6 + cos_sway*z_7);
-    const real z_8 = c_0*z_2;
+    Mdot1[0][4] = Mdot1[4][0] = -c_1*(sin_sway*z_6 + cos_sway*z_7);
+    const real z_8 = c_1*z_2;
     Mdot1[1][4] = Mdot1[4][1] = -z_8;
-    Mdot1[2][4] = Mdot1[4][2] = -c_0*(sin_sway*z_7 - cos_sway*z_6);
+    Mdot1[2][4] = Mdot1[4][2] = -c_1*(sin_sway*z_7 - cos_sway*z_6);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     const real pitch_dot = v[4];
@@ -125,10 +125,10 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real J_up = c[3];
     const real z_20 = cos_pitch*(cos_roll*cos_roll);
     Mdot2[0][0] = 2.0*(z_10*z_12 - J*(z_14*z_10 - z_19) - J_up*(z_19 + z_20*z_10));
-    const real c_2 = c[10];
-    Mdot2[0][1] = Mdot2[1][0] = -c_2*(z_17*z_10 + roll_dot*z_14 - roll_dot*z_20);
     const real c_3 = c[11];
-    Mdot2[1][1] = -c_3*z_18;
+    Mdot2[0][1] = Mdot2[1][0] = -c_3*(z_17*z_10 + roll_dot*z_14 - roll_dot*z_20);
+    const real c_5 = c[13];
+    Mdot2[1][1] = -c_5*z_18;
     Mdot2[0][2] = Mdot2[2][0] = -pitch_dot*z_12;
     Mdot2[1][2] = Mdot2[2][1] = em_real(0.0);
     Mdot2[2][2] = em_real(0.0);
@@ -146,19 +146,19 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f1[0] = (sin_roll*sin_yaw + cos_yaw*z_23)*z_26;
     f1[1] = -z_26*(sin_roll*cos_yaw - sin_yaw*z_23);
     const real z_27 = cos_pitch*cos_roll;
-    const real c_4 = c[12];
-    f1[2] = z_26*z_27 - c_4;
+    const real c_6 = c[14];
+    f1[2] = z_26*z_27 - c_6;
     const real x_dot = v[0];
     const real z_dot = v[2];
-    const real c_5 = c[13];
-    f1[3] = -(c_0*(sin_sway*(x_dot*z_5) + cos_sway*(x_dot*z_2) + sin_sway*(z_dot*z_2) - cos_sway*(z_dot*z_5)) +
-        cos_heave*sin_sway*c_5);
-    const real z_28 = cos_sway*c_0;
-    const real z_29 = sin_sway*c_0;
-    const real c_6 = c[14];
+    const real c_7 = c[15];
+    f1[3] = -(c_1*(sin_sway*(x_dot*z_5) + cos_sway*(x_dot*z_2) + sin_sway*(z_dot*z_2) - cos_sway*(z_dot*z_5)) +
+        cos_heave*sin_sway*c_7);
+    const real z_28 = cos_sway*c_1;
+    const real z_29 = sin_sway*c_1;
+    const real c_2 = c[10];
     const real y_dot = v[1];
-    f1[4] = -((x_dot*(z_28*z_7) + z_dot*(z_29*z_7) + sin_heave*(sway_dot*sway_dot)*(cos_heave*c_6) +
-        x_dot*(z_29*z_6) + y_dot*z_8 - z_dot*(z_28*z_6)) + cos_sway*sin_heave*c_5);
+    f1[4] = -((x_dot*(z_28*z_7) + z_dot*(z_29*z_7) + sin_heave*(sway_dot*sway_dot)*(cos_heave*c_2) +
+        x_dot*(z_29*z_6) + y_dot*z_8 - z_dot*(z_28*z_6)) + cos_sway*sin_heave*c_7);
     const real a_ = c[4];
     const real z_30 = a_*(f2_ - f4);
     const real drag = c[5];
@@ -167,10 +167,10 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f2[0] = -(sin_pitch*z_30 + cos_pitch*sin_roll*z_32 - z_27*z_31);
     const real yaw_dot = v[3];
     const real z_33 = yaw_dot*yaw_dot;
-    const real z_34 = c_2*z_17;
+    const real z_34 = c_3*z_17;
     f2[1] = -((cos_roll*z_32 + sin_roll*z_31) - ((sin_pitch*z_12 - sin_pitch*(J*z_14) -
         sin_pitch*(J_up*z_20))*z_33 - yaw_dot*(z_10*z_34) - yaw_dot*roll_dot*z_12));
-    f2[2] = z_30 + (z_15*z_33*z_34 + yaw_dot*pitch_dot*(c_2*(z_20 - z_14)) - pitch_dot*pitch_dot*z_34);
+    f2[2] = z_30 + (z_15*z_33*z_34 + yaw_dot*pitch_dot*(c_3*(z_20 - z_14)) - pitch_dot*pitch_dot*z_34);
 }
 
 /* xdot alone (20) */
@@ -269,32 +269,32 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real M2[N2][N2], real shared[16])
 {
-    const real c_7 = c[15];
-    M1[0][0] = c_7;
+    const real c_0 = c[8];
+    M1[0][0] = c_0;
     M1[1][0] = em_real(0.0);
-    M1[1][1] = c_7;
+    M1[1][1] = c_0;
     M1[2][0] = em_real(0.0);
     M1[2][1] = em_real(0.0);
-    M1[2][2] = c_7;
+    M1[2][2] = c_0;
     const real sway = x[6];
     const real cos_sway = em_cos(sway);
     const real heave = x[7];
     const real cos_heave = em_cos(heave);
-    const real c_0 = c[8];
-    const real z_2 = cos_heave*c_0;
+    const real c_1 = c[9];
+    const real z_2 = cos_heave*c_1;
     M1[3][0] = cos_sway*z_2;
     M1[3][1] = em_real(0.0);
     const real sin_sway = em_sin(sway);
     M1[3][2] = sin_sway*z_2;
-    const real c_6 = c[14];
-    M1[3][3] = c_6*(cos_heave*cos_heave);
+    const real c_2 = c[10];
+    M1[3][3] = c_2*(cos_heave*cos_heave);
     const real sin_heave = em_sin(heave);
-    const real z_5 = sin_heave*c_0;
+    const real z_5 = sin_heave*c_1;
     M1[4][0] = -sin_sway*z_5;
     M1[4][1] = z_2;
     M1[4][2] = cos_sway*z_5;
     M1[4][3] = em_real(0.0);
-    M1[4][4] = c_6;
+    M1[4][4] = c_2;
     const real J = c[2];
     const real pitch = x[4];
     const real sin_pitch = em_sin(pitch);
@@ -307,9 +307,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real cos_roll = em_cos(roll);
     const real z_12 = cos_roll*cos_roll;
     M2[0][0] = J*(sin_pitch*sin_pitch) + J*z_8*z_10 + J_up*z_8*z_12;
-    const real c_2 = c[10];
+    const real c_3 = c[11];
     const real z_13 = sin_roll*cos_roll;
-    const real z_14 = c_2*z_13;
+    const real z_14 = c_3*z_13;
     M2[1][0] = cos_pitch*z_14;
     M2[1][1] = J*z_12 + J_up*z_10;
     const real z_15 = J*sin_pitch;
@@ -345,7 +345,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real cos_sway = shared[0];
     const real heave_dot = v[7];
     const real sin_heave = shared[1];
@@ -354,17 +354,17 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real sway_dot = v[6];
     const real sin_sway = shared[3];
     const real z_17 = sway_dot*sin_sway;
-    Mdot1[0][3] = Mdot1[3][0] = -c_0*(cos_sway*z_16 + cos_heave*z_17);
+    Mdot1[0][3] = Mdot1[3][0] = -c_1*(cos_sway*z_16 + cos_heave*z_17);
     Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
     const real z_18 = sway_dot*cos_sway;
-    Mdot1[2][3] = Mdot1[3][2] = c_0*(cos_heave*z_18 - sin_sway*z_16);
-    const real c_1 = c[9];
-    Mdot1[3][3] = -cos_heave*c_1*z_16;
+    Mdot1[2][3] = Mdot1[3][2] = c_1*(cos_heave*z_18 - sin_sway*z_16);
+    const real c_4 = c[12];
+    Mdot1[3][3] = -cos_heave*c_4*z_16;
     const real z_19 = heave_dot*cos_heave;
-    Mdot1[0][4] = Mdot1[4][0] = -c_0*(sin_sway*z_19 + sin_heave*z_18);
-    const real z_20 = c_0*z_16;
+    Mdot1[0][4] = Mdot1[4][0] = -c_1*(sin_sway*z_19 + sin_heave*z_18);
+    const real z_20 = c_1*z_16;
     Mdot1[1][4] = Mdot1[4][1] = -z_20;
-    Mdot1[2][4] = Mdot1[4][2] = -c_0*(sin_heave*z_17 - cos_sway*z_19);
+    Mdot1[2][4] = Mdot1[4][2] = -c_1*(sin_heave*z_17 - cos_sway*z_19);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     const real pitch_dot = v[4];
@@ -384,10 +384,10 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_12 = shared[9];
     const real z_26 = cos_pitch*z_12;
     Mdot2[0][0] = 2.0*(z_21*z_22 - J*(z_23*z_21 - z_25) - J_up*(z_25 + z_26*z_21));
-    const real c_2 = c[10];
-    Mdot2[0][1] = Mdot2[1][0] = -c_2*(z_13*z_21 + roll_dot*z_23 - roll_dot*z_26);
     const real c_3 = c[11];
-    Mdot2[1][1] = -c_3*z_24;
+    Mdot2[0][1] = Mdot2[1][0] = -c_3*(z_13*z_21 + roll_dot*z_23 - roll_dot*z_26);
+    const real c_5 = c[13];
+    Mdot2[1][1] = -c_5*z_24;
     Mdot2[0][2] = Mdot2[2][0] = -pitch_dot*z_22;
     Mdot2[1][2] = Mdot2[2][1] = em_real(0.0);
     Mdot2[2][2] = em_real(0.0);
@@ -407,20 +407,20 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     f1[0] = (sin_roll*sin_yaw + cos_yaw*z_29)*z_32;
     f1[1] = -z_32*(sin_roll*cos_yaw - sin_yaw*z_29);
     const real z_33 = cos_pitch*cos_roll;
-    const real c_4 = c[12];
-    f1[2] = z_32*z_33 - c_4;
+    const real c_6 = c[14];
+    f1[2] = z_32*z_33 - c_6;
     const real x_dot = v[0];
     const real z_dot = v[2];
-    const real c_5 = c[13];
-    f1[3] = -(c_0*(cos_heave*(x_dot*z_17) + z_16*(x_dot*cos_sway) + z_16*(z_dot*sin_sway) -
-        cos_heave*(z_dot*z_18)) + cos_heave*sin_sway*c_5);
+    const real c_7 = c[15];
+    f1[3] = -(c_1*(cos_heave*(x_dot*z_17) + z_16*(x_dot*cos_sway) + z_16*(z_dot*sin_sway) -
+        cos_heave*(z_dot*z_18)) + cos_heave*sin_sway*c_7);
     const real z_5 = shared[12];
-    const real c_6 = c[14];
+    const real c_2 = c[10];
     const real z_2 = shared[13];
     const real z_34 = heave_dot*z_2;
     const real y_dot = v[1];
-    f1[4] = -((x_dot*(z_18*z_5) + z_dot*(z_17*z_5) + sin_heave*(sway_dot*sway_dot)*(cos_heave*c_6) +
-        x_dot*(sin_sway*z_34) + y_dot*z_20 - z_dot*(cos_sway*z_34)) + cos_sway*sin_heave*c_5);
+    f1[4] = -((x_dot*(z_18*z_5) + z_dot*(z_17*z_5) + sin_heave*(sway_dot*sway_dot)*(cos_heave*c_2) +
+        x_dot*(sin_sway*z_34) + y_dot*z_20 - z_dot*(cos_sway*z_34)) + cos_sway*sin_heave*c_7);
     const real a_ = c[4];
     const real z_35 = a_*(f2_ - f4);
     const real drag = c[5];
@@ -433,7 +433,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_14 = shared[15];
     f2[1] = -((cos_roll*z_37 + sin_roll*z_36) - ((sin_pitch*z_22 - z_15*z_23 - sin_pitch*(J_up*z_26))*z_38 -
         yaw_dot*(z_21*z_14) - yaw_dot*roll_dot*z_22));
-    f2[2] = z_35 + (z_8*z_38*z_14 + yaw_dot*pitch_dot*(c_2*(z_26 - z_23)) - pitch_dot*pitch_dot*z_14);
+    f2[2] = z_35 + (z_8*z_38*z_14 + yaw_dot*pitch_dot*(c_3*(z_26 - z_23)) - pitch_dot*pitch_dot*z_14);
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -509,32 +509,32 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real M2[N2][N2], real shared[10])
 {
-    const real c_7 = c[15];
-    M1[0][0] = c_7;
+    const real c_0 = c[8];
+    M1[0][0] = c_0;
     M1[0][1] = M1[1][0] = em_real(0.0);
-    M1[1][1] = c_7;
+    M1[1][1] = c_0;
     M1[0][2] = M1[2][0] = em_real(0.0);
     M1[1][2] = M1[2][1] = em_real(0.0);
-    M1[2][2] = c_7;
+    M1[2][2] = c_0;
     const real sway = x[6];
     const real cos_sway = em_cos(sway);
     const real heave = x[7];
     const real cos_heave = em_cos(heave);
-    const real c_0 = c[8];
-    const real z_2 = cos_heave*c_0;
+    const real c_1 = c[9];
+    const real z_2 = cos_heave*c_1;
     M1[0][3] = M1[3][0] = cos_sway*z_2;
     M1[1][3] = M1[3][1] = em_real(0.0);
     const real sin_sway = em_sin(sway);
     M1[2][3] = M1[3][2] = sin_sway*z_2;
-    const real c_6 = c[14];
-    M1[3][3] = c_6*(cos_heave*cos_heave);
+    const real c_2 = c[10];
+    M1[3][3] = c_2*(cos_heave*cos_heave);
     const real sin_heave = em_sin(heave);
-    const real z_5 = sin_heave*c_0;
+    const real z_5 = sin_heave*c_1;
     M1[0][4] = M1[4][0] = -sin_sway*z_5;
     M1[1][4] = M1[4][1] = z_2;
     M1[2][4] = M1[4][2] = cos_sway*z_5;
     M1[3][4] = M1[4][3] = em_real(0.0);
-    M1[4][4] = c_6;
+    M1[4][4] = c_2;
     const real J = c[2];
     const real pitch = x[4];
     const real sin_pitch = em_sin(pitch);
@@ -547,9 +547,9 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real cos_roll = em_cos(roll);
     const real z_12 = cos_roll*cos_roll;
     M2[0][0] = J*(sin_pitch*sin_pitch) + z_8*(J*z_10) + z_8*(J_up*z_12);
-    const real c_2 = c[10];
+    const real c_3 = c[11];
     const real z_13 = sin_roll*cos_roll;
-    M2[0][1] = M2[1][0] = cos_pitch*(c_2*z_13);
+    M2[0][1] = M2[1][0] = cos_pitch*(c_3*z_13);
     M2[1][1] = J*z_12 + J_up*z_10;
     M2[0][2] = M2[2][0] = -J*sin_pitch;
     M2[1][2] = M2[2][1] = em_real(0.0);
@@ -576,7 +576,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
-    const real c_0 = c[8];
+    const real c_1 = c[9];
     const real cos_sway = shared[0];
     const real heave_dot = v[7];
     const real sin_heave = shared[1];
@@ -585,16 +585,16 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real sway_dot = v[6];
     const real sin_sway = shared[3];
     const real z_15 = sway_dot*sin_sway;
-    Mdot1[0][3] = Mdot1[3][0] = -c_0*(cos_sway*z_14 + cos_heave*z_15);
+    Mdot1[0][3] = Mdot1[3][0] = -c_1*(cos_sway*z_14 + cos_heave*z_15);
     Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
     const real z_16 = sway_dot*cos_sway;
-    Mdot1[2][3] = Mdot1[3][2] = c_0*(cos_heave*z_16 - sin_sway*z_14);
-    const real c_1 = c[9];
-    Mdot1[3][3] = -c_1*(cos_heave*z_14);
+    Mdot1[2][3] = Mdot1[3][2] = c_1*(cos_heave*z_16 - sin_sway*z_14);
+    const real c_4 = c[12];
+    Mdot1[3][3] = -c_4*(cos_heave*z_14);
     const real z_17 = heave_dot*cos_heave;
-    Mdot1[0][4] = Mdot1[4][0] = -c_0*(sin_sway*z_17 + sin_heave*z_16);
-    Mdot1[1][4] = Mdot1[4][1] = -c_0*z_14;
-    Mdot1[2][4] = Mdot1[4][2] = -c_0*(sin_heave*z_15 - cos_sway*z_17);
+    Mdot1[0][4] = Mdot1[4][0] = -c_1*(sin_sway*z_17 + sin_heave*z_16);
+    Mdot1[1][4] = Mdot1[4][1] = -c_1*z_14;
+    Mdot1[2][4] = Mdot1[4][2] = -c_1*(sin_heave*z_15 - cos_sway*z_17);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     const real J = c[2];
@@ -612,11 +612,11 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real J_up = c[3];
     const real z_12 = shared[9];
     Mdot2[0][0] = 2.0*(J*z_19 - J*(z_10*z_19 - z_21) - J_up*(z_21 + z_12*z_19));
-    const real c_2 = c[10];
-    const real z_22 = roll_dot*cos_pitch;
-    Mdot2[0][1] = Mdot2[1][0] = -c_2*(z_13*z_18 + z_10*z_22 - z_12*z_22);
     const real c_3 = c[11];
-    Mdot2[1][1] = -c_3*z_20;
+    const real z_22 = roll_dot*cos_pitch;
+    Mdot2[0][1] = Mdot2[1][0] = -c_3*(z_13*z_18 + z_10*z_22 - z_12*z_22);
+    const real c_5 = c[13];
+    Mdot2[1][1] = -c_5*z_20;
     Mdot2[0][2] = Mdot2[2][0] = -pitch_dot*J*cos_pitch;
     Mdot2[1][2] = Mdot2[2][1] = em_real(0.0);
     Mdot2[2][2] = em_real(0.0);
@@ -758,7 +758,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double f4 = u[3];
     const double z_7 = f2 + f4;
     const double z_8 = z_6 + z_7;
-    const double c_0 = c[8];
+    const double c_1 = c[9];
     const double sway = x[6];
     const double cos_sway = em_cos(sway);
     const double sway_dot = v[6];
@@ -773,14 +773,14 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double sin_sway = em_sin(sway);
     const double z_17 = cos_heave*sin_sway;
     const double z_18 = heave_dot*heave_dot;
-    bias[0] = (sin_roll*sin_yaw + cos_yaw*z_5)*z_8 + (c_0*(z_13 + z_14*z_17) + c_0*(z_13 + z_18*z_17));
-    bias[1] = -(z_8*(sin_roll*cos_yaw - sin_yaw*z_5) - sin_heave*(c_0*z_18));
+    bias[0] = (sin_roll*sin_yaw + cos_yaw*z_5)*z_8 + (c_1*(z_13 + z_14*z_17) + c_1*(z_13 + z_18*z_17));
+    bias[1] = -(z_8*(sin_roll*cos_yaw - sin_yaw*z_5) - sin_heave*(c_1*z_18));
     const double cos_pitch = em_cos(pitch);
     const double z_20 = cos_pitch*cos_roll;
-    const double c_4 = c[12];
+    const double c_6 = c[14];
     const double z_21 = sin_sway*z_12;
     const double z_22 = cos_heave*cos_sway;
-    bias[2] = (z_8*z_20 - c_4) + (c_0*(z_21 - z_14*z_22) + c_0*(z_21 - z_18*z_22));
+    bias[2] = (z_8*z_20 - c_6) + (c_1*(z_21 - z_14*z_22) + c_1*(z_21 - z_18*z_22));
     const double a_ = c[4];
     const double z_23 = a_*(f2 - f4);
     const double drag = c[5];
@@ -799,12 +799,12 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_32 = z_29*z_31;
     const double J_up = c[3];
     const double z_33 = cos_roll*cos_roll;
-    const double c_2 = c[10];
+    const double c_3 = c[11];
     const double z_34 = pitch_dot*pitch_dot;
     const double z_35 = sin_pitch*z_30;
     const double z_36 = roll_dot*z_26;
     bias[3] = -((sin_pitch*z_23 + cos_pitch*sin_roll*z_25 - z_20*z_24) + (2.0*yaw_dot*(J*z_27 - J*(z_28*z_27 -
-        z_32) - J_up*(z_32 + z_33*z_27)) - c_2*(z_34*z_35 + z_28*z_36 - z_33*z_36) - J*z_36));
+        z_32) - J_up*(z_32 + z_33*z_27)) - c_3*(z_34*z_35 + z_28*z_36 - z_33*z_36) - J*z_36));
     const double z_37 = J*sin_pitch;
     const double z_38 = cos_pitch*z_28;
     const double z_39 = cos_pitch*z_33;
@@ -812,10 +812,10 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_41 = yaw_dot*pitch_dot;
     const double z_42 = z_35*z_41;
     const double z_43 = yaw_dot*roll_dot;
-    const double c_3 = c[11];
+    const double c_5 = c[13];
     bias[4] = -(((cos_roll*z_25 + sin_roll*z_24) - ((cos_pitch*z_37 - z_38*z_37 - sin_pitch*J_up*z_39)*z_40 -
-        c_2*z_42 - J*cos_pitch*z_43)) - (c_2*(z_42 + z_38*z_43 - z_39*z_43) + c_3*(pitch_dot*z_31)));
-    bias[5] = (z_23 + (c_2*z_29*z_40*z_30 + c_2*(z_39 - z_38)*z_41 - z_30*(c_2*z_34))) + yaw_dot*J*z_26;
+        c_3*z_42 - J*cos_pitch*z_43)) - (c_3*(z_42 + z_38*z_43 - z_39*z_43) + c_5*(pitch_dot*z_31)));
+    bias[5] = (z_23 + (c_3*z_29*z_40*z_30 + c_3*(z_39 - z_38)*z_41 - z_30*(c_3*z_34))) + yaw_dot*J*z_26;
     const double x_dot = v[0];
     const double z_44 = x_dot*z_17;
     const double z_45 = x_dot*cos_sway;
@@ -824,17 +824,17 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_47 = z_dot*z_22;
     const double z_48 = z_dot*sin_sway;
     const double z_49 = sway_dot*z_47 - z_11*z_48;
-    const double c_5 = c[13];
-    const double c_1 = c[9];
-    bias[6] = -((c_0*(z_46 - z_49) + c_5*z_17) - (c_0*z_46 + cos_heave*c_1*z_12 - c_0*z_49));
-    const double z_50 = sin_heave*(sway_dot*c_0);
-    const double c_6 = c[14];
-    const double z_51 = heave_dot*c_0;
+    const double c_7 = c[15];
+    const double c_4 = c[12];
+    bias[6] = -((c_1*(z_46 - z_49) + c_7*z_17) - (c_1*z_46 + cos_heave*c_4*z_12 - c_1*z_49));
+    const double z_50 = sin_heave*(sway_dot*c_1);
+    const double c_2 = c[10];
+    const double z_51 = heave_dot*c_1;
     const double y_dot = v[1];
-    const double z_52 = y_dot*(c_0*z_11);
+    const double z_52 = y_dot*(c_1*z_11);
     const double z_53 = sway_dot*sin_heave;
-    bias[7] = -(((z_45*z_50 + z_48*z_50 + sin_heave*z_14*(cos_heave*c_6) + z_44*z_51 + z_52 - z_47*z_51) +
-        cos_sway*sin_heave*c_5) - (z_52 + c_0*(z_45*z_53 + heave_dot*z_44) + c_0*(z_48*z_53 - heave_dot*z_47)));
+    bias[7] = -(((z_45*z_50 + z_48*z_50 + sin_heave*z_14*(cos_heave*c_2) + z_44*z_51 + z_52 - z_47*z_51) +
+        cos_sway*sin_heave*c_7) - (z_52 + c_1*(z_45*z_53 + heave_dot*z_44) + c_1*(z_48*z_53 - heave_dot*z_47)));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -842,19 +842,19 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double x_dot = v[0];
-    const double c_7 = c[15];
+    const double c_0 = c[8];
     const double sway = x[6];
     const double cos_sway = em_cos(sway);
     const double sway_dot = v[6];
     const double heave = x[7];
     const double cos_heave = em_cos(heave);
-    const double c_0 = c[8];
-    const double z_2 = cos_heave*c_0;
+    const double c_1 = c[9];
+    const double z_2 = cos_heave*c_1;
     const double z_3 = sway_dot*z_2;
     const double sin_sway = em_sin(sway);
     const double heave_dot = v[7];
     const double sin_heave = em_sin(heave);
-    const double z_6 = sin_heave*c_0;
+    const double z_6 = sin_heave*c_1;
     const double z_7 = heave_dot*z_6;
     const double y_dot = v[1];
     const double z_dot = v[2];
@@ -871,16 +871,16 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double cos_roll = em_cos(roll);
     const double z_14 = cos_roll*cos_roll;
     const double pitch_dot = v[4];
-    const double c_2 = c[10];
-    const double z_15 = cos_pitch*sin_roll*(cos_roll*c_2);
+    const double c_3 = c[11];
+    const double z_15 = cos_pitch*sin_roll*(cos_roll*c_3);
     const double roll_dot = v[5];
-    const double c_6 = c[14];
-    e[0] = 0.5*(x_dot*(x_dot*c_7 + cos_sway*z_3 - sin_sway*z_7) + y_dot*(y_dot*c_7 + heave_dot*z_2) +
-        z_dot*(z_dot*c_7 + sin_sway*z_3 + cos_sway*z_7) + yaw_dot*(yaw_dot*(J*(sin_pitch*sin_pitch) + J*z_10*z_12
+    const double c_2 = c[10];
+    e[0] = 0.5*(x_dot*(x_dot*c_0 + cos_sway*z_3 - sin_sway*z_7) + y_dot*(y_dot*c_0 + heave_dot*z_2) +
+        z_dot*(z_dot*c_0 + sin_sway*z_3 + cos_sway*z_7) + yaw_dot*(yaw_dot*(J*(sin_pitch*sin_pitch) + J*z_10*z_12
         + J_up*z_10*z_14) + pitch_dot*z_15 - sin_pitch*(roll_dot*J)) + pitch_dot*(yaw_dot*z_15 + pitch_dot*(J*z_14
-        + J_up*z_12)) + sway_dot*(x_dot*cos_sway*z_2 + z_dot*sin_sway*z_2 + sway_dot*c_6*(cos_heave*cos_heave)) -
+        + J_up*z_12)) + sway_dot*(x_dot*cos_sway*z_2 + z_dot*sin_sway*z_2 + sway_dot*c_2*(cos_heave*cos_heave)) -
         roll_dot*(J*(-(roll_dot - yaw_dot*sin_pitch))) - heave_dot*(x_dot*sin_sway*z_6 - y_dot*z_2 -
-        z_dot*cos_sway*z_6 - heave_dot*c_6));
+        z_dot*cos_sway*z_6 - heave_dot*c_2));
     e[1] = 0.0;
     e[2] = 0.0;
     const double g = c[7];
@@ -897,7 +897,7 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
                        double *restrict out)
 {
     const double c_8 = c[16];
-    const double c_0 = c[8];
+    const double c_1 = c[9];
     const double heave = x[7];
     const double sin_heave = em_sin(heave);
     const double heave_dot = v[7];
@@ -921,7 +921,7 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
     const double z_10 = sway_dot*heave_dot*(sin_heave*c_9);
     const double g = c[7];
     const double z_ddot = a[2];
-    out[0] = c_8*(c_0*(sin_heave*(z_1*z_2 - y_ddot - heave_ddot*z_4) + (z_5*z_7 + z_1*z_7 +
+    out[0] = c_8*(c_1*(sin_heave*(z_1*z_2 - y_ddot - heave_ddot*z_4) + (z_5*z_7 + z_1*z_7 +
         heave_ddot*(sin_sway*z_2) + cos_sway*z_10 - x_ddot - sway_ddot*z_9)*(cos_heave*sin_sway) + (g + z_1*z_9 +
         z_5*z_9 + z_ddot + heave_ddot*(cos_sway*z_2) + sway_ddot*z_7 - sin_sway*z_10)*(cos_heave*cos_sway)));
 }
@@ -1450,22 +1450,22 @@ EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
     const double load = parameters[1];
+    const double m = parameters[0];
+    prepared[8] = load + m; /* c_0 */
     const double L = parameters[6];
     const double z_0 = load*L;
-    prepared[8] = z_0; /* c_0 */
+    prepared[9] = z_0; /* c_1 */
     const double z_1 = load*(L*L);
-    prepared[9] = 2.0*z_1; /* c_1 */
+    prepared[10] = z_1; /* c_2 */
     const double J = parameters[2];
     const double J_up = parameters[3];
     const double z_2 = J - J_up;
-    prepared[10] = z_2; /* c_2 */
-    prepared[11] = 2.0*z_2; /* c_3 */
+    prepared[11] = z_2; /* c_3 */
+    prepared[12] = 2.0*z_1; /* c_4 */
+    prepared[13] = 2.0*z_2; /* c_5 */
     const double g = parameters[7];
-    const double m = parameters[0];
-    prepared[12] = load*g + m*g; /* c_4 */
-    prepared[13] = g*z_0; /* c_5 */
-    prepared[14] = z_1; /* c_6 */
-    prepared[15] = load + m; /* c_7 */
+    prepared[14] = load*g + m*g; /* c_6 */
+    prepared[15] = g*z_0; /* c_7 */
     prepared[16] = 1.0/L; /* c_8 */
     prepared[17] = 2.0*L; /* c_9 */
     const double a_ = parameters[4];
@@ -1484,13 +1484,13 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_7 = c[15];
-    M[0] = c_7;
+    const double c_0 = c[8];
+    M[0] = c_0;
     M[8] = M[1] = 0.0;
-    M[9] = c_7;
+    M[9] = c_0;
     M[16] = M[2] = 0.0;
     M[17] = M[10] = 0.0;
-    M[18] = c_7;
+    M[18] = c_0;
     M[24] = M[3] = 0.0;
     M[25] = M[11] = 0.0;
     M[26] = M[19] = 0.0;
@@ -1509,8 +1509,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[32] = M[4] = 0.0;
     M[33] = M[12] = 0.0;
     M[34] = M[20] = 0.0;
-    const double c_2 = c[10];
-    M[35] = M[28] = cos_pitch*sin_roll*cos_roll*c_2;
+    const double c_3 = c[11];
+    M[35] = M[28] = cos_pitch*sin_roll*cos_roll*c_3;
     M[36] = J*z_6 + J_up*z_4;
     M[40] = M[5] = 0.0;
     M[41] = M[13] = 0.0;
@@ -1522,8 +1522,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double cos_sway = em_cos(sway);
     const double heave = x[7];
     const double cos_heave = em_cos(heave);
-    const double c_0 = c[8];
-    const double z_9 = cos_heave*c_0;
+    const double c_1 = c[9];
+    const double z_9 = cos_heave*c_1;
     M[48] = M[6] = cos_sway*z_9;
     M[49] = M[14] = 0.0;
     const double sin_sway = em_sin(sway);
@@ -1531,10 +1531,10 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[51] = M[30] = 0.0;
     M[52] = M[38] = 0.0;
     M[53] = M[46] = 0.0;
-    const double c_6 = c[14];
-    M[54] = c_6*(cos_heave*cos_heave);
+    const double c_2 = c[10];
+    M[54] = c_2*(cos_heave*cos_heave);
     const double sin_heave = em_sin(heave);
-    const double z_12 = sin_heave*c_0;
+    const double z_12 = sin_heave*c_1;
     M[56] = M[7] = -sin_sway*z_12;
     M[57] = M[15] = z_9;
     M[58] = M[23] = cos_sway*z_12;
@@ -1542,7 +1542,7 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[60] = M[39] = 0.0;
     M[61] = M[47] = 0.0;
     M[62] = M[55] = 0.0;
-    M[63] = c_6;
+    M[63] = c_2;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:c4c93d8da86bca792db62c13ff89aa90a7dabcfefd8ab1755988f5af2d6d5bed */
+/* body sha256:85c43a51f2503560192bbbd79ae1b24c8d97fb5e34e23922bca7a2a1922ad6eb */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -79,12 +79,12 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                   real gamma[N_ROWS])
 {
-    const real c_0 = c[13];
+    const real c_3 = c[16];
     const real theta3_dot = v[2];
     const real theta3 = x[2];
     const real l1 = c[3];
     const real z_0 = theta3 + l1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][0] = c_3*(theta3_dot*z_0);
     const real c_1 = c[14];
     const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
@@ -117,11 +117,11 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_16 = theta1_dot*theta2_dot;
     const real z_17 = c_1*(theta2_dot*z_6 - z_8*z_16);
     f1[0] = -((z_9 - z_10*K2*z_13 - K2*z_15*z_12) - z_17);
-    const real c_2 = c[15];
-    f1[1] = c_2*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
+    const real c_4 = c[17];
+    f1[1] = c_4*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
     const real K1 = c[6];
-    const real c_3 = c[16];
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+    const real c_0 = c[13];
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_0*(theta1_dot*theta1_dot) +
         z_5*(c_1*z_16)));
     f2[0] = z_9;
     A1[0][0] = z_10;
@@ -223,11 +223,11 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[8])
 {
-    const real c_3 = c[16];
+    const real c_0 = c[13];
     const real theta3 = x[2];
     const real l1 = c[3];
     const real z_0 = theta3 + l1;
-    M1[0][0] = c_3*(z_0*z_0);
+    M1[0][0] = c_0*(z_0*z_0);
     const real c_1 = c[14];
     const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
@@ -238,12 +238,12 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const real z_6 = c_1*z_5;
     M1[1][0] = z_0*z_6;
-    const real c_4 = c[17];
-    M1[1][1] = c_4;
+    const real c_2 = c[15];
+    M1[1][1] = c_2;
     M1[2][0] = em_real(0.0);
     const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     M1[2][1] = c_1*z_7;
-    M1[2][2] = c_3;
+    M1[2][2] = c_0;
     shared[0] = z_0;
     shared[1] = z_5;
     shared[2] = z_7;
@@ -259,10 +259,10 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  const real shared[8], real Mdot1[N1][N1], real f1[N1], real f2[N2],
                                  real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[13];
+    const real c_3 = c[16];
     const real theta3_dot = v[2];
     const real z_0 = shared[0];
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][0] = c_3*(theta3_dot*z_0);
     const real c_1 = c[14];
     const real z_5 = shared[1];
     const real theta1_dot = v[0];
@@ -295,12 +295,12 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_17 = theta1_dot*theta2_dot;
     const real z_18 = c_1*(z_5*(theta2_dot*theta3_dot) - z_9*z_17);
     f1[0] = -((z_10 - z_11*K2*z_14 - K2*z_16*z_13) - z_18);
-    const real c_2 = c[15];
-    f1[1] = c_2*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
+    const real c_4 = c[17];
+    f1[1] = c_4*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
     const real theta3 = x[2];
     const real K1 = c[6];
-    const real c_3 = c[16];
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+    const real c_0 = c[13];
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_0*(theta1_dot*theta1_dot) +
         z_6*z_17));
     f2[0] = z_10;
     A1[0][0] = z_11;
@@ -388,11 +388,11 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real A1[N_ROWS][N1], real b[N_ROWS], real shared[4])
 {
-    const real c_3 = c[16];
+    const real c_0 = c[13];
     const real theta3 = x[2];
     const real l1 = c[3];
     const real z_0 = theta3 + l1;
-    M1[0][0] = c_3*(z_0*z_0);
+    M1[0][0] = c_0*(z_0*z_0);
     const real c_1 = c[14];
     const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
@@ -403,12 +403,12 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const real z_6 = c_1*z_5;
     M1[0][1] = M1[1][0] = z_0*z_6;
-    const real c_4 = c[17];
-    M1[1][1] = c_4;
+    const real c_2 = c[15];
+    M1[1][1] = c_2;
     M1[0][2] = M1[2][0] = em_real(0.0);
     const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     M1[1][2] = M1[2][1] = c_1*z_7;
-    M1[2][2] = c_3;
+    M1[2][2] = c_0;
     A1[0][0] = z_0*cos_theta1;
     const real l2 = c[4];
     A1[0][1] = l2*cos_theta2;
@@ -424,10 +424,10 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[4],
                              real Mdot1[N1][N1])
 {
-    const real c_0 = c[13];
+    const real c_3 = c[16];
     const real theta3_dot = v[2];
     const real z_0 = shared[0];
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][0] = c_3*(theta3_dot*z_0);
     const real c_1 = c[14];
     const real z_5 = shared[1];
     const real z_7 = shared[2];
@@ -596,16 +596,16 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
     const double z_17 = theta1_dot - theta2_dot;
     const double z_18 = z_17*z_14;
-    const double c_0 = c[13];
+    const double c_3 = c[16];
     bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
-        c_0*(theta3_dot*z_15)));
-    const double c_2 = c[15];
-    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
+        c_3*(theta3_dot*z_15)));
+    const double c_4 = c[17];
+    bias[1] = (c_4*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
         c_1*z_17*z_12);
     const double K1 = c[6];
-    const double c_3 = c[16];
+    const double c_0 = c[13];
     const double z_19 = z_11*(theta2_dot*c_1);
-    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
+    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_0*(theta1_dot*theta1_dot) +
         theta1_dot*z_19)) + z_17*z_19);
     bias[3] = z_0;
     const double z_20 = theta3_dot*cos_theta1;
@@ -619,7 +619,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double c_5 = c[18];
     const double theta4_dot = v[3];
     const double theta1_dot = v[0];
-    const double c_3 = c[16];
+    const double c_0 = c[13];
     const double theta3 = x[2];
     const double l1 = c[3];
     const double z_0 = theta3 + l1;
@@ -633,11 +633,11 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
     const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[17];
+    const double c_2 = c[15];
     const double theta3_dot = v[2];
     const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
-        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
+    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_0*(z_0*z_0) + z_1*z_6) +
+        theta2_dot*(theta2_dot*c_2 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_0 +
         z_7*z_1));
     e[1] = 0.0;
     e[2] = 0.0;
@@ -986,13 +986,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double m1 = parameters[0];
     const double m2 = parameters[1];
     const double z_0 = m1 + m2;
-    prepared[13] = 2.0*z_0; /* c_0 */
+    prepared[13] = z_0; /* c_0 */
     const double l2 = parameters[4];
     prepared[14] = m2*l2; /* c_1 */
+    prepared[15] = m2*(l2*l2); /* c_2 */
+    prepared[16] = 2.0*z_0; /* c_3 */
     const double K2 = parameters[7];
-    prepared[15] = l2*K2; /* c_2 */
-    prepared[16] = z_0; /* c_3 */
-    prepared[17] = m2*(l2*l2); /* c_4 */
+    prepared[17] = l2*K2; /* c_4 */
     prepared[18] = m3*(l3*l3); /* c_5 */
     const double l1 = parameters[3];
     prepared[19] = (1.0/10.0)*l1; /* c_6 */
@@ -1011,11 +1011,11 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_3 = c[16];
+    const double c_0 = c[13];
     const double theta3 = x[2];
     const double l1 = c[3];
     const double z_0 = theta3 + l1;
-    M[0] = c_3*(z_0*z_0);
+    M[0] = c_0*(z_0*z_0);
     const double c_1 = c[14];
     const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
@@ -1024,11 +1024,11 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
     M[4] = M[1] = z_0*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[17];
-    M[5] = c_4;
+    const double c_2 = c[15];
+    M[5] = c_2;
     M[8] = M[2] = 0.0;
     M[9] = M[6] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    M[10] = c_3;
+    M[10] = c_0;
     M[12] = M[3] = 0.0;
     M[13] = M[7] = 0.0;
     M[14] = M[11] = 0.0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:165f71c34f924a4719b72a20e7ad5f274e868574b35f446d2c791a381c227c88 */
+/* body sha256:d82e451568dda7e2816a050d03191fb7161faf3af6317f1543f1f9a4f482b81f */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -79,7 +79,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[10];
+    const real c_1 = c[11];
     const real q1_dot = v[0];
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
@@ -90,17 +90,17 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real cos_q1 = em_cos(q1);
     const real sin_q2 = em_sin(q2);
     const real z_5 = cos_q1*sin_q2;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(q1_dot*z_2 + q2_dot*z_5) - c_1*(q1_dot*z_5 + q2_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const real c_1 = c[11];
-    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
-    const real c_2 = c[12];
-    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    const real z_6 = q1_dot*q2_dot*(c_1*(z_2 - z_5));
+    const real c_3 = c[13];
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_3);
+    const real c_4 = c[14];
+    f1[1] = 0.5*(z_6 - cos_q2*c_4);
     const real q3 = x[2];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[13];
-    f2[0] = -cos_q3*c_3;
+    const real c_5 = c[15];
+    f2[0] = -cos_q3*c_5;
     const real a_ = c[0];
     const real z_8 = a_*sin_q1;
     A1[0][0] = -z_8;
@@ -221,18 +221,18 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_4 = c[14];
-    M1[0][0] = c_4;
     const real c_0 = c[10];
+    M1[0][0] = c_0;
+    const real c_1 = c[11];
     const real q1 = x[0];
     const real cos_q1 = em_cos(q1);
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
     const real sin_q1 = em_sin(q1);
     const real sin_q2 = em_sin(q2);
-    M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
-    const real c_5 = c[15];
-    M1[1][1] = c_5;
+    M1[1][0] = 0.5*(c_1*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const real c_2 = c[12];
+    M1[1][1] = c_2;
     shared[0] = cos_q2;
     shared[1] = sin_q1;
     shared[2] = cos_q1;
@@ -245,7 +245,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  real A1[N_ROWS][N1], real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[10];
+    const real c_1 = c[11];
     const real q1_dot = v[0];
     const real cos_q2 = shared[0];
     const real sin_q1 = shared[1];
@@ -254,17 +254,17 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real cos_q1 = shared[2];
     const real sin_q2 = shared[3];
     const real z_5 = cos_q1*sin_q2;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_4 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_4));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(q1_dot*z_4 + q2_dot*z_5) - c_1*(q1_dot*z_5 + q2_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
-    const real c_1 = c[11];
-    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
-    const real c_2 = c[12];
-    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    const real z_6 = q1_dot*q2_dot*(c_1*(z_4 - z_5));
+    const real c_3 = c[13];
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_3);
+    const real c_4 = c[14];
+    f1[1] = 0.5*(z_6 - cos_q2*c_4);
     const real q3 = x[2];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[13];
-    f2[0] = -cos_q3*c_3;
+    const real c_5 = c[15];
+    f2[0] = -cos_q3*c_5;
     const real a_ = c[0];
     const real z_8 = a_*sin_q1;
     A1[0][0] = -z_8;
@@ -427,7 +427,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double q1_dot = v[0];
     const double q2_dot = v[1];
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double q1 = x[0];
@@ -436,16 +436,16 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double cos_q1 = em_cos(q1);
     const double sin_q2 = em_sin(q2);
     const double z_5 = cos_q1*sin_q2;
-    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const double c_1 = c[11];
-    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
-    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
-    const double c_2 = c[12];
-    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
+    const double z_6 = q1_dot*q2_dot*(c_1*(z_2 - z_5));
+    const double c_3 = c[13];
+    const double z_7 = c_1*(q1_dot*z_2 + q2_dot*z_5) - c_1*(q1_dot*z_5 + q2_dot*z_2);
+    bias[0] = (-0.5)*((z_6 + cos_q1*c_3) - q2_dot*z_7);
+    const double c_4 = c[14];
+    bias[1] = 0.5*((z_6 - cos_q2*c_4) + q1_dot*z_7);
     const double q3 = x[2];
     const double cos_q3 = em_cos(q3);
-    const double c_3 = c[13];
-    bias[2] = -cos_q3*c_3;
+    const double c_5 = c[15];
+    bias[2] = -cos_q3*c_5;
     const double a_ = c[0];
     const double z_9 = a_*(q1_dot*q1_dot);
     const double b = c[1];
@@ -464,14 +464,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 {
     const double q1_dot = v[0];
     const double q2_dot = v[1];
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
+    const double z_4 = c_1*(cos_q1*cos_q2 + sin_q1*sin_q2);
     const double c_11 = c[21];
     const double c_12 = c[22];
     const double c_13 = c[23];
@@ -807,35 +807,35 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double z_0 = c_*c_;
     const double z_1 = density*c_*z_0;
     M2[0][0] = (1.0/3.0)*z_1;
-    const double b = parameters[1];
-    const double z_2 = b*b;
     const double a_ = parameters[0];
+    const double z_2 = a_*a_;
     const double z_3 = density*a_;
-    prepared[10] = z_2*z_3; /* c_0 */
+    const double b = parameters[1];
+    const double z_4 = density*b;
+    const double z_5 = z_2*z_3 + 3.0*z_2*z_4;
+    prepared[10] = (1.0/3.0)*z_5; /* c_0 */
+    const double z_6 = b*b;
+    prepared[11] = z_6*z_3; /* c_1 */
+    const double z_7 = z_6*z_4;
+    prepared[12] = (1.0/3.0)*z_7; /* c_2 */
     const double g = parameters[5];
-    const double z_4 = density*g;
-    const double z_5 = a_*a_;
-    prepared[11] = z_4*z_5 + 2.0*a_*b*z_4; /* c_1 */
-    prepared[12] = z_4*z_2; /* c_2 */
-    prepared[13] = 0.5*(z_4*z_0); /* c_3 */
-    const double z_6 = density*b;
-    const double z_7 = z_5*z_3 + 3.0*z_5*z_6;
-    prepared[14] = (1.0/3.0)*z_7; /* c_4 */
-    const double z_8 = z_2*z_6;
-    prepared[15] = (1.0/3.0)*z_8; /* c_5 */
+    const double z_8 = density*g;
+    prepared[13] = z_8*z_2 + 2.0*a_*b*z_8; /* c_3 */
+    prepared[14] = z_8*z_6; /* c_4 */
+    prepared[15] = 0.5*(z_8*z_0); /* c_5 */
     prepared[16] = (1.0/3.0)*z_1; /* c_6 */
     prepared[17] = fabs(a_); /* c_7 */
     prepared[18] = fabs(b); /* c_8 */
     prepared[19] = fabs(c_); /* c_9 */
     const double d = parameters[3];
     prepared[20] = fabs(d); /* c_10 */
-    prepared[21] = 2.0*z_7; /* c_11 */
-    prepared[22] = 2.0*z_8; /* c_12 */
+    prepared[21] = 2.0*z_5; /* c_11 */
+    prepared[22] = 2.0*z_7; /* c_12 */
     prepared[23] = 2.0*z_1; /* c_13 */
     prepared[24] = 2.0*a_; /* c_14 */
-    prepared[25] = z_5; /* c_15 */
+    prepared[25] = z_2; /* c_15 */
     prepared[26] = z_0; /* c_16 */
-    prepared[27] = 0.5*z_4; /* c_17 */
+    prepared[27] = 0.5*z_8; /* c_17 */
     prepared[28] = (1.0/20.0)*a_; /* c_18 */
 }
 
@@ -852,18 +852,18 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_4 = c[14];
-    M[0] = c_4;
     const double c_0 = c[10];
+    M[0] = c_0;
+    const double c_1 = c[11];
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    M[3] = M[1] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
-    const double c_5 = c[15];
-    M[4] = c_5;
+    M[3] = M[1] = 0.5*(c_1*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const double c_2 = c[12];
+    M[4] = c_2;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
     const double c_6 = c[16];
@@ -951,18 +951,18 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
                               double shared[4])
 {
-    const double c_4 = c[14];
-    M1[0][0] = c_4;
     const double c_0 = c[10];
+    M1[0][0] = c_0;
+    const double c_1 = c[11];
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
-    const double c_5 = c[15];
-    M1[1][1] = c_5;
+    M1[0][1] = M1[1][0] = 0.5*(c_1*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const double c_2 = c[12];
+    M1[1][1] = c_2;
     const double a_ = c[0];
     A1[0][0] = -a_*sin_q1;
     const double b_ = c[1];
@@ -988,7 +988,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1])
 {
     Mdot1[0][0] = 0.0;
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double q1_dot = v[0];
     const double cos_q2 = shared[0];
     const double sin_q1 = shared[1];
@@ -997,7 +997,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double cos_q1 = shared[2];
     const double sin_q2 = shared[3];
     const double z_7 = cos_q1*sin_q2;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_6 + q2_dot*z_7) - c_0*(q1_dot*z_7 + q2_dot*z_6));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(q1_dot*z_6 + q2_dot*z_7) - c_1*(q1_dot*z_7 + q2_dot*z_6));
     Mdot1[1][1] = 0.0;
 }
 

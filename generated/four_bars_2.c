@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:843ef014e1fa37a717a84d65a4fb8bdd49b7b83f06003a65648e77190ab7bc2b */
+/* body sha256:9f04d3d9c2740c40a5ded8b25b673769d39d286510177d1f3880fbd428cdac5a */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -83,7 +83,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[7];
+    const real c_1 = c[8];
     const real p1_dot = v[3];
     const real q1 = x[0];
     const real cos_q1 = em_cos(q1);
@@ -94,7 +94,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real cos_p1 = em_cos(p1);
     const real sin_q1 = em_sin(q1);
     const real z_5 = cos_p1*sin_q1;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(p1_dot*z_2 + q1_dot*z_5) - c_0*(p1_dot*z_5 + q1_dot*z_2));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(p1_dot*z_2 + q1_dot*z_5) - c_1*(p1_dot*z_5 + q1_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
     Mdot2[0][0] = em_real(0.0);
     const real p2_dot = v[4];
@@ -107,20 +107,20 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real cos_p2 = em_cos(p2);
     const real sin_q2 = em_sin(q2);
     const real z_11 = cos_p2*sin_q2;
-    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_0*(p2_dot*z_8 + q2_dot*z_11) - c_0*(p2_dot*z_11 + q2_dot*z_8));
+    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_1*(p2_dot*z_8 + q2_dot*z_11) - c_1*(p2_dot*z_11 + q2_dot*z_8));
     Mdot2[1][1] = em_real(0.0);
-    const real z_12 = q1_dot*p1_dot*(c_0*(z_5 - z_2));
-    const real c_1 = c[8];
-    f1[0] = (-0.5)*(z_12 + cos_q1*c_1);
-    const real c_2 = c[9];
-    f1[1] = 0.5*(z_12 - cos_p1*c_2);
-    const real z_13 = q2_dot*p2_dot*(c_0*(z_11 - z_8));
-    f2[0] = (-0.5)*(z_13 + cos_q2*c_1);
-    f2[1] = 0.5*(z_13 - cos_p2*c_2);
+    const real z_12 = q1_dot*p1_dot*(c_1*(z_5 - z_2));
+    const real c_3 = c[10];
+    f1[0] = (-0.5)*(z_12 + cos_q1*c_3);
+    const real c_4 = c[11];
+    f1[1] = 0.5*(z_12 - cos_p1*c_4);
+    const real z_13 = q2_dot*p2_dot*(c_1*(z_11 - z_8));
+    f2[0] = (-0.5)*(z_13 + cos_q2*c_3);
+    f2[1] = 0.5*(z_13 - cos_p2*c_4);
     const real q3 = x[2];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[10];
-    f3[0] = -cos_q3*c_3;
+    const real c_5 = c[12];
+    f3[0] = -cos_q3*c_5;
     const real l = c[1];
     A1[0][0] = -l*sin_q1;
     A1[0][1] = -l*sin_p1;
@@ -293,27 +293,27 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real M2[N2][N2], real shared[8])
 {
-    const real c_4 = c[11];
-    M1[0][0] = c_4;
     const real c_0 = c[7];
+    M1[0][0] = c_0;
+    const real c_1 = c[8];
     const real p1 = x[3];
     const real cos_p1 = em_cos(p1);
     const real q1 = x[0];
     const real cos_q1 = em_cos(q1);
     const real sin_p1 = em_sin(p1);
     const real sin_q1 = em_sin(q1);
-    M1[1][0] = 0.5*(c_0*(cos_p1*cos_q1 + sin_p1*sin_q1));
-    const real c_5 = c[12];
-    M1[1][1] = c_5;
-    M2[0][0] = c_4;
+    M1[1][0] = 0.5*(c_1*(cos_p1*cos_q1 + sin_p1*sin_q1));
+    const real c_2 = c[9];
+    M1[1][1] = c_2;
+    M2[0][0] = c_0;
     const real p2 = x[4];
     const real cos_p2 = em_cos(p2);
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
     const real sin_p2 = em_sin(p2);
     const real sin_q2 = em_sin(q2);
-    M2[1][0] = 0.5*(c_0*(cos_p2*cos_q2 + sin_p2*sin_q2));
-    M2[1][1] = c_5;
+    M2[1][0] = 0.5*(c_1*(cos_p2*cos_q2 + sin_p2*sin_q2));
+    M2[1][1] = c_2;
     shared[0] = cos_q1;
     shared[1] = sin_p1;
     shared[2] = cos_p1;
@@ -331,7 +331,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  real A3[N_ROWS][N3], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[7];
+    const real c_1 = c[8];
     const real p1_dot = v[3];
     const real cos_q1 = shared[0];
     const real sin_p1 = shared[1];
@@ -340,7 +340,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real cos_p1 = shared[2];
     const real sin_q1 = shared[3];
     const real z_9 = cos_p1*sin_q1;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(p1_dot*z_8 + q1_dot*z_9) - c_0*(p1_dot*z_9 + q1_dot*z_8));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(p1_dot*z_8 + q1_dot*z_9) - c_1*(p1_dot*z_9 + q1_dot*z_8));
     Mdot1[1][1] = em_real(0.0);
     Mdot2[0][0] = em_real(0.0);
     const real p2_dot = v[4];
@@ -351,20 +351,20 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real cos_p2 = shared[6];
     const real sin_q2 = shared[7];
     const real z_11 = cos_p2*sin_q2;
-    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_0*(p2_dot*z_10 + q2_dot*z_11) - c_0*(p2_dot*z_11 + q2_dot*z_10));
+    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_1*(p2_dot*z_10 + q2_dot*z_11) - c_1*(p2_dot*z_11 + q2_dot*z_10));
     Mdot2[1][1] = em_real(0.0);
-    const real z_12 = q1_dot*p1_dot*(c_0*(z_9 - z_8));
-    const real c_1 = c[8];
-    f1[0] = (-0.5)*(z_12 + cos_q1*c_1);
-    const real c_2 = c[9];
-    f1[1] = 0.5*(z_12 - cos_p1*c_2);
-    const real z_13 = q2_dot*p2_dot*(c_0*(z_11 - z_10));
-    f2[0] = (-0.5)*(z_13 + cos_q2*c_1);
-    f2[1] = 0.5*(z_13 - cos_p2*c_2);
+    const real z_12 = q1_dot*p1_dot*(c_1*(z_9 - z_8));
+    const real c_3 = c[10];
+    f1[0] = (-0.5)*(z_12 + cos_q1*c_3);
+    const real c_4 = c[11];
+    f1[1] = 0.5*(z_12 - cos_p1*c_4);
+    const real z_13 = q2_dot*p2_dot*(c_1*(z_11 - z_10));
+    f2[0] = (-0.5)*(z_13 + cos_q2*c_3);
+    f2[1] = 0.5*(z_13 - cos_p2*c_4);
     const real q3 = x[2];
     const real cos_q3 = em_cos(q3);
-    const real c_3 = c[10];
-    f3[0] = -cos_q3*c_3;
+    const real c_5 = c[12];
+    f3[0] = -cos_q3*c_5;
     const real l = c[1];
     A1[0][0] = -l*sin_q1;
     A1[0][1] = -l*sin_p1;
@@ -570,7 +570,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double q1_dot = v[0];
     const double p1_dot = v[3];
-    const double c_0 = c[7];
+    const double c_1 = c[8];
     const double p1 = x[3];
     const double cos_p1 = em_cos(p1);
     const double q1 = x[0];
@@ -579,10 +579,10 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double cos_q1 = em_cos(q1);
     const double sin_p1 = em_sin(p1);
     const double z_5 = cos_q1*sin_p1;
-    const double z_6 = q1_dot*p1_dot*(c_0*(z_2 - z_5));
-    const double c_1 = c[8];
-    const double z_7 = c_0*(p1_dot*z_5 + q1_dot*z_2) - c_0*(p1_dot*z_2 + q1_dot*z_5);
-    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - p1_dot*z_7);
+    const double z_6 = q1_dot*p1_dot*(c_1*(z_2 - z_5));
+    const double c_3 = c[10];
+    const double z_7 = c_1*(p1_dot*z_5 + q1_dot*z_2) - c_1*(p1_dot*z_2 + q1_dot*z_5);
+    bias[0] = (-0.5)*((z_6 + cos_q1*c_3) - p1_dot*z_7);
     const double q2_dot = v[1];
     const double p2_dot = v[4];
     const double p2 = x[4];
@@ -593,16 +593,16 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double cos_q2 = em_cos(q2);
     const double sin_p2 = em_sin(p2);
     const double z_13 = cos_q2*sin_p2;
-    const double z_14 = q2_dot*p2_dot*(c_0*(z_10 - z_13));
-    const double z_15 = c_0*(p2_dot*z_13 + q2_dot*z_10) - c_0*(p2_dot*z_10 + q2_dot*z_13);
-    bias[1] = (-0.5)*((z_14 + cos_q2*c_1) - p2_dot*z_15);
+    const double z_14 = q2_dot*p2_dot*(c_1*(z_10 - z_13));
+    const double z_15 = c_1*(p2_dot*z_13 + q2_dot*z_10) - c_1*(p2_dot*z_10 + q2_dot*z_13);
+    bias[1] = (-0.5)*((z_14 + cos_q2*c_3) - p2_dot*z_15);
     const double q3 = x[2];
     const double cos_q3 = em_cos(q3);
-    const double c_3 = c[10];
-    bias[2] = -cos_q3*c_3;
-    const double c_2 = c[9];
-    bias[3] = 0.5*((z_6 - cos_p1*c_2) + q1_dot*z_7);
-    bias[4] = 0.5*((z_14 - cos_p2*c_2) + q2_dot*z_15);
+    const double c_5 = c[12];
+    bias[2] = -cos_q3*c_5;
+    const double c_4 = c[11];
+    bias[3] = 0.5*((z_6 - cos_p1*c_4) + q1_dot*z_7);
+    bias[4] = 0.5*((z_14 - cos_p2*c_4) + q2_dot*z_15);
     const double l = c[1];
     const double z_17 = q1_dot*q1_dot;
     const double z_18 = q2_dot*q2_dot;
@@ -625,14 +625,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 {
     const double q1_dot = v[0];
     const double p1_dot = v[3];
-    const double c_0 = c[7];
+    const double c_1 = c[8];
     const double p1 = x[3];
     const double cos_p1 = em_cos(p1);
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double sin_p1 = em_sin(p1);
     const double sin_q1 = em_sin(q1);
-    const double z_4 = c_0*(cos_p1*cos_q1 + sin_p1*sin_q1);
+    const double z_4 = c_1*(cos_p1*cos_q1 + sin_p1*sin_q1);
     const double c_7 = c[14];
     const double q2_dot = v[1];
     const double p2_dot = v[4];
@@ -642,7 +642,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double cos_q2 = em_cos(q2);
     const double sin_p2 = em_sin(p2);
     const double sin_q2 = em_sin(q2);
-    const double z_9 = c_0*(cos_p2*cos_q2 + sin_p2*sin_q2);
+    const double z_9 = c_1*(cos_p2*cos_q2 + sin_p2*sin_q2);
     const double c_8 = c[15];
     const double q3_dot = v[2];
     e[0] = (1.0/12.0)*(q1_dot*(3.0*p1_dot*z_4 + q1_dot*c_7) + q2_dot*(3.0*p2_dot*z_9 + q2_dot*c_7) +
@@ -1086,15 +1086,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M3[N
     const double l = parameters[1];
     const double z_0 = m*(l*l);
     M3[0][0] = (1.0/3.0)*z_0;
-    prepared[7] = z_0; /* c_0 */
+    prepared[7] = (4.0/3.0)*z_0; /* c_0 */
+    prepared[8] = z_0; /* c_1 */
+    prepared[9] = (1.0/3.0)*z_0; /* c_2 */
     const double g = parameters[2];
     const double z_1 = m*g;
     const double z_2 = l*z_1;
-    prepared[8] = 3.0*z_2; /* c_1 */
-    prepared[9] = z_2; /* c_2 */
-    prepared[10] = 0.5*z_2; /* c_3 */
-    prepared[11] = (4.0/3.0)*z_0; /* c_4 */
-    prepared[12] = (1.0/3.0)*z_0; /* c_5 */
+    prepared[10] = 3.0*z_2; /* c_3 */
+    prepared[11] = z_2; /* c_4 */
+    prepared[12] = 0.5*z_2; /* c_5 */
     prepared[13] = fabs(l); /* c_6 */
     prepared[14] = 8.0*z_0; /* c_7 */
     prepared[15] = 2.0*z_0; /* c_8 */
@@ -1116,25 +1116,25 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_4 = c[11];
-    M[0] = c_4;
+    const double c_0 = c[7];
+    M[0] = c_0;
     M[5] = M[1] = 0.0;
-    M[6] = c_4;
+    M[6] = c_0;
     M[10] = M[2] = 0.0;
     M[11] = M[7] = 0.0;
-    const double c_5 = c[12];
-    M[12] = c_5;
-    const double c_0 = c[7];
+    const double c_2 = c[9];
+    M[12] = c_2;
+    const double c_1 = c[8];
     const double p1 = x[3];
     const double cos_p1 = em_cos(p1);
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double sin_p1 = em_sin(p1);
     const double sin_q1 = em_sin(q1);
-    M[15] = M[3] = 0.5*(c_0*(cos_p1*cos_q1 + sin_p1*sin_q1));
+    M[15] = M[3] = 0.5*(c_1*(cos_p1*cos_q1 + sin_p1*sin_q1));
     M[16] = M[8] = 0.0;
     M[17] = M[13] = 0.0;
-    M[18] = c_5;
+    M[18] = c_2;
     M[20] = M[4] = 0.0;
     const double p2 = x[4];
     const double cos_p2 = em_cos(p2);
@@ -1142,10 +1142,10 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double cos_q2 = em_cos(q2);
     const double sin_p2 = em_sin(p2);
     const double sin_q2 = em_sin(q2);
-    M[21] = M[9] = 0.5*(c_0*(cos_p2*cos_q2 + sin_p2*sin_q2));
+    M[21] = M[9] = 0.5*(c_1*(cos_p2*cos_q2 + sin_p2*sin_q2));
     M[22] = M[14] = 0.0;
     M[23] = M[19] = 0.0;
-    M[24] = c_5;
+    M[24] = c_2;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -1256,27 +1256,27 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double M2[N2][N2], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
                               double A3[N_ROWS][N3], double b[N_ROWS], double shared[8])
 {
-    const double c_4 = c[11];
-    M1[0][0] = c_4;
     const double c_0 = c[7];
+    M1[0][0] = c_0;
+    const double c_1 = c[8];
     const double p1 = x[3];
     const double cos_p1 = em_cos(p1);
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double sin_p1 = em_sin(p1);
     const double sin_q1 = em_sin(q1);
-    M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_p1*cos_q1 + sin_p1*sin_q1));
-    const double c_5 = c[12];
-    M1[1][1] = c_5;
-    M2[0][0] = c_4;
+    M1[0][1] = M1[1][0] = 0.5*(c_1*(cos_p1*cos_q1 + sin_p1*sin_q1));
+    const double c_2 = c[9];
+    M1[1][1] = c_2;
+    M2[0][0] = c_0;
     const double p2 = x[4];
     const double cos_p2 = em_cos(p2);
     const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_p2 = em_sin(p2);
     const double sin_q2 = em_sin(q2);
-    M2[0][1] = M2[1][0] = 0.5*(c_0*(cos_p2*cos_q2 + sin_p2*sin_q2));
-    M2[1][1] = c_5;
+    M2[0][1] = M2[1][0] = 0.5*(c_1*(cos_p2*cos_q2 + sin_p2*sin_q2));
+    M2[1][1] = c_2;
     const double l = c[1];
     A1[0][0] = -l*sin_q1;
     A1[0][1] = -l*sin_p1;
@@ -1322,7 +1322,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1], double Mdot2[N2][N2])
 {
     Mdot1[0][0] = 0.0;
-    const double c_0 = c[7];
+    const double c_1 = c[8];
     const double p1_dot = v[3];
     const double cos_q1 = shared[0];
     const double sin_p1 = shared[1];
@@ -1331,7 +1331,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double cos_p1 = shared[2];
     const double sin_q1 = shared[3];
     const double z_13 = cos_p1*sin_q1;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(p1_dot*z_12 + q1_dot*z_13) - c_0*(p1_dot*z_13 + q1_dot*z_12));
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_1*(p1_dot*z_12 + q1_dot*z_13) - c_1*(p1_dot*z_13 + q1_dot*z_12));
     Mdot1[1][1] = 0.0;
     Mdot2[0][0] = 0.0;
     const double p2_dot = v[4];
@@ -1342,7 +1342,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double cos_p2 = shared[6];
     const double sin_q2 = shared[7];
     const double z_15 = cos_p2*sin_q2;
-    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_0*(p2_dot*z_14 + q2_dot*z_15) - c_0*(p2_dot*z_15 + q2_dot*z_14));
+    Mdot2[0][1] = Mdot2[1][0] = (-0.5)*(c_1*(p2_dot*z_14 + q2_dot*z_15) - c_1*(p2_dot*z_15 + q2_dot*z_14));
     Mdot2[1][1] = 0.0;
 }
 

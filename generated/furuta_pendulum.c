@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:35911b77fd5a3368480ca341c6fdee547eb62f192de0d2e579aa16f7828064f9 */
+/* body sha256:626b12820ac780aa4a26eccaea857bfc9a6864ea0c660d1565242e3c74361854 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -73,22 +73,22 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 {
     const real phi = x[1];
     const real cos_phi = em_cos(phi);
-    const real c_0 = c[8];
+    const real c_3 = c[11];
     const real phi_dot = v[1];
     const real sin_phi = em_sin(phi);
     const real z_2 = phi_dot*sin_phi;
-    Mdot1[0][0] = cos_phi*c_0*z_2;
-    const real c_1 = c[9];
-    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[0][0] = cos_phi*c_3*z_2;
+    const real c_2 = c[10];
+    Mdot1[0][1] = Mdot1[1][0] = -c_2*z_2;
     Mdot1[1][1] = em_real(0.0);
     const real u_ = u[0];
     const real theta_dot = v[0];
     const real b0 = c[6];
     f1[0] = u_ - theta_dot*b0;
     const real b1 = c[7];
-    const real c_2 = c[10];
-    const real c_3 = c[11];
-    f1[1] = -(phi_dot*b1 - (sin_phi*(c_2 - theta_dot*phi_dot*c_1) + sin_phi*(theta_dot*theta_dot)*(c_3*cos_phi)));
+    const real c_4 = c[12];
+    const real c_0 = c[8];
+    f1[1] = -(phi_dot*b1 - (sin_phi*(c_4 - theta_dot*phi_dot*c_2) + sin_phi*(theta_dot*theta_dot)*(c_0*cos_phi)));
 }
 
 /* xdot alone (20) */
@@ -145,15 +145,15 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[2])
 {
-    const real c_3 = c[11];
+    const real c_0 = c[8];
     const real phi = x[1];
     const real sin_phi = em_sin(phi);
-    const real c_4 = c[12];
-    M1[0][0] = c_3*(sin_phi*sin_phi) + c_4;
-    const real cos_phi = em_cos(phi);
     const real c_1 = c[9];
-    M1[1][0] = cos_phi*c_1;
-    M1[1][1] = c_3;
+    M1[0][0] = c_0*(sin_phi*sin_phi) + c_1;
+    const real cos_phi = em_cos(phi);
+    const real c_2 = c[10];
+    M1[1][0] = cos_phi*c_2;
+    M1[1][1] = c_0;
     shared[0] = cos_phi;
     shared[1] = sin_phi;
 }
@@ -163,22 +163,22 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  const real shared[2], real Mdot1[N1][N1], real f1[N1])
 {
     const real cos_phi = shared[0];
-    const real c_0 = c[8];
+    const real c_3 = c[11];
     const real phi_dot = v[1];
     const real sin_phi = shared[1];
     const real z_2 = phi_dot*sin_phi;
-    Mdot1[0][0] = cos_phi*c_0*z_2;
-    const real c_1 = c[9];
-    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[0][0] = cos_phi*c_3*z_2;
+    const real c_2 = c[10];
+    Mdot1[0][1] = Mdot1[1][0] = -c_2*z_2;
     Mdot1[1][1] = em_real(0.0);
     const real u_ = u[0];
     const real theta_dot = v[0];
     const real b0 = c[6];
     f1[0] = u_ - theta_dot*b0;
     const real b1 = c[7];
-    const real c_2 = c[10];
-    const real c_3 = c[11];
-    f1[1] = -(phi_dot*b1 - (sin_phi*(c_2 - theta_dot*phi_dot*c_1) + sin_phi*(theta_dot*theta_dot)*(c_3*cos_phi)));
+    const real c_4 = c[12];
+    const real c_0 = c[8];
+    f1[1] = -(phi_dot*b1 - (sin_phi*(c_4 - theta_dot*phi_dot*c_2) + sin_phi*(theta_dot*theta_dot)*(c_0*cos_phi)));
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -228,15 +228,15 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[2])
 {
-    const real c_3 = c[11];
+    const real c_0 = c[8];
     const real phi = x[1];
     const real sin_phi = em_sin(phi);
-    const real c_4 = c[12];
-    M1[0][0] = c_3*(sin_phi*sin_phi) + c_4;
-    const real cos_phi = em_cos(phi);
     const real c_1 = c[9];
-    M1[0][1] = M1[1][0] = cos_phi*c_1;
-    M1[1][1] = c_3;
+    M1[0][0] = c_0*(sin_phi*sin_phi) + c_1;
+    const real cos_phi = em_cos(phi);
+    const real c_2 = c[10];
+    M1[0][1] = M1[1][0] = cos_phi*c_2;
+    M1[1][1] = c_0;
     shared[0] = cos_phi;
     shared[1] = sin_phi;
 }
@@ -245,14 +245,14 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[2],
                              real Mdot1[N1][N1])
 {
-    const real c_0 = c[8];
+    const real c_3 = c[11];
     const real cos_phi = shared[0];
     const real phi_dot = v[1];
     const real sin_phi = shared[1];
     const real z_2 = phi_dot*sin_phi;
-    Mdot1[0][0] = c_0*(cos_phi*z_2);
-    const real c_1 = c[9];
-    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[0][0] = c_3*(cos_phi*z_2);
+    const real c_2 = c[10];
+    Mdot1[0][1] = Mdot1[1][0] = -c_2*z_2;
     Mdot1[1][1] = em_real(0.0);
 }
 
@@ -361,18 +361,18 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double phi_dot = v[1];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
-    const double c_1 = c[9];
-    const double z_1 = sin_phi*c_1;
-    const double c_0 = c[8];
+    const double c_2 = c[10];
+    const double z_1 = sin_phi*c_2;
+    const double c_3 = c[11];
     const double z_2 = theta_dot*phi_dot;
     const double cos_phi = em_cos(phi);
     const double z_4 = sin_phi*cos_phi;
-    bias[0] = (u_ - theta_dot*b0) - (c_0*z_2*z_4 - phi_dot*phi_dot*z_1);
+    bias[0] = (u_ - theta_dot*b0) - (c_3*z_2*z_4 - phi_dot*phi_dot*z_1);
     const double z_5 = z_2*z_1;
     const double b1 = c[7];
-    const double c_3 = c[11];
-    const double c_2 = c[10];
-    bias[1] = z_5 - (phi_dot*b1 - ((theta_dot*theta_dot*(c_3*z_4) - z_5) + sin_phi*c_2));
+    const double c_0 = c[8];
+    const double c_4 = c[12];
+    bias[1] = z_5 - (phi_dot*b1 - ((theta_dot*theta_dot*(c_0*z_4) - z_5) + sin_phi*c_4));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -380,20 +380,20 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
                       double *restrict e)
 {
     const double theta_dot = v[0];
-    const double c_3 = c[11];
+    const double c_0 = c[8];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
-    const double c_4 = c[12];
+    const double c_1 = c[9];
     const double phi_dot = v[1];
     const double cos_phi = em_cos(phi);
-    const double c_1 = c[9];
-    const double z_2 = cos_phi*c_1;
-    e[0] = 0.5*(theta_dot*(theta_dot*(c_3*(sin_phi*sin_phi) + c_4) + phi_dot*z_2) + phi_dot*(theta_dot*z_2 +
-        phi_dot*c_3));
+    const double c_2 = c[10];
+    const double z_2 = cos_phi*c_2;
+    e[0] = 0.5*(theta_dot*(theta_dot*(c_0*(sin_phi*sin_phi) + c_1) + phi_dot*z_2) + phi_dot*(theta_dot*z_2 +
+        phi_dot*c_0));
     e[1] = 0.0;
     e[2] = 0.0;
-    const double c_2 = c[10];
-    e[3] = cos_phi*c_2;
+    const double c_4 = c[12];
+    e[3] = cos_phi*c_4;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -576,15 +576,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double m = parameters[2];
     const double l = parameters[4];
     const double z_0 = J + m*(l*l);
-    prepared[8] = 2.0*z_0; /* c_0 */
-    const double r = parameters[3];
-    const double z_1 = m*l;
-    prepared[9] = r*z_1; /* c_1 */
-    const double g = parameters[5];
-    prepared[10] = g*z_1; /* c_2 */
-    prepared[11] = z_0; /* c_3 */
+    prepared[8] = z_0; /* c_0 */
     const double J0 = parameters[0];
-    prepared[12] = J0 + m*(r*r); /* c_4 */
+    const double r = parameters[3];
+    prepared[9] = J0 + m*(r*r); /* c_1 */
+    const double z_1 = m*l;
+    prepared[10] = r*z_1; /* c_2 */
+    prepared[11] = 2.0*z_0; /* c_3 */
+    const double g = parameters[5];
+    prepared[12] = g*z_1; /* c_4 */
     prepared[13] = 2.0*l; /* c_5 */
     prepared[14] = 0.125*l; /* c_6 */
 }
@@ -600,15 +600,15 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_3 = c[11];
+    const double c_0 = c[8];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
-    const double c_4 = c[12];
-    M[0] = c_3*(sin_phi*sin_phi) + c_4;
-    const double cos_phi = em_cos(phi);
     const double c_1 = c[9];
-    M[2] = M[1] = cos_phi*c_1;
-    M[3] = c_3;
+    M[0] = c_0*(sin_phi*sin_phi) + c_1;
+    const double cos_phi = em_cos(phi);
+    const double c_2 = c[10];
+    M[2] = M[1] = cos_phi*c_2;
+    M[3] = c_0;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:0bdf466acb0564f697297262225e3628476b8c77d936361548f2086bb4312761 */
+/* body sha256:99af8a27bb2fd1bbf85d8890603a7efc5757de948d115843eb30d1b4c7ed3e19 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -72,185 +72,185 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4, 5, 6 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[17];
+    const real c_47 = c[64];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
     const real theta_dot = v[0];
     const real cos_theta = em_cos(theta);
     const real z_2 = theta_dot*cos_theta;
-    Mdot1[0][0] = -c_0*(sin_theta*z_2);
-    const real c_1 = c[18];
+    Mdot1[0][0] = -c_47*(sin_theta*z_2);
+    const real c_3 = c[20];
     const real aj = x[1];
     const real cos_aj = em_cos(aj);
     const real z_4 = theta_dot*sin_theta;
     const real aj_dot = v[1];
     const real sin_aj = em_sin(aj);
     const real z_6 = aj_dot*sin_aj;
-    const real c_2 = c[19];
-    const real z_7 = aj_dot*cos_aj;
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_1*(cos_aj*z_4 + cos_theta*z_6) - c_2*(sin_aj*z_2 +
-        sin_theta*z_7));
-    const real c_3 = c[20];
-    Mdot1[1][1] = -c_3*(sin_aj*z_7);
     const real c_4 = c[21];
+    const real z_7 = aj_dot*cos_aj;
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_3*(cos_aj*z_4 + cos_theta*z_6) - c_4*(sin_aj*z_2 +
+        sin_theta*z_7));
+    const real c_48 = c[65];
+    Mdot1[1][1] = -c_48*(sin_aj*z_7);
+    const real c_7 = c[24];
     const real ab_dot = v[2];
     const real ab = x[2];
     const real sin_ab = em_sin(ab);
     const real z_9 = ab_dot*sin_ab;
     const real cos_ab = em_cos(ab);
-    const real c_5 = c[22];
-    const real z_11 = ab_dot*cos_ab;
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_4*(cos_theta*z_9 + cos_ab*z_4) - c_5*(sin_theta*z_11 +
-        sin_ab*z_2));
-    const real c_6 = c[23];
-    const real c_7 = c[24];
-    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_6*(cos_aj*z_9 + cos_ab*z_6) - c_7*(sin_aj*z_11 + sin_ab*z_7));
     const real c_8 = c[25];
+    const real z_11 = ab_dot*cos_ab;
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_7*(cos_theta*z_9 + cos_ab*z_4) - c_8*(sin_theta*z_11 +
+        sin_ab*z_2));
     const real c_9 = c[26];
-    const real z_12 = cos_ab*c_8 - sin_ab*c_9;
     const real c_10 = c[27];
-    const real z_13 = c_8*z_9 + c_9*z_11;
-    const real z_14 = c_10*z_13;
-    const real z_15 = sin_ab*c_8 + cos_ab*c_9;
-    const real c_11 = c[28];
-    const real z_16 = c_8*z_11 - c_9*z_9;
-    const real z_17 = c_11*z_16;
-    const real c_12 = c[29];
-    Mdot1[2][2] = ((-1.0/6.0))*(z_12*z_14 + c_12*(sin_ab*z_11) - z_15*z_17);
+    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_9*(cos_aj*z_9 + cos_ab*z_6) - c_10*(sin_aj*z_11 + sin_ab*z_7));
     const real c_13 = c[30];
+    const real c_14 = c[31];
+    const real z_12 = cos_ab*c_13 - sin_ab*c_14;
+    const real c_12 = c[29];
+    const real z_13 = c_13*z_9 + c_14*z_11;
+    const real z_14 = c_12*z_13;
+    const real z_15 = sin_ab*c_13 + cos_ab*c_14;
+    const real c_15 = c[32];
+    const real z_16 = c_13*z_11 - c_14*z_9;
+    const real z_17 = c_15*z_16;
+    const real c_49 = c[66];
+    Mdot1[2][2] = ((-1.0/6.0))*(z_12*z_14 + c_49*(sin_ab*z_11) - z_15*z_17);
+    const real c_18 = c[35];
     const real ak = x[3];
     const real cos_ak = em_cos(ak);
     const real ak_dot = v[3];
     const real sin_ak = em_sin(ak);
     const real z_20 = ak_dot*sin_ak;
-    const real c_14 = c[31];
+    const real c_19 = c[36];
     const real z_21 = ak_dot*cos_ak;
-    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_13*(cos_ak*z_4 + cos_theta*z_20) - c_14*(sin_ak*z_2 +
+    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_18*(cos_ak*z_4 + cos_theta*z_20) - c_19*(sin_ak*z_2 +
         sin_theta*z_21));
     Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
     Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
-    const real c_15 = c[32];
-    Mdot1[3][3] = -c_15*(sin_ak*z_21);
-    const real c_16 = c[33];
+    const real c_50 = c[67];
+    Mdot1[3][3] = -c_50*(sin_ak*z_21);
+    const real c_22 = c[39];
     const real ac = x[4];
     const real cos_ac = em_cos(ac);
     const real ac_dot = v[4];
     const real sin_ac = em_sin(ac);
     const real z_24 = ac_dot*sin_ac;
-    const real c_17 = c[34];
+    const real c_23 = c[40];
     const real z_25 = ac_dot*cos_ac;
-    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_16*(cos_ac*z_4 + cos_theta*z_24) - c_17*(sin_ac*z_2 +
+    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_22*(cos_ac*z_4 + cos_theta*z_24) - c_23*(sin_ac*z_2 +
         sin_theta*z_25));
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
-    const real c_18 = c[35];
-    const real c_19 = c[36];
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_18*(z_12*z_24 + cos_ac*z_13) - c_19*(z_15*z_25 + sin_ac*z_16));
-    const real c_20 = c[37];
-    const real c_21 = c[38];
-    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_20*(cos_ak*z_24 + cos_ac*z_20) - c_21*(sin_ak*z_25 + sin_ac*z_21));
-    const real c_22 = c[39];
-    Mdot1[4][4] = -c_22*(sin_ac*z_25);
+    const real c_24 = c[41];
+    const real c_25 = c[42];
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_24*(z_12*z_24 + cos_ac*z_13) - c_25*(z_15*z_25 + sin_ac*z_16));
+    const real c_26 = c[43];
+    const real c_27 = c[44];
+    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_26*(cos_ak*z_24 + cos_ac*z_20) - c_27*(sin_ak*z_25 + sin_ac*z_21));
+    const real c_51 = c[68];
+    Mdot1[4][4] = -c_51*(sin_ac*z_25);
     Mdot1[0][5] = Mdot1[5][0] = em_real(0.0);
     Mdot1[1][5] = Mdot1[5][1] = em_real(0.0);
-    const real c_23 = c[40];
+    const real c_31 = c[48];
     const real af = x[5];
     const real sin_af = em_sin(af);
     const real af_dot = v[5];
     const real cos_af = em_cos(af);
     const real z_28 = af_dot*cos_af;
-    const real c_24 = c[41];
+    const real c_32 = c[49];
     const real z_29 = af_dot*sin_af;
-    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_23*(sin_af*z_16 + z_15*z_28) - c_24*(cos_af*z_13 + z_12*z_29));
+    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_31*(sin_af*z_16 + z_15*z_28) - c_32*(cos_af*z_13 + z_12*z_29));
     Mdot1[3][5] = Mdot1[5][3] = em_real(0.0);
-    const real c_25 = c[42];
-    const real c_26 = c[43];
-    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_25*(cos_af*z_24 + cos_ac*z_29) - c_26*(sin_af*z_25 + sin_ac*z_28));
-    const real c_27 = c[44];
-    Mdot1[5][5] = -c_27*(cos_af*z_29);
+    const real c_33 = c[50];
+    const real c_34 = c[51];
+    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_33*(cos_af*z_24 + cos_ac*z_29) - c_34*(sin_af*z_25 + sin_ac*z_28));
+    const real c_52 = c[69];
+    Mdot1[5][5] = -c_52*(cos_af*z_29);
     Mdot1[0][6] = Mdot1[6][0] = em_real(0.0);
     Mdot1[1][6] = Mdot1[6][1] = em_real(0.0);
-    const real c_28 = c[45];
+    const real c_37 = c[54];
     const real ag = x[6];
     const real cos_ag = em_cos(ag);
     const real ag_dot = v[6];
     const real sin_ag = em_sin(ag);
     const real z_32 = ag_dot*sin_ag;
-    const real c_29 = c[46];
-    const real z_33 = ag_dot*cos_ag;
-    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_28*(cos_ag*z_13 + z_12*z_32) - c_29*(sin_ag*z_16 + z_15*z_33));
-    Mdot1[3][6] = Mdot1[6][3] = em_real(0.0);
-    const real c_30 = c[47];
-    const real c_31 = c[48];
-    const real c_32 = c[49];
-    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_30*(sin_ag*z_24 - cos_ac*z_33) + 2.0*c_30*(cos_ag*z_25 -
-        sin_ac*z_32) + c_32*(sin_ag*z_25 + sin_ac*z_33) - c_31*(cos_ag*z_24 + cos_ac*z_32));
-    const real c_33 = c[50];
-    const real c_34 = c[51];
-    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_33*(cos_af*z_32 + cos_ag*z_29) - c_34*(sin_af*z_33 + sin_ag*z_28));
-    const real c_35 = c[52];
-    Mdot1[6][6] = -c_35*(sin_ag*z_33);
-    const real c_36 = c[53];
-    const real z_34 = theta_dot*ab_dot*(c_36*(cos_ab*sin_theta - cos_theta*sin_ab));
-    const real c_37 = c[54];
-    const real z_35 = theta_dot*ac_dot*(c_37*(sin_theta*cos_ac - cos_theta*sin_ac));
     const real c_38 = c[55];
+    const real z_33 = ag_dot*cos_ag;
+    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_37*(cos_ag*z_13 + z_12*z_32) - c_38*(sin_ag*z_16 + z_15*z_33));
+    Mdot1[3][6] = Mdot1[6][3] = em_real(0.0);
+    const real c_53 = c[70];
     const real c_39 = c[56];
+    const real c_40 = c[57];
+    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_53*(sin_ag*z_24 - cos_ac*z_33) + 2.0*c_53*(cos_ag*z_25 -
+        sin_ac*z_32) + c_40*(sin_ag*z_25 + sin_ac*z_33) - c_39*(cos_ag*z_24 + cos_ac*z_32));
+    const real c_42 = c[59];
+    const real c_43 = c[60];
+    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_42*(cos_af*z_32 + cos_ag*z_29) - c_43*(sin_af*z_33 + sin_ag*z_28));
+    const real c_54 = c[71];
+    Mdot1[6][6] = -c_54*(sin_ag*z_33);
+    const real c_55 = c[72];
+    const real z_34 = theta_dot*ab_dot*(c_55*(cos_ab*sin_theta - cos_theta*sin_ab));
+    const real c_56 = c[73];
+    const real z_35 = theta_dot*ac_dot*(c_56*(sin_theta*cos_ac - cos_theta*sin_ac));
+    const real c_57 = c[74];
+    const real c_58 = c[75];
     const real m = c[12];
     const real z_36 = m*z_4;
     const real j = c[9];
     const real b = c[1];
     const real z_37 = z_36 + j*z_6 - b*z_9;
-    const real c_40 = c[57];
+    const real c_59 = c[76];
     const real z_38 = m*z_2;
     const real z_39 = z_38 + j*z_7 - b*z_11;
-    const real c_41 = c[58];
+    const real c_60 = c[77];
     const real c_ = c[2];
     const real k = c[10];
     const real z_40 = c_*z_24 - z_36 - k*z_20;
-    const real c_42 = c[59];
-    const real z_41 = c_*z_25 - z_38 - k*z_21;
-    const real c_43 = c[60];
-    f1[0] = ((-1.0/6.0))*(((z_34 + z_35) - 3.0*(c_39 - cos_theta*c_38)) - 2.0*(z_37*c_40*z_2 + z_41*c_43*z_4 -
-        z_39*c_41*z_4 - z_40*c_42*z_2));
-    const real c_44 = c[61];
-    const real c_45 = c[62];
-    f1[1] = (1.0/3.0)*(z_37*c_44*z_7 - z_39*c_45*z_6);
-    const real c_46 = c[63];
-    const real z_42 = ab_dot*ac_dot*(c_46*(cos_ac*z_15 - sin_ac*z_12));
-    const real c_47 = c[64];
-    const real z_43 = ab_dot*ag_dot*(c_47*(z_15*cos_ag - z_12*sin_ag));
-    const real c_48 = c[65];
-    const real c_49 = c[66];
-    const real c_50 = c[67];
-    const real c_51 = c[68];
-    const real c_52 = c[69];
-    const real z_44 = c_50*z_24 + c_51*z_32 - ab_dot*z_15 - c_52*z_29;
-    const real z_45 = c_50*z_25 + c_51*z_33 - ab_dot*z_12 - c_52*z_28;
-    const real c_53 = c[70];
-    const real c_54 = c[71];
-    f1[2] = (1.0/12.0)*(((2.0*z_34 - z_42 - z_43) - 3.0*(cos_ab*c_48 - sin_ab*c_49)) - (z_44*z_17 +
-        c_53*(z_37*z_11) - z_45*z_14 - c_54*(z_39*z_9)));
-    const real c_55 = c[72];
-    const real c_56 = c[73];
-    f1[3] = ((-1.0/3.0))*(z_40*c_55*z_21 - z_41*c_56*z_20);
-    const real c_57 = c[74];
-    const real c_58 = c[75];
-    const real z_46 = ac_dot*ag_dot*(sin_ac*cos_ag*c_57 - cos_ac*sin_ag*c_57 - c_58*(sin_ac*sin_ag) -
-        c_58*(cos_ac*cos_ag));
-    const real c_59 = c[76];
-    const real c_60 = c[77];
     const real c_61 = c[78];
+    const real z_41 = c_*z_25 - z_38 - k*z_21;
     const real c_62 = c[79];
+    f1[0] = ((-1.0/6.0))*(((z_34 + z_35) - 3.0*(c_58 - cos_theta*c_57)) - 2.0*(z_37*c_59*z_2 + z_41*c_62*z_4 -
+        z_39*c_60*z_4 - z_40*c_61*z_2));
     const real c_63 = c[80];
-    f1[4] = (1.0/12.0)*(((2.0*z_35 + z_42 - z_46) - cos_ac*c_59) + 2.0*(c_60*z_44*z_25 + c_62*(z_40*z_25) -
-        c_61*z_45*z_24 - c_63*(z_41*z_24)));
-    f1[5] = ((-1.0/6.0))*(c_23*z_44*z_28 - c_24*z_45*z_29);
     const real c_64 = c[81];
+    f1[1] = (1.0/3.0)*(z_37*c_63*z_7 - z_39*c_64*z_6);
     const real c_65 = c[82];
+    const real z_42 = ab_dot*ac_dot*(c_65*(cos_ac*z_15 - sin_ac*z_12));
     const real c_66 = c[83];
+    const real z_43 = ab_dot*ag_dot*(c_66*(z_15*cos_ag - z_12*sin_ag));
     const real c_67 = c[84];
-    f1[6] = (1.0/12.0)*(((z_43 + z_46) - 3.0*(cos_ag*c_64 - sin_ag*c_65)) + 2.0*(c_66*z_44*z_33 -
-        c_67*z_45*z_32));
+    const real c_68 = c[85];
+    const real c_69 = c[86];
+    const real c_70 = c[87];
+    const real c_71 = c[88];
+    const real z_44 = c_69*z_24 + c_70*z_32 - ab_dot*z_15 - c_71*z_29;
+    const real z_45 = c_69*z_25 + c_70*z_33 - ab_dot*z_12 - c_71*z_28;
+    const real c_72 = c[89];
+    const real c_73 = c[90];
+    f1[2] = (1.0/12.0)*(((2.0*z_34 - z_42 - z_43) - 3.0*(cos_ab*c_67 - sin_ab*c_68)) - (z_44*z_17 +
+        c_72*(z_37*z_11) - z_45*z_14 - c_73*(z_39*z_9)));
+    const real c_74 = c[91];
+    const real c_75 = c[92];
+    f1[3] = ((-1.0/3.0))*(z_40*c_74*z_21 - z_41*c_75*z_20);
+    const real c_76 = c[93];
+    const real c_41 = c[58];
+    const real z_46 = ac_dot*ag_dot*(sin_ac*cos_ag*c_76 - cos_ac*sin_ag*c_76 - c_41*(sin_ac*sin_ag) -
+        c_41*(cos_ac*cos_ag));
+    const real c_77 = c[94];
+    const real c_78 = c[95];
+    const real c_79 = c[96];
+    const real c_80 = c[97];
+    const real c_81 = c[98];
+    f1[4] = (1.0/12.0)*(((2.0*z_35 + z_42 - z_46) - cos_ac*c_77) + 2.0*(c_78*z_44*z_25 + c_80*(z_40*z_25) -
+        c_79*z_45*z_24 - c_81*(z_41*z_24)));
+    f1[5] = ((-1.0/6.0))*(c_31*z_44*z_28 - c_32*z_45*z_29);
+    const real c_82 = c[99];
+    const real c_83 = c[100];
+    const real c_84 = c[101];
+    const real c_85 = c[102];
+    f1[6] = (1.0/12.0)*(((z_43 + z_46) - 3.0*(cos_ag*c_82 - sin_ag*c_83)) + 2.0*(c_84*z_44*z_33 -
+        c_85*z_45*z_32));
     const real z_47 = m*sin_theta;
     A1[0][0] = -z_47;
     const real z_48 = j*sin_aj;
@@ -316,9 +316,9 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_63 = ac_dot*ac_dot;
     gamma[2] = -(z_58 + z_55*z_62 - z_56*z_63);
     gamma[3] = -(z_61 + z_53*z_62 - z_54*z_63);
-    const real z_64 = c_50*z_63;
-    const real z_65 = c_52*(af_dot*af_dot);
-    const real z_66 = c_51*(ag_dot*ag_dot);
+    const real z_64 = c_69*z_63;
+    const real z_65 = c_71*(af_dot*af_dot);
+    const real z_66 = c_70*(ag_dot*ag_dot);
     gamma[4] = 0.5*(cos_ac*z_64 + cos_ag*z_66 - ab_dot*z_16 - cos_af*z_65);
     gamma[5] = 0.5*(sin_ac*z_64 + sin_ag*z_66 - ab_dot*z_13 - sin_af*z_65);
 }
@@ -408,108 +408,108 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[20])
 {
-    const real c_68 = c[85];
-    const real c_69 = c[86];
+    const real c_0 = c[17];
+    const real c_1 = c[18];
     const real theta = x[0];
     const real cos_theta = em_cos(theta);
-    const real c_70 = c[87];
+    const real c_2 = c[19];
     const real sin_theta = em_sin(theta);
-    M1[0][0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
+    M1[0][0] = (1.0/3.0)*(c_0 + c_1*(cos_theta*cos_theta) + c_2*(sin_theta*sin_theta));
     const real aj = x[1];
     const real cos_aj = em_cos(aj);
-    const real c_1 = c[18];
+    const real c_3 = c[20];
     const real sin_aj = em_sin(aj);
-    const real c_2 = c[19];
-    M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_1) + sin_aj*(sin_theta*c_2));
-    const real c_71 = c[88];
-    const real c_72 = c[89];
-    M1[1][1] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
+    const real c_4 = c[21];
+    M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_3) + sin_aj*(sin_theta*c_4));
+    const real c_5 = c[22];
+    const real c_6 = c[23];
+    M1[1][1] = (1.0/3.0)*(c_5*(cos_aj*cos_aj) + c_6*(sin_aj*sin_aj));
     const real ab = x[2];
     const real cos_ab = em_cos(ab);
-    const real c_4 = c[21];
-    const real sin_ab = em_sin(ab);
-    const real c_5 = c[22];
-    M1[2][0] = (1.0/6.0)*(cos_theta*(cos_ab*c_4) + sin_theta*(sin_ab*c_5));
-    const real c_6 = c[23];
     const real c_7 = c[24];
-    M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_6) + sin_aj*(sin_ab*c_7));
-    const real c_73 = c[90];
-    const real c_10 = c[27];
+    const real sin_ab = em_sin(ab);
     const real c_8 = c[25];
+    M1[2][0] = (1.0/6.0)*(cos_theta*(cos_ab*c_7) + sin_theta*(sin_ab*c_8));
     const real c_9 = c[26];
-    const real z_6 = cos_ab*c_8 - sin_ab*c_9;
+    const real c_10 = c[27];
+    M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_9) + sin_aj*(sin_ab*c_10));
     const real c_11 = c[28];
-    const real z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const real c_74 = c[91];
-    const real c_75 = c[92];
-    M1[2][2] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
+    const real c_12 = c[29];
+    const real c_13 = c[30];
+    const real c_14 = c[31];
+    const real z_6 = cos_ab*c_13 - sin_ab*c_14;
+    const real c_15 = c[32];
+    const real z_7 = sin_ab*c_13 + cos_ab*c_14;
+    const real c_16 = c[33];
+    const real c_17 = c[34];
+    M1[2][2] = (1.0/12.0)*(c_11 + c_12*(z_6*z_6) + c_15*(z_7*z_7) + c_16*(cos_ab*cos_ab) + c_17*(sin_ab*sin_ab));
     const real ak = x[3];
     const real cos_ak = em_cos(ak);
-    const real c_13 = c[30];
+    const real c_18 = c[35];
     const real sin_ak = em_sin(ak);
-    const real c_14 = c[31];
-    M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_13) + sin_ak*(sin_theta*c_14));
+    const real c_19 = c[36];
+    M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_18) + sin_ak*(sin_theta*c_19));
     M1[3][1] = em_real(0.0);
     M1[3][2] = em_real(0.0);
-    const real c_76 = c[93];
-    const real c_77 = c[94];
-    M1[3][3] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
-    const real ac = x[4];
-    const real cos_ac = em_cos(ac);
-    const real c_16 = c[33];
-    const real sin_ac = em_sin(ac);
-    const real c_17 = c[34];
-    M1[4][0] = (1.0/6.0)*(cos_ac*(cos_theta*c_16) + sin_ac*(sin_theta*c_17));
-    M1[4][1] = em_real(0.0);
-    const real c_18 = c[35];
-    const real c_19 = c[36];
-    M1[4][2] = (1.0/12.0)*(z_6*(cos_ac*c_18) + z_7*(sin_ac*c_19));
     const real c_20 = c[37];
     const real c_21 = c[38];
-    M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_20) + sin_ak*(sin_ac*c_21));
-    const real c_78 = c[95];
-    const real c_79 = c[96];
-    const real c_80 = c[97];
-    M1[4][4] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
+    M1[3][3] = (1.0/3.0)*(c_20*(cos_ak*cos_ak) + c_21*(sin_ak*sin_ak));
+    const real ac = x[4];
+    const real cos_ac = em_cos(ac);
+    const real c_22 = c[39];
+    const real sin_ac = em_sin(ac);
+    const real c_23 = c[40];
+    M1[4][0] = (1.0/6.0)*(cos_ac*(cos_theta*c_22) + sin_ac*(sin_theta*c_23));
+    M1[4][1] = em_real(0.0);
+    const real c_24 = c[41];
+    const real c_25 = c[42];
+    M1[4][2] = (1.0/12.0)*(z_6*(cos_ac*c_24) + z_7*(sin_ac*c_25));
+    const real c_26 = c[43];
+    const real c_27 = c[44];
+    M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_26) + sin_ak*(sin_ac*c_27));
+    const real c_28 = c[45];
+    const real c_29 = c[46];
+    const real c_30 = c[47];
+    M1[4][4] = (1.0/6.0)*(c_28 + c_29*(cos_ac*cos_ac) + c_30*(sin_ac*sin_ac));
     M1[5][0] = em_real(0.0);
     M1[5][1] = em_real(0.0);
     const real af = x[5];
     const real sin_af = em_sin(af);
-    const real c_23 = c[40];
+    const real c_31 = c[48];
     const real cos_af = em_cos(af);
-    const real c_24 = c[41];
-    M1[5][2] = (1.0/6.0)*(sin_af*(z_7*c_23) + cos_af*(z_6*c_24));
+    const real c_32 = c[49];
+    M1[5][2] = (1.0/6.0)*(sin_af*(z_7*c_31) + cos_af*(z_6*c_32));
     M1[5][3] = em_real(0.0);
-    const real c_25 = c[42];
-    const real c_26 = c[43];
-    M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_25) + sin_af*(sin_ac*c_26));
-    const real c_81 = c[98];
-    const real c_82 = c[99];
-    M1[5][5] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
+    const real c_33 = c[50];
+    const real c_34 = c[51];
+    M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_33) + sin_af*(sin_ac*c_34));
+    const real c_35 = c[52];
+    const real c_36 = c[53];
+    M1[5][5] = (1.0/3.0)*(c_35*(cos_af*cos_af) + c_36*(sin_af*sin_af));
     M1[6][0] = em_real(0.0);
     M1[6][1] = em_real(0.0);
     const real ag = x[6];
     const real cos_ag = em_cos(ag);
-    const real c_28 = c[45];
+    const real c_37 = c[54];
     const real sin_ag = em_sin(ag);
-    const real c_29 = c[46];
-    M1[6][2] = (1.0/12.0)*(cos_ag*(z_6*c_28) + sin_ag*(z_7*c_29));
+    const real c_38 = c[55];
+    M1[6][2] = (1.0/12.0)*(cos_ag*(z_6*c_37) + sin_ag*(z_7*c_38));
     M1[6][3] = em_real(0.0);
-    const real c_31 = c[48];
+    const real c_39 = c[56];
     const real z_16 = cos_ac*cos_ag;
-    const real c_32 = c[49];
+    const real c_40 = c[57];
     const real z_17 = sin_ac*sin_ag;
-    const real c_58 = c[75];
+    const real c_41 = c[58];
     const real z_18 = cos_ac*sin_ag;
     const real z_19 = sin_ac*cos_ag;
-    M1[6][4] = ((-1.0/12.0))*(c_58*z_18 - c_31*z_16 - c_32*z_17 - c_58*z_19);
-    const real c_33 = c[50];
-    const real c_34 = c[51];
-    M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_33) + sin_af*(sin_ag*c_34));
-    const real c_83 = c[100];
-    const real c_84 = c[101];
-    const real c_85 = c[102];
-    M1[6][6] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
+    M1[6][4] = ((-1.0/12.0))*(c_41*z_18 - c_39*z_16 - c_40*z_17 - c_41*z_19);
+    const real c_42 = c[59];
+    const real c_43 = c[60];
+    M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_42) + sin_af*(sin_ag*c_43));
+    const real c_44 = c[61];
+    const real c_45 = c[62];
+    const real c_46 = c[63];
+    M1[6][6] = (1.0/12.0)*(c_44 + c_45*(cos_ag*cos_ag) + c_46*(sin_ag*sin_ag));
     shared[0] = sin_theta;
     shared[1] = cos_theta;
     shared[2] = cos_aj;
@@ -536,181 +536,181 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[20],
                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[17];
+    const real c_47 = c[64];
     const real sin_theta = shared[0];
     const real theta_dot = v[0];
     const real cos_theta = shared[1];
     const real z_20 = theta_dot*cos_theta;
-    Mdot1[0][0] = -c_0*(sin_theta*z_20);
-    const real c_1 = c[18];
+    Mdot1[0][0] = -c_47*(sin_theta*z_20);
+    const real c_3 = c[20];
     const real cos_aj = shared[2];
     const real z_21 = theta_dot*sin_theta;
     const real aj_dot = v[1];
     const real sin_aj = shared[3];
     const real z_22 = aj_dot*sin_aj;
-    const real c_2 = c[19];
-    const real z_23 = aj_dot*cos_aj;
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_1*(cos_aj*z_21 + cos_theta*z_22) - c_2*(sin_aj*z_20 +
-        sin_theta*z_23));
-    const real c_3 = c[20];
-    Mdot1[1][1] = -c_3*(sin_aj*z_23);
     const real c_4 = c[21];
+    const real z_23 = aj_dot*cos_aj;
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_3*(cos_aj*z_21 + cos_theta*z_22) - c_4*(sin_aj*z_20 +
+        sin_theta*z_23));
+    const real c_48 = c[65];
+    Mdot1[1][1] = -c_48*(sin_aj*z_23);
+    const real c_7 = c[24];
     const real ab_dot = v[2];
     const real sin_ab = shared[4];
     const real z_24 = ab_dot*sin_ab;
     const real cos_ab = shared[5];
-    const real c_5 = c[22];
-    const real z_25 = ab_dot*cos_ab;
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_4*(cos_theta*z_24 + cos_ab*z_21) - c_5*(sin_theta*z_25 +
-        sin_ab*z_20));
-    const real c_6 = c[23];
-    const real c_7 = c[24];
-    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_6*(cos_aj*z_24 + cos_ab*z_22) - c_7*(sin_aj*z_25 + sin_ab*z_23));
-    const real z_6 = shared[6];
-    const real c_10 = c[27];
     const real c_8 = c[25];
+    const real z_25 = ab_dot*cos_ab;
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_7*(cos_theta*z_24 + cos_ab*z_21) - c_8*(sin_theta*z_25 +
+        sin_ab*z_20));
     const real c_9 = c[26];
-    const real z_26 = c_8*z_24 + c_9*z_25;
-    const real z_27 = c_10*z_26;
-    const real z_7 = shared[7];
-    const real c_11 = c[28];
-    const real z_28 = c_8*z_25 - c_9*z_24;
-    const real z_29 = c_11*z_28;
+    const real c_10 = c[27];
+    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_9*(cos_aj*z_24 + cos_ab*z_22) - c_10*(sin_aj*z_25 + sin_ab*z_23));
+    const real z_6 = shared[6];
     const real c_12 = c[29];
-    Mdot1[2][2] = ((-1.0/6.0))*(z_6*z_27 + c_12*(sin_ab*z_25) - z_7*z_29);
     const real c_13 = c[30];
+    const real c_14 = c[31];
+    const real z_26 = c_13*z_24 + c_14*z_25;
+    const real z_27 = c_12*z_26;
+    const real z_7 = shared[7];
+    const real c_15 = c[32];
+    const real z_28 = c_13*z_25 - c_14*z_24;
+    const real z_29 = c_15*z_28;
+    const real c_49 = c[66];
+    Mdot1[2][2] = ((-1.0/6.0))*(z_6*z_27 + c_49*(sin_ab*z_25) - z_7*z_29);
+    const real c_18 = c[35];
     const real cos_ak = shared[8];
     const real ak_dot = v[3];
     const real sin_ak = shared[9];
     const real z_30 = ak_dot*sin_ak;
-    const real c_14 = c[31];
+    const real c_19 = c[36];
     const real z_31 = ak_dot*cos_ak;
-    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_13*(cos_ak*z_21 + cos_theta*z_30) - c_14*(sin_ak*z_20 +
+    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_18*(cos_ak*z_21 + cos_theta*z_30) - c_19*(sin_ak*z_20 +
         sin_theta*z_31));
     Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
     Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
-    const real c_15 = c[32];
-    Mdot1[3][3] = -c_15*(sin_ak*z_31);
-    const real c_16 = c[33];
+    const real c_50 = c[67];
+    Mdot1[3][3] = -c_50*(sin_ak*z_31);
+    const real c_22 = c[39];
     const real cos_ac = shared[10];
     const real ac_dot = v[4];
     const real sin_ac = shared[11];
     const real z_32 = ac_dot*sin_ac;
-    const real c_17 = c[34];
+    const real c_23 = c[40];
     const real z_33 = ac_dot*cos_ac;
-    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_16*(cos_ac*z_21 + cos_theta*z_32) - c_17*(sin_ac*z_20 +
+    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_22*(cos_ac*z_21 + cos_theta*z_32) - c_23*(sin_ac*z_20 +
         sin_theta*z_33));
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
-    const real c_18 = c[35];
-    const real c_19 = c[36];
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_18*(z_6*z_32 + cos_ac*z_26) - c_19*(z_7*z_33 + sin_ac*z_28));
-    const real c_20 = c[37];
-    const real c_21 = c[38];
-    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_20*(cos_ak*z_32 + cos_ac*z_30) - c_21*(sin_ak*z_33 + sin_ac*z_31));
-    const real c_22 = c[39];
-    Mdot1[4][4] = -c_22*(sin_ac*z_33);
+    const real c_24 = c[41];
+    const real c_25 = c[42];
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_24*(z_6*z_32 + cos_ac*z_26) - c_25*(z_7*z_33 + sin_ac*z_28));
+    const real c_26 = c[43];
+    const real c_27 = c[44];
+    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_26*(cos_ak*z_32 + cos_ac*z_30) - c_27*(sin_ak*z_33 + sin_ac*z_31));
+    const real c_51 = c[68];
+    Mdot1[4][4] = -c_51*(sin_ac*z_33);
     Mdot1[0][5] = Mdot1[5][0] = em_real(0.0);
     Mdot1[1][5] = Mdot1[5][1] = em_real(0.0);
-    const real c_23 = c[40];
+    const real c_31 = c[48];
     const real sin_af = shared[12];
     const real af_dot = v[5];
     const real cos_af = shared[13];
     const real z_34 = af_dot*cos_af;
-    const real c_24 = c[41];
+    const real c_32 = c[49];
     const real z_35 = af_dot*sin_af;
-    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_23*(sin_af*z_28 + z_7*z_34) - c_24*(cos_af*z_26 + z_6*z_35));
+    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_31*(sin_af*z_28 + z_7*z_34) - c_32*(cos_af*z_26 + z_6*z_35));
     Mdot1[3][5] = Mdot1[5][3] = em_real(0.0);
-    const real c_25 = c[42];
-    const real c_26 = c[43];
-    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_25*(cos_af*z_32 + cos_ac*z_35) - c_26*(sin_af*z_33 + sin_ac*z_34));
-    const real c_27 = c[44];
-    Mdot1[5][5] = -c_27*(cos_af*z_35);
+    const real c_33 = c[50];
+    const real c_34 = c[51];
+    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_33*(cos_af*z_32 + cos_ac*z_35) - c_34*(sin_af*z_33 + sin_ac*z_34));
+    const real c_52 = c[69];
+    Mdot1[5][5] = -c_52*(cos_af*z_35);
     Mdot1[0][6] = Mdot1[6][0] = em_real(0.0);
     Mdot1[1][6] = Mdot1[6][1] = em_real(0.0);
-    const real c_28 = c[45];
+    const real c_37 = c[54];
     const real cos_ag = shared[14];
     const real ag_dot = v[6];
     const real sin_ag = shared[15];
     const real z_36 = ag_dot*sin_ag;
-    const real c_29 = c[46];
-    const real z_37 = ag_dot*cos_ag;
-    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_28*(cos_ag*z_26 + z_6*z_36) - c_29*(sin_ag*z_28 + z_7*z_37));
-    Mdot1[3][6] = Mdot1[6][3] = em_real(0.0);
-    const real c_30 = c[47];
-    const real c_31 = c[48];
-    const real c_32 = c[49];
-    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_30*(sin_ag*z_32 - cos_ac*z_37) + 2.0*c_30*(cos_ag*z_33 -
-        sin_ac*z_36) + c_32*(sin_ag*z_33 + sin_ac*z_37) - c_31*(cos_ag*z_32 + cos_ac*z_36));
-    const real c_33 = c[50];
-    const real c_34 = c[51];
-    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_33*(cos_af*z_36 + cos_ag*z_35) - c_34*(sin_af*z_37 + sin_ag*z_34));
-    const real c_35 = c[52];
-    Mdot1[6][6] = -c_35*(sin_ag*z_37);
-    const real c_36 = c[53];
-    const real z_38 = theta_dot*ab_dot*(c_36*(cos_ab*sin_theta - cos_theta*sin_ab));
-    const real c_37 = c[54];
-    const real z_39 = theta_dot*ac_dot*(c_37*(sin_theta*cos_ac - cos_theta*sin_ac));
     const real c_38 = c[55];
+    const real z_37 = ag_dot*cos_ag;
+    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_37*(cos_ag*z_26 + z_6*z_36) - c_38*(sin_ag*z_28 + z_7*z_37));
+    Mdot1[3][6] = Mdot1[6][3] = em_real(0.0);
+    const real c_53 = c[70];
     const real c_39 = c[56];
+    const real c_40 = c[57];
+    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_53*(sin_ag*z_32 - cos_ac*z_37) + 2.0*c_53*(cos_ag*z_33 -
+        sin_ac*z_36) + c_40*(sin_ag*z_33 + sin_ac*z_37) - c_39*(cos_ag*z_32 + cos_ac*z_36));
+    const real c_42 = c[59];
+    const real c_43 = c[60];
+    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_42*(cos_af*z_36 + cos_ag*z_35) - c_43*(sin_af*z_37 + sin_ag*z_34));
+    const real c_54 = c[71];
+    Mdot1[6][6] = -c_54*(sin_ag*z_37);
+    const real c_55 = c[72];
+    const real z_38 = theta_dot*ab_dot*(c_55*(cos_ab*sin_theta - cos_theta*sin_ab));
+    const real c_56 = c[73];
+    const real z_39 = theta_dot*ac_dot*(c_56*(sin_theta*cos_ac - cos_theta*sin_ac));
+    const real c_57 = c[74];
+    const real c_58 = c[75];
     const real m = c[12];
     const real z_40 = m*z_21;
     const real j = c[9];
     const real b = c[1];
     const real z_41 = z_40 + j*z_22 - b*z_24;
-    const real c_40 = c[57];
+    const real c_59 = c[76];
     const real z_42 = m*z_20;
     const real z_43 = z_42 + j*z_23 - b*z_25;
-    const real c_41 = c[58];
+    const real c_60 = c[77];
     const real c_ = c[2];
     const real k = c[10];
     const real z_44 = c_*z_32 - z_40 - k*z_30;
-    const real c_42 = c[59];
+    const real c_61 = c[78];
     const real z_45 = c_*z_33 - z_42 - k*z_31;
-    const real c_43 = c[60];
-    f1[0] = ((-1.0/6.0))*(((z_38 + z_39) - 3.0*(c_39 - cos_theta*c_38)) - 2.0*(z_41*c_40*z_20 + z_45*c_43*z_21 -
-        z_43*c_41*z_21 - z_44*c_42*z_20));
-    const real c_44 = c[61];
-    const real c_45 = c[62];
-    f1[1] = (1.0/3.0)*(z_41*c_44*z_23 - z_43*c_45*z_22);
-    const real c_46 = c[63];
-    const real z_46 = ab_dot*ac_dot*(c_46*(cos_ac*z_7 - sin_ac*z_6));
-    const real c_47 = c[64];
-    const real z_47 = ab_dot*ag_dot*(c_47*(z_7*cos_ag - z_6*sin_ag));
-    const real c_48 = c[65];
-    const real c_49 = c[66];
-    const real c_50 = c[67];
-    const real c_51 = c[68];
-    const real c_52 = c[69];
-    const real z_48 = c_50*z_32 + c_51*z_36 - ab_dot*z_7 - c_52*z_35;
-    const real z_49 = c_50*z_33 + c_51*z_37 - ab_dot*z_6 - c_52*z_34;
-    const real c_53 = c[70];
-    const real c_54 = c[71];
-    f1[2] = (1.0/12.0)*(((2.0*z_38 - z_46 - z_47) - 3.0*(cos_ab*c_48 - sin_ab*c_49)) - (z_48*z_29 +
-        c_53*(z_41*z_25) - z_49*z_27 - c_54*(z_43*z_24)));
-    const real c_55 = c[72];
-    const real c_56 = c[73];
-    f1[3] = ((-1.0/3.0))*(z_44*c_55*z_31 - z_45*c_56*z_30);
-    const real c_57 = c[74];
+    const real c_62 = c[79];
+    f1[0] = ((-1.0/6.0))*(((z_38 + z_39) - 3.0*(c_58 - cos_theta*c_57)) - 2.0*(z_41*c_59*z_20 + z_45*c_62*z_21 -
+        z_43*c_60*z_21 - z_44*c_61*z_20));
+    const real c_63 = c[80];
+    const real c_64 = c[81];
+    f1[1] = (1.0/3.0)*(z_41*c_63*z_23 - z_43*c_64*z_22);
+    const real c_65 = c[82];
+    const real z_46 = ab_dot*ac_dot*(c_65*(cos_ac*z_7 - sin_ac*z_6));
+    const real c_66 = c[83];
+    const real z_47 = ab_dot*ag_dot*(c_66*(z_7*cos_ag - z_6*sin_ag));
+    const real c_67 = c[84];
+    const real c_68 = c[85];
+    const real c_69 = c[86];
+    const real c_70 = c[87];
+    const real c_71 = c[88];
+    const real z_48 = c_69*z_32 + c_70*z_36 - ab_dot*z_7 - c_71*z_35;
+    const real z_49 = c_69*z_33 + c_70*z_37 - ab_dot*z_6 - c_71*z_34;
+    const real c_72 = c[89];
+    const real c_73 = c[90];
+    f1[2] = (1.0/12.0)*(((2.0*z_38 - z_46 - z_47) - 3.0*(cos_ab*c_67 - sin_ab*c_68)) - (z_48*z_29 +
+        c_72*(z_41*z_25) - z_49*z_27 - c_73*(z_43*z_24)));
+    const real c_74 = c[91];
+    const real c_75 = c[92];
+    f1[3] = ((-1.0/3.0))*(z_44*c_74*z_31 - z_45*c_75*z_30);
+    const real c_76 = c[93];
     const real z_19 = shared[16];
     const real z_18 = shared[17];
-    const real c_58 = c[75];
+    const real c_41 = c[58];
     const real z_17 = shared[18];
     const real z_16 = shared[19];
-    const real z_50 = ac_dot*ag_dot*(c_57*z_19 - c_57*z_18 - c_58*z_17 - c_58*z_16);
-    const real c_59 = c[76];
-    const real c_60 = c[77];
-    const real c_61 = c[78];
-    const real c_62 = c[79];
-    const real c_63 = c[80];
-    f1[4] = (1.0/12.0)*(((2.0*z_39 + z_46 - z_50) - cos_ac*c_59) + 2.0*(c_60*z_48*z_33 + c_62*(z_44*z_33) -
-        c_61*z_49*z_32 - c_63*(z_45*z_32)));
-    f1[5] = ((-1.0/6.0))*(c_23*z_48*z_34 - c_24*z_49*z_35);
-    const real c_64 = c[81];
-    const real c_65 = c[82];
-    const real c_66 = c[83];
-    const real c_67 = c[84];
-    f1[6] = (1.0/12.0)*(((z_47 + z_50) - 3.0*(cos_ag*c_64 - sin_ag*c_65)) + 2.0*(c_66*z_48*z_37 -
-        c_67*z_49*z_36));
+    const real z_50 = ac_dot*ag_dot*(c_76*z_19 - c_76*z_18 - c_41*z_17 - c_41*z_16);
+    const real c_77 = c[94];
+    const real c_78 = c[95];
+    const real c_79 = c[96];
+    const real c_80 = c[97];
+    const real c_81 = c[98];
+    f1[4] = (1.0/12.0)*(((2.0*z_39 + z_46 - z_50) - cos_ac*c_77) + 2.0*(c_78*z_48*z_33 + c_80*(z_44*z_33) -
+        c_79*z_49*z_32 - c_81*(z_45*z_32)));
+    f1[5] = ((-1.0/6.0))*(c_31*z_48*z_34 - c_32*z_49*z_35);
+    const real c_82 = c[99];
+    const real c_83 = c[100];
+    const real c_84 = c[101];
+    const real c_85 = c[102];
+    f1[6] = (1.0/12.0)*(((z_47 + z_50) - 3.0*(cos_ag*c_82 - sin_ag*c_83)) + 2.0*(c_84*z_48*z_37 -
+        c_85*z_49*z_36));
     const real z_51 = m*sin_theta;
     A1[0][0] = -z_51;
     const real z_52 = j*sin_aj;
@@ -776,9 +776,9 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real z_67 = ac_dot*ac_dot;
     gamma[2] = -(z_62 + z_59*z_66 - z_60*z_67);
     gamma[3] = -(z_65 + z_57*z_66 - z_58*z_67);
-    const real z_68 = c_50*z_67;
-    const real z_69 = c_52*(af_dot*af_dot);
-    const real z_70 = c_51*(ag_dot*ag_dot);
+    const real z_68 = c_69*z_67;
+    const real z_69 = c_71*(af_dot*af_dot);
+    const real z_70 = c_70*(ag_dot*ag_dot);
     gamma[4] = 0.5*(cos_ac*z_68 + cos_ag*z_70 - ab_dot*z_28 - cos_af*z_69);
     gamma[5] = 0.5*(sin_ac*z_68 + sin_ag*z_70 - ab_dot*z_26 - sin_af*z_69);
 }
@@ -915,7 +915,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double theta_dot = v[0];
     const double ab_dot = v[2];
-    const double c_36 = c[53];
+    const double c_55 = c[72];
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
     const double theta = x[0];
@@ -924,21 +924,21 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double cos_theta = em_cos(theta);
     const double sin_ab = em_sin(ab);
     const double z_5 = cos_theta*sin_ab;
-    const double z_6 = theta_dot*ab_dot*(c_36*(z_2 - z_5));
+    const double z_6 = theta_dot*ab_dot*(c_55*(z_2 - z_5));
     const double ac_dot = v[4];
-    const double c_37 = c[54];
+    const double c_56 = c[73];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double z_8 = sin_theta*cos_ac;
     const double sin_ac = em_sin(ac);
     const double z_10 = cos_theta*sin_ac;
-    const double z_11 = theta_dot*ac_dot*(c_37*(z_8 - z_10));
-    const double c_38 = c[55];
-    const double c_39 = c[56];
-    const double z_12 = c_36*(ab_dot*z_5 + theta_dot*z_2) - c_36*(ab_dot*z_2 + theta_dot*z_5);
+    const double z_11 = theta_dot*ac_dot*(c_56*(z_8 - z_10));
+    const double c_57 = c[74];
+    const double c_58 = c[75];
+    const double z_12 = c_55*(ab_dot*z_5 + theta_dot*z_2) - c_55*(ab_dot*z_2 + theta_dot*z_5);
     const double z_13 = ac_dot*sin_ac;
     const double z_14 = ac_dot*cos_ac;
-    const double z_15 = c_37*(theta_dot*z_8 + cos_theta*z_13) - c_37*(theta_dot*z_10 + sin_theta*z_14);
+    const double z_15 = c_56*(theta_dot*z_8 + cos_theta*z_13) - c_56*(theta_dot*z_10 + sin_theta*z_14);
     const double m = c[12];
     const double z_16 = m*(theta_dot*theta_dot);
     const double z_17 = cos_theta*z_16;
@@ -950,11 +950,11 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double b = c[1];
     const double z_20 = b*(ab_dot*ab_dot);
     const double z_21 = z_17 + cos_aj*z_19 - cos_ab*z_20;
-    const double c_40 = c[57];
+    const double c_59 = c[76];
     const double z_22 = sin_theta*z_16;
     const double sin_aj = em_sin(aj);
     const double z_24 = z_22 + sin_aj*z_19 - sin_ab*z_20;
-    const double c_41 = c[58];
+    const double c_60 = c[77];
     const double ak = x[3];
     const double cos_ak = em_cos(ak);
     const double k = c[10];
@@ -964,82 +964,82 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_27 = ac_dot*ac_dot;
     const double z_28 = c_*z_27;
     const double z_29 = z_17 + cos_ak*z_26 - cos_ac*z_28;
-    const double c_42 = c[59];
+    const double c_61 = c[78];
     const double sin_ak = em_sin(ak);
     const double z_31 = z_22 + sin_ak*z_26 - sin_ac*z_28;
-    const double c_43 = c[60];
-    bias[0] = ((-1.0/6.0))*((((z_6 + z_11) - 3.0*(c_39 - cos_theta*c_38)) - (ab_dot*z_12 + ac_dot*z_15)) +
-        2.0*(sin_theta*z_21*c_40 + sin_theta*z_29*c_42 - cos_theta*z_24*c_41 - cos_theta*z_31*c_43));
-    const double c_44 = c[61];
-    const double c_45 = c[62];
-    bias[1] = ((-1.0/3.0))*(sin_aj*z_21*c_44 - cos_aj*z_24*c_45);
-    const double c_46 = c[63];
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double z_32 = sin_ab*c_8 + cos_ab*c_9;
-    const double z_33 = cos_ab*c_8 - sin_ab*c_9;
-    const double z_34 = ab_dot*ac_dot*(c_46*(cos_ac*z_32 - sin_ac*z_33));
+    const double c_62 = c[79];
+    bias[0] = ((-1.0/6.0))*((((z_6 + z_11) - 3.0*(c_58 - cos_theta*c_57)) - (ab_dot*z_12 + ac_dot*z_15)) +
+        2.0*(sin_theta*z_21*c_59 + sin_theta*z_29*c_61 - cos_theta*z_24*c_60 - cos_theta*z_31*c_62));
+    const double c_63 = c[80];
+    const double c_64 = c[81];
+    bias[1] = ((-1.0/3.0))*(sin_aj*z_21*c_63 - cos_aj*z_24*c_64);
+    const double c_65 = c[82];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_32 = sin_ab*c_13 + cos_ab*c_14;
+    const double z_33 = cos_ab*c_13 - sin_ab*c_14;
+    const double z_34 = ab_dot*ac_dot*(c_65*(cos_ac*z_32 - sin_ac*z_33));
     const double ag_dot = v[6];
-    const double c_47 = c[64];
+    const double c_66 = c[83];
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
     const double sin_ag = em_sin(ag);
-    const double z_37 = ab_dot*ag_dot*(c_47*(z_32*cos_ag - z_33*sin_ag));
-    const double c_48 = c[65];
-    const double c_49 = c[66];
+    const double z_37 = ab_dot*ag_dot*(c_66*(z_32*cos_ag - z_33*sin_ag));
+    const double c_67 = c[84];
+    const double c_68 = c[85];
     const double z_38 = ab_dot*sin_ab;
     const double z_39 = ab_dot*cos_ab;
-    const double z_40 = c_8*z_38 + c_9*z_39;
-    const double z_41 = c_8*z_39 - c_9*z_38;
-    const double z_42 = c_46*(z_33*z_13 + cos_ac*z_40) - c_46*(z_32*z_14 + sin_ac*z_41);
+    const double z_40 = c_13*z_38 + c_14*z_39;
+    const double z_41 = c_13*z_39 - c_14*z_38;
+    const double z_42 = c_65*(z_33*z_13 + cos_ac*z_40) - c_65*(z_32*z_14 + sin_ac*z_41);
     const double z_43 = ag_dot*sin_ag;
     const double z_44 = ag_dot*cos_ag;
-    const double z_45 = c_47*(cos_ag*z_40 + z_33*z_43) - c_47*(sin_ag*z_41 + z_32*z_44);
-    const double c_11 = c[28];
-    const double c_50 = c[67];
-    const double z_46 = c_50*z_27;
+    const double z_45 = c_66*(cos_ag*z_40 + z_33*z_43) - c_66*(sin_ag*z_41 + z_32*z_44);
+    const double c_15 = c[32];
+    const double c_69 = c[86];
+    const double z_46 = c_69*z_27;
     const double af = x[5];
     const double cos_af = em_cos(af);
-    const double c_52 = c[69];
+    const double c_71 = c[88];
     const double af_dot = v[5];
-    const double z_48 = c_52*(af_dot*af_dot);
-    const double c_51 = c[68];
-    const double z_49 = c_51*(ag_dot*ag_dot);
+    const double z_48 = c_71*(af_dot*af_dot);
+    const double c_70 = c[87];
+    const double z_49 = c_70*(ag_dot*ag_dot);
     const double z_50 = cos_ac*z_46 + cos_ag*z_49 - ab_dot*z_41 - cos_af*z_48;
-    const double c_10 = c[27];
+    const double c_12 = c[29];
     const double sin_af = em_sin(af);
     const double z_52 = sin_ac*z_46 + sin_ag*z_49 - ab_dot*z_40 - sin_af*z_48;
+    const double c_72 = c[89];
+    const double c_73 = c[90];
+    bias[2] = (1.0/12.0)*((((2.0*z_6 - z_34 - z_37) - 3.0*(cos_ab*c_67 - sin_ab*c_68)) + (2.0*theta_dot*z_12 +
+        ac_dot*z_42 + ag_dot*z_45)) + (z_32*c_15*z_50 + c_72*(sin_ab*z_21) - z_33*c_12*z_52 -
+        c_73*(cos_ab*z_24)));
+    const double c_74 = c[91];
+    const double c_75 = c[92];
+    bias[3] = ((-1.0/3.0))*(sin_ak*z_29*c_74 - cos_ak*z_31*c_75);
+    const double c_76 = c[93];
+    const double c_41 = c[58];
+    const double z_53 = ac_dot*ag_dot*(cos_ag*(sin_ac*c_76) - sin_ag*(cos_ac*c_76) - c_41*(sin_ac*sin_ag) -
+        c_41*(cos_ac*cos_ag));
+    const double c_77 = c[94];
     const double c_53 = c[70];
-    const double c_54 = c[71];
-    bias[2] = (1.0/12.0)*((((2.0*z_6 - z_34 - z_37) - 3.0*(cos_ab*c_48 - sin_ab*c_49)) + (2.0*theta_dot*z_12 +
-        ac_dot*z_42 + ag_dot*z_45)) + (z_32*c_11*z_50 + c_53*(sin_ab*z_21) - z_33*c_10*z_52 -
-        c_54*(cos_ab*z_24)));
-    const double c_55 = c[72];
-    const double c_56 = c[73];
-    bias[3] = ((-1.0/3.0))*(sin_ak*z_29*c_55 - cos_ak*z_31*c_56);
-    const double c_57 = c[74];
-    const double c_58 = c[75];
-    const double z_53 = ac_dot*ag_dot*(cos_ag*(sin_ac*c_57) - sin_ag*(cos_ac*c_57) - c_58*(sin_ac*sin_ag) -
-        c_58*(cos_ac*cos_ag));
-    const double c_59 = c[76];
-    const double c_30 = c[47];
-    const double z_54 = 2.0*c_30*(sin_ag*z_13 - cos_ac*z_44) + 2.0*c_30*(cos_ag*z_14 - sin_ac*z_43) +
-        c_57*(sin_ag*z_14 + sin_ac*z_44) - c_57*(cos_ag*z_13 + cos_ac*z_43);
-    const double c_60 = c[77];
-    const double c_61 = c[78];
-    const double c_62 = c[79];
-    const double c_63 = c[80];
-    bias[4] = (1.0/12.0)*((((2.0*z_11 + z_34 - z_53) - cos_ac*c_59) + (2.0*theta_dot*z_15 + ab_dot*z_42 -
-        ag_dot*z_54)) + 2.0*(cos_ac*c_61*z_52 + c_62*(sin_ac*z_29) - sin_ac*c_60*z_50 - c_63*(cos_ac*z_31)));
-    const double c_23 = c[40];
-    const double c_24 = c[41];
-    bias[5] = (1.0/6.0)*(sin_af*c_23*z_50 - cos_af*c_24*z_52);
-    const double c_64 = c[81];
-    const double c_65 = c[82];
-    const double c_66 = c[83];
-    const double c_67 = c[84];
-    bias[6] = (1.0/12.0)*((((z_37 + z_53) - 3.0*(cos_ag*c_64 - sin_ag*c_65)) + (ab_dot*z_45 - ac_dot*z_54)) -
-        2.0*(sin_ag*c_66*z_50 - cos_ag*c_67*z_52));
+    const double z_54 = 2.0*c_53*(sin_ag*z_13 - cos_ac*z_44) + 2.0*c_53*(cos_ag*z_14 - sin_ac*z_43) +
+        c_76*(sin_ag*z_14 + sin_ac*z_44) - c_76*(cos_ag*z_13 + cos_ac*z_43);
+    const double c_78 = c[95];
+    const double c_79 = c[96];
+    const double c_80 = c[97];
+    const double c_81 = c[98];
+    bias[4] = (1.0/12.0)*((((2.0*z_11 + z_34 - z_53) - cos_ac*c_77) + (2.0*theta_dot*z_15 + ab_dot*z_42 -
+        ag_dot*z_54)) + 2.0*(cos_ac*c_79*z_52 + c_80*(sin_ac*z_29) - sin_ac*c_78*z_50 - c_81*(cos_ac*z_31)));
+    const double c_31 = c[48];
+    const double c_32 = c[49];
+    bias[5] = (1.0/6.0)*(sin_af*c_31*z_50 - cos_af*c_32*z_52);
+    const double c_82 = c[99];
+    const double c_83 = c[100];
+    const double c_84 = c[101];
+    const double c_85 = c[102];
+    bias[6] = (1.0/12.0)*((((z_37 + z_53) - 3.0*(cos_ag*c_82 - sin_ag*c_83)) + (ab_dot*z_45 - ac_dot*z_54)) -
+        2.0*(sin_ag*c_84*z_50 - cos_ag*c_85*z_52));
     gamma[0] = -z_21;
     gamma[1] = -z_24;
     gamma[2] = -z_29;
@@ -1054,43 +1054,43 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 {
     const double theta_dot = v[0];
     const double ab_dot = v[2];
-    const double c_36 = c[53];
+    const double c_55 = c[72];
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
     const double sin_ab = em_sin(ab);
     const double sin_theta = em_sin(theta);
-    const double z_4 = c_36*(cos_ab*cos_theta + sin_ab*sin_theta);
+    const double z_4 = c_55*(cos_ab*cos_theta + sin_ab*sin_theta);
     const double ac_dot = v[4];
-    const double c_37 = c[54];
+    const double c_56 = c[73];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double sin_ac = em_sin(ac);
-    const double z_7 = c_37*(cos_theta*cos_ac + sin_theta*sin_ac);
+    const double z_7 = c_56*(cos_theta*cos_ac + sin_theta*sin_ac);
     const double c_102 = c[119];
-    const double c_73 = c[90];
-    const double c_46 = c[63];
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double z_8 = cos_ab*c_8 - sin_ab*c_9;
-    const double z_9 = cos_ab*c_9;
-    const double z_10 = sin_ab*c_8 + z_9;
-    const double z_11 = c_46*(cos_ac*z_8 + sin_ac*z_10);
+    const double c_11 = c[28];
+    const double c_65 = c[82];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_8 = cos_ab*c_13 - sin_ab*c_14;
+    const double z_9 = cos_ab*c_14;
+    const double z_10 = sin_ab*c_13 + z_9;
+    const double z_11 = c_65*(cos_ac*z_8 + sin_ac*z_10);
     const double ag_dot = v[6];
-    const double c_47 = c[64];
+    const double c_66 = c[83];
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
     const double sin_ag = em_sin(ag);
-    const double z_14 = c_47*(z_8*cos_ag + z_10*sin_ag);
-    const double c_57 = c[74];
-    const double c_58 = c[75];
-    const double z_15 = cos_ac*cos_ag*c_57 + sin_ac*sin_ag*c_57 + c_58*(sin_ac*cos_ag) - c_58*(cos_ac*sin_ag);
+    const double z_14 = c_66*(z_8*cos_ag + z_10*sin_ag);
+    const double c_76 = c[93];
+    const double c_41 = c[58];
+    const double z_15 = cos_ac*cos_ag*c_76 + sin_ac*sin_ag*c_76 + c_41*(sin_ac*cos_ag) - c_41*(cos_ac*sin_ag);
     const double c_103 = c[120];
-    const double c_83 = c[100];
+    const double c_44 = c[61];
     e[0] = (1.0/24.0)*(2.0*theta_dot*(ab_dot*z_4 + ac_dot*z_7 + theta_dot*c_102) + ab_dot*(2.0*theta_dot*z_4 +
-        ab_dot*c_73 + ac_dot*z_11 + ag_dot*z_14) + ac_dot*(2.0*theta_dot*z_7 + ab_dot*z_11 + ag_dot*z_15 +
-        ac_dot*c_103) + ag_dot*(ab_dot*z_14 + ac_dot*z_15 + ag_dot*c_83));
+        ab_dot*c_11 + ac_dot*z_11 + ag_dot*z_14) + ac_dot*(2.0*theta_dot*z_7 + ab_dot*z_11 + ag_dot*z_15 +
+        ac_dot*c_103) + ag_dot*(ab_dot*z_14 + ac_dot*z_15 + ag_dot*c_44));
     e[1] = 0.0;
     e[2] = 0.0;
     const double d = c[3];
@@ -1099,9 +1099,9 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double e_ = c[4];
     const double c_105 = c[122];
     const double f = c[5];
-    const double c_50 = c[67];
-    const double z_17 = sin_ac*c_50;
-    const double c_51 = c[68];
+    const double c_69 = c[86];
+    const double z_17 = sin_ac*c_69;
+    const double c_70 = c[87];
     const double h = c[7];
     const double c_106 = c[123];
     const double c_107 = c[124];
@@ -1123,9 +1123,9 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double c_113 = c[130];
     const double c_114 = c[131];
     const double c_115 = c[132];
-    e[3] = (-0.25)*(theta*c_115 - (d*z_16 + e_*(c_104 + sin_ab*c_105 + z_9) + f*(z_16 + z_17 + sin_ag*c_51) +
-        h*(sin_ag*c_106 + z_18) + i*(sin_ag*c_109 + z_18) + c_110*(z_19 + c_111) + (z_20 + c_111)*c_50 +
-        c_51*(g*sin_ag + c_111 + z_17) + (z_19 + z_21)*c_112 + (z_20 + z_21)*c_113)*c_114);
+    e[3] = (-0.25)*(theta*c_115 - (d*z_16 + e_*(c_104 + sin_ab*c_105 + z_9) + f*(z_16 + z_17 + sin_ag*c_70) +
+        h*(sin_ag*c_106 + z_18) + i*(sin_ag*c_109 + z_18) + c_110*(z_19 + c_111) + (z_20 + c_111)*c_69 +
+        c_70*(g*sin_ag + c_111 + z_17) + (z_19 + z_21)*c_112 + (z_20 + z_21)*c_113)*c_114);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -1149,13 +1149,13 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     const double c_118 = c[135];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
-    const double c_50 = c[67];
+    const double c_69 = c[86];
     const double sin_ag = em_sin(ag);
     const double c_107 = c[124];
-    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_109 + c_118 + cos_ac*c_50 - sin_ag*c_107);
+    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_109 + c_118 + cos_ac*c_69 - sin_ag*c_107);
     const double c_111 = c[128];
     const double sin_ac = em_sin(ac);
-    p[5] = p[45] = p[49] = p[54] = 0.5*(sin_ag*c_109 + c_111 + sin_ac*c_50 + cos_ag*c_107);
+    p[5] = p[45] = p[49] = p[54] = 0.5*(sin_ag*c_109 + c_111 + sin_ac*c_69 + cos_ag*c_107);
     const double m = c[12];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
@@ -1175,10 +1175,10 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[16] = p[32] = p[38] = p[42] = z_8;
     const double z_9 = c_*sin_ac - l;
     p[17] = p[33] = p[39] = p[43] = z_9;
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    p[24] = p[28] = p[34] = 0.5*(cos_ab*c_8 + c_118 - sin_ab*c_9);
-    p[25] = p[29] = p[35] = 0.5*(sin_ab*c_8 + c_111 + cos_ab*c_9);
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    p[24] = p[28] = p[34] = 0.5*(cos_ab*c_13 + c_118 - sin_ab*c_14);
+    p[25] = p[29] = p[35] = 0.5*(sin_ab*c_13 + c_111 + cos_ab*c_14);
     const double g = c[6];
     p[36] = p[40] = p[46] = g*cos_ag + z_8;
     p[37] = p[41] = p[47] = g*sin_ag + z_9;
@@ -3136,33 +3136,34 @@ EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double m = parameters[12];
-    const double z_0 = m*m;
-    const double b = parameters[1];
-    const double z_1 = b*b;
-    const double density = parameters[13];
-    const double z_2 = density*b;
-    const double j = parameters[9];
-    const double z_3 = density*j;
-    const double e = parameters[4];
-    const double z_4 = density*e;
-    const double d = parameters[3];
-    const double z_5 = d*d;
-    const double z_6 = z_1 + z_5 - e*e;
-    const double f = parameters[5];
-    const double z_7 = density*f;
-    const double z_8 = z_4 + density*d + z_7;
-    const double z_9 = z_6/b;
-    const double z_10 = 4.0 - z_6*z_6/(z_1*z_5);
-    const double z_11 = 4.0*z_1*z_2 + 4.0*(z_3 + z_4)*z_1 + z_4*z_6 + (e*z_2 + z_8*z_9)*z_9 + z_8*z_10*z_5;
-    const double z_12 = 1.0/z_11;
-    const double z_13 = z_1*z_12;
     const double J = parameters[14];
+    const double density = parameters[13];
+    const double j = parameters[9];
+    const double z_0 = density*j;
     const double k = parameters[10];
-    const double z_14 = density*k;
-    const double z_15 = 3.0*J + (z_3 + z_14)*z_0;
-    const double z_16 = z_0/z_15;
-    const double z_17 = 1.0/(1.7189244238450625*z_13 + 0.9560643415727004*z_16);
+    const double z_1 = density*k;
+    const double m = parameters[12];
+    const double z_2 = m*m;
+    const double z_3 = 3.0*J + (z_0 + z_1)*z_2;
+    prepared[17] = z_3; /* c_0 */
+    const double b = parameters[1];
+    const double z_4 = b*b;
+    const double z_5 = density*b;
+    const double e = parameters[4];
+    const double z_6 = density*e;
+    const double d = parameters[3];
+    const double z_7 = d*d;
+    const double z_8 = z_4 + z_7 - e*e;
+    const double f = parameters[5];
+    const double z_9 = density*f;
+    const double z_10 = z_6 + density*d + z_9;
+    const double z_11 = z_8/b;
+    const double z_12 = 4.0 - z_8*z_8/(z_4*z_7);
+    const double z_13 = 4.0*z_4*z_5 + 4.0*(z_0 + z_6)*z_4 + z_6*z_8 + (e*z_5 + z_10*z_11)*z_11 + z_10*z_12*z_7;
+    const double z_14 = 1.0/z_13;
+    const double z_15 = z_4*z_14;
+    const double z_16 = z_2/z_3;
+    const double z_17 = 1.0/(1.7189244238450625*z_15 + 0.9560643415727004*z_16);
     const double c_ = parameters[2];
     const double z_18 = c_*c_;
     const double z_19 = density*c_;
@@ -3175,170 +3176,169 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_23 = density*h;
     const double z_24 = z_21 + z_23;
     const double z_25 = c_*z_24 + 0.5*i*z_19;
-    const double z_26 = z_7 + z_20 + z_23;
+    const double z_26 = z_9 + z_20 + z_23;
     const double z_27 = c_*z_26 + 0.5*g*z_19;
-    const double z_28 = 2.0*z_18*z_19 + 2.0*(z_14 + z_20 + z_21)*z_18 + c_*(2.0*z_22 + 2.0*z_25 + 2.0*z_27) +
+    const double z_28 = 2.0*z_18*z_19 + 2.0*(z_1 + z_20 + z_21)*z_18 + c_*(2.0*z_22 + 2.0*z_25 + 2.0*z_27) +
         z_20*z_18 + z_21*z_18;
     const double z_29 = z_18/z_28;
     const double z_30 = 1.0/(0.9560643415727004*z_16 + 2.0220877533087998*z_29);
-    const double z_31 = z_0*z_17 + z_0*z_30;
-    const double z_32 = 1.0/(6.281075576154938*z_13 + 1.0439356584272999*z_16);
+    const double z_31 = z_2*z_17 + z_2*z_30;
+    prepared[18] = z_31; /* c_1 */
+    const double z_32 = 1.0/(6.281075576154938*z_15 + 1.0439356584272999*z_16);
     const double z_33 = 1.0/(1.0439356584272999*z_16 + 1.9779122466912002*z_29);
-    const double z_34 = z_0*z_32 + z_0*z_33;
-    prepared[17] = (2.0/3.0)*(z_31 - z_34); /* c_0 */
+    const double z_34 = z_2*z_32 + z_2*z_33;
+    prepared[19] = z_34; /* c_2 */
     const double z_35 = m*j;
-    prepared[18] = z_17*z_35; /* c_1 */
-    prepared[19] = z_32*z_35; /* c_2 */
+    prepared[20] = z_17*z_35; /* c_3 */
+    prepared[21] = z_32*z_35; /* c_4 */
     const double z_36 = j*j;
     const double z_37 = z_17*z_36;
+    prepared[22] = z_37; /* c_5 */
     const double z_38 = z_32*z_36;
-    prepared[20] = (2.0/3.0)*(z_37 - z_38); /* c_3 */
-    const double z_39 = z_35*z_2;
+    prepared[23] = z_38; /* c_6 */
+    const double z_39 = z_35*z_5;
     const double z_40 = b*z_17;
-    prepared[21] = z_39 - 2.0*m*z_40; /* c_4 */
+    prepared[24] = z_39 - 2.0*m*z_40; /* c_7 */
     const double z_41 = b*z_32;
-    prepared[22] = z_39 - 2.0*m*z_41; /* c_5 */
-    prepared[23] = j*z_40; /* c_6 */
-    prepared[24] = j*z_41; /* c_7 */
-    prepared[25] = z_9; /* c_8 */
-    const double z_42 = d*sqrt(0.25*z_10);
-    prepared[26] = 2.0*z_42; /* c_9 */
-    const double z_43 = g*g;
-    const double z_44 = i*i;
-    const double z_45 = z_43 + z_44 - h*h;
-    const double z_46 = z_45/g;
-    const double z_47 = 4.0 - z_45*z_45/(z_43*z_44);
-    const double z_48 = g*(4.0*g*z_26 + z_23*z_46) + (z_20*h + z_24*z_46)*z_46 + z_24*z_47*z_44;
-    const double z_49 = z_43/z_48;
-    const double z_50 = 0.6245840315389466*z_9 + 1.5619152186294316*z_42;
-    const double z_51 = 0.19906253667584417*z_9 - 1.959973577875149*z_42;
-    const double z_52 = 1.0/(2.0220877533087998*z_29 + 7.234536854676909*z_49 + z_12*(z_50*z_50) +
-        z_12*(z_51*z_51));
-    prepared[27] = z_52; /* c_10 */
-    const double z_53 = 0.9799867889375745*z_9 + 0.39812507335168834*z_42;
-    const double z_54 = 0.7809576093147158*z_9 - 1.2491680630778932*z_42;
-    const double z_55 = 1.0/(1.9779122466912002*z_29 + z_12*(z_53*z_53) + z_12*(z_54*z_54) +
-        0.7654631453230909*z_49);
-    prepared[28] = z_55; /* c_11 */
-    const double z_56 = z_1*z_17;
-    const double z_57 = z_1*z_32;
-    prepared[29] = 4.0*(z_56 - z_57); /* c_12 */
+    prepared[25] = z_39 - 2.0*m*z_41; /* c_8 */
+    prepared[26] = j*z_40; /* c_9 */
+    prepared[27] = j*z_41; /* c_10 */
+    prepared[28] = z_13; /* c_11 */
+    const double z_42 = g*g;
+    const double z_43 = i*i;
+    const double z_44 = z_42 + z_43 - h*h;
+    const double z_45 = z_44/g;
+    const double z_46 = 4.0 - z_44*z_44/(z_42*z_43);
+    const double z_47 = g*(4.0*g*z_26 + z_23*z_45) + (z_20*h + z_24*z_45)*z_45 + z_24*z_46*z_43;
+    const double z_48 = z_42/z_47;
+    const double z_49 = d*sqrt(0.25*z_12);
+    const double z_50 = 0.6245840315389466*z_11 + 1.5619152186294316*z_49;
+    const double z_51 = 0.19906253667584417*z_11 - 1.959973577875149*z_49;
+    const double z_52 = 1.0/(2.0220877533087998*z_29 + 7.234536854676909*z_48 + z_14*(z_50*z_50) +
+        z_14*(z_51*z_51));
+    prepared[29] = z_52; /* c_12 */
+    prepared[30] = z_11; /* c_13 */
+    prepared[31] = 2.0*z_49; /* c_14 */
+    const double z_53 = 0.9799867889375745*z_11 + 0.39812507335168834*z_49;
+    const double z_54 = 0.7809576093147158*z_11 - 1.2491680630778932*z_49;
+    const double z_55 = 1.0/(1.9779122466912002*z_29 + z_14*(z_53*z_53) + z_14*(z_54*z_54) +
+        0.7654631453230909*z_48);
+    prepared[32] = z_55; /* c_15 */
+    const double z_56 = z_4*z_17;
+    prepared[33] = 4.0*z_56; /* c_16 */
+    const double z_57 = z_4*z_32;
+    prepared[34] = 4.0*z_57; /* c_17 */
     const double z_58 = m*k;
-    prepared[30] = z_30*z_58; /* c_13 */
-    prepared[31] = z_33*z_58; /* c_14 */
+    prepared[35] = z_30*z_58; /* c_18 */
+    prepared[36] = z_33*z_58; /* c_19 */
     const double z_59 = k*k;
     const double z_60 = z_30*z_59;
+    prepared[37] = z_60; /* c_20 */
     const double z_61 = z_33*z_59;
-    prepared[32] = (2.0/3.0)*(z_60 - z_61); /* c_15 */
+    prepared[38] = z_61; /* c_21 */
     const double z_62 = z_19*z_58;
     const double z_63 = c_*z_30;
-    prepared[33] = z_62 - 2.0*m*z_63; /* c_16 */
+    prepared[39] = z_62 - 2.0*m*z_63; /* c_22 */
     const double z_64 = c_*z_33;
-    prepared[34] = z_62 - 2.0*m*z_64; /* c_17 */
+    prepared[40] = z_62 - 2.0*m*z_64; /* c_23 */
     const double z_65 = f*z_19;
     const double z_66 = c_*z_52;
-    prepared[35] = z_65 - 2.0*z_66; /* c_18 */
+    prepared[41] = z_65 - 2.0*z_66; /* c_24 */
     const double z_67 = c_*z_55;
-    prepared[36] = z_65 - 2.0*z_67; /* c_19 */
-    prepared[37] = k*z_63; /* c_20 */
-    prepared[38] = k*z_64; /* c_21 */
+    prepared[42] = z_65 - 2.0*z_67; /* c_25 */
+    prepared[43] = k*z_63; /* c_26 */
+    prepared[44] = k*z_64; /* c_27 */
+    prepared[45] = z_28; /* c_28 */
     const double z_68 = z_18*z_30 + z_18*z_52;
+    prepared[46] = 2.0*z_68; /* c_29 */
     const double z_69 = z_18*z_33 + z_18*z_55;
-    prepared[39] = (2.0/3.0)*(z_68 - z_69); /* c_22 */
-    prepared[40] = f*z_55; /* c_23 */
-    prepared[41] = f*z_52; /* c_24 */
-    prepared[42] = f*z_66; /* c_25 */
-    prepared[43] = f*z_67; /* c_26 */
+    prepared[47] = 2.0*z_69; /* c_30 */
+    prepared[48] = f*z_55; /* c_31 */
+    prepared[49] = f*z_52; /* c_32 */
+    prepared[50] = f*z_66; /* c_33 */
+    prepared[51] = f*z_67; /* c_34 */
     const double z_70 = f*f;
     const double z_71 = z_52*z_70;
+    prepared[52] = z_71; /* c_35 */
     const double z_72 = z_55*z_70;
-    prepared[44] = (2.0/3.0)*(z_71 - z_72); /* c_27 */
+    prepared[53] = z_72; /* c_36 */
     const double z_73 = f*z_20;
     const double z_74 = g*z_52;
-    prepared[45] = z_73 - 2.0*z_74; /* c_28 */
+    prepared[54] = z_73 - 2.0*z_74; /* c_37 */
     const double z_75 = g*z_55;
-    prepared[46] = z_73 - 2.0*z_75; /* c_29 */
+    prepared[55] = z_73 - 2.0*z_75; /* c_38 */
     const double z_76 = z_22 + 2.0*z_25;
-    const double z_77 = i*sqrt(0.25*z_47);
-    const double z_78 = z_76*z_77;
-    prepared[47] = z_78; /* c_30 */
-    const double z_79 = 2.0*g*(z_22 + 2.0*z_27) + z_76*z_46;
-    prepared[48] = z_79 + 4.0*g*z_66; /* c_31 */
-    prepared[49] = z_79 + 4.0*g*z_67; /* c_32 */
+    const double z_77 = 2.0*g*(z_22 + 2.0*z_27) + z_76*z_45;
+    prepared[56] = z_77 + 4.0*g*z_66; /* c_39 */
+    prepared[57] = z_77 + 4.0*g*z_67; /* c_40 */
+    const double z_78 = i*sqrt(0.25*z_46);
+    const double z_79 = z_76*z_78;
+    prepared[58] = 2.0*z_79; /* c_41 */
     const double z_80 = f*g;
-    prepared[50] = z_52*z_80; /* c_33 */
-    prepared[51] = z_55*z_80; /* c_34 */
-    const double z_81 = z_43*z_52;
-    const double z_82 = z_43*z_55;
-    prepared[52] = (2.0/3.0)*(z_81 - z_82); /* c_35 */
-    prepared[53] = z_39; /* c_36 */
-    prepared[54] = z_62; /* c_37 */
+    prepared[59] = z_52*z_80; /* c_42 */
+    prepared[60] = z_55*z_80; /* c_43 */
+    prepared[61] = z_47; /* c_44 */
+    const double z_81 = z_42*z_52;
+    prepared[62] = 4.0*z_81; /* c_45 */
+    const double z_82 = z_42*z_55;
+    prepared[63] = 4.0*z_82; /* c_46 */
+    prepared[64] = (2.0/3.0)*(z_31 - z_34); /* c_47 */
+    prepared[65] = (2.0/3.0)*(z_37 - z_38); /* c_48 */
+    prepared[66] = 4.0*(z_56 - z_57); /* c_49 */
+    prepared[67] = (2.0/3.0)*(z_60 - z_61); /* c_50 */
+    prepared[68] = (2.0/3.0)*(z_68 - z_69); /* c_51 */
+    prepared[69] = (2.0/3.0)*(z_71 - z_72); /* c_52 */
+    prepared[70] = z_79; /* c_53 */
+    prepared[71] = (2.0/3.0)*(z_81 - z_82); /* c_54 */
+    prepared[72] = z_39; /* c_55 */
+    prepared[73] = z_62; /* c_56 */
     const double gravity = parameters[16];
     const double z_83 = density*gravity;
     const double z_84 = k*z_83;
     const double z_85 = j*z_83;
-    prepared[55] = m*(z_84 + z_85); /* c_38 */
+    prepared[74] = m*(z_84 + z_85); /* c_57 */
     const double torque = parameters[15];
-    prepared[56] = 2.0*torque; /* c_39 */
-    prepared[57] = m*z_32; /* c_40 */
-    prepared[58] = m*z_17; /* c_41 */
-    prepared[59] = m*z_33; /* c_42 */
-    prepared[60] = m*z_30; /* c_43 */
-    prepared[61] = j*z_32; /* c_44 */
-    prepared[62] = j*z_17; /* c_45 */
-    prepared[63] = z_65; /* c_46 */
-    prepared[64] = z_73; /* c_47 */
-    const double z_86 = 2.0*b + z_9;
+    prepared[75] = 2.0*torque; /* c_58 */
+    prepared[76] = m*z_32; /* c_59 */
+    prepared[77] = m*z_17; /* c_60 */
+    prepared[78] = m*z_33; /* c_61 */
+    prepared[79] = m*z_30; /* c_62 */
+    prepared[80] = j*z_32; /* c_63 */
+    prepared[81] = j*z_17; /* c_64 */
+    prepared[82] = z_65; /* c_65 */
+    prepared[83] = z_73; /* c_66 */
+    const double z_86 = 2.0*b + z_11;
     const double z_87 = e*z_83;
     const double z_88 = f*z_83;
     const double z_89 = z_88 + d*z_83;
-    prepared[65] = z_86*z_87 + 2.0*b*(z_85 + b*z_83) + z_9*z_89; /* c_48 */
-    prepared[66] = 2.0*(z_42*(z_87 + z_89)); /* c_49 */
-    prepared[67] = 2.0*c_; /* c_50 */
-    prepared[68] = 2.0*g; /* c_51 */
-    prepared[69] = 2.0*f; /* c_52 */
-    prepared[70] = 4.0*z_41; /* c_53 */
-    prepared[71] = 4.0*z_40; /* c_54 */
-    prepared[72] = k*z_33; /* c_55 */
-    prepared[73] = k*z_30; /* c_56 */
-    prepared[74] = z_79; /* c_57 */
-    prepared[75] = 2.0*z_78; /* c_58 */
+    prepared[84] = z_86*z_87 + 2.0*b*(z_85 + b*z_83) + z_11*z_89; /* c_67 */
+    prepared[85] = 2.0*(z_49*(z_87 + z_89)); /* c_68 */
+    prepared[86] = 2.0*c_; /* c_69 */
+    prepared[87] = 2.0*g; /* c_70 */
+    prepared[88] = 2.0*f; /* c_71 */
+    prepared[89] = 4.0*z_41; /* c_72 */
+    prepared[90] = 4.0*z_40; /* c_73 */
+    prepared[91] = k*z_33; /* c_74 */
+    prepared[92] = k*z_30; /* c_75 */
+    prepared[93] = z_77; /* c_76 */
     const double z_90 = g*z_83;
     const double z_91 = i*z_83;
     const double z_92 = h*z_83;
     const double z_93 = z_91 + z_92;
-    prepared[76] = 6.0*(c_*(z_84 + 2.0*z_90 + c_*z_83 + 2.0*z_93 + z_88)); /* c_59 */
-    prepared[77] = z_67; /* c_60 */
-    prepared[78] = z_66; /* c_61 */
-    prepared[79] = 2.0*z_64; /* c_62 */
-    prepared[80] = 2.0*z_63; /* c_63 */
-    const double z_94 = 2.0*g + z_46;
-    prepared[81] = z_46*z_91 + z_94*z_92 + 2.0*g*(z_90 + z_88); /* c_64 */
-    prepared[82] = 2.0*(z_77*z_93); /* c_65 */
-    prepared[83] = z_75; /* c_66 */
-    prepared[84] = z_74; /* c_67 */
-    prepared[85] = z_15; /* c_68 */
-    prepared[86] = z_31; /* c_69 */
-    prepared[87] = z_34; /* c_70 */
-    prepared[88] = z_37; /* c_71 */
-    prepared[89] = z_38; /* c_72 */
-    prepared[90] = z_11; /* c_73 */
-    prepared[91] = 4.0*z_56; /* c_74 */
-    prepared[92] = 4.0*z_57; /* c_75 */
-    prepared[93] = z_60; /* c_76 */
-    prepared[94] = z_61; /* c_77 */
-    prepared[95] = z_28; /* c_78 */
-    prepared[96] = 2.0*z_68; /* c_79 */
-    prepared[97] = 2.0*z_69; /* c_80 */
-    prepared[98] = z_71; /* c_81 */
-    prepared[99] = z_72; /* c_82 */
-    prepared[100] = z_48; /* c_83 */
-    prepared[101] = 4.0*z_81; /* c_84 */
-    prepared[102] = 4.0*z_82; /* c_85 */
-    prepared[103] = (1.0/3.0)*z_15; /* c_86 */
-    prepared[104] = (1.0/12.0)*z_11; /* c_87 */
+    prepared[94] = 6.0*(c_*(z_84 + 2.0*z_90 + c_*z_83 + 2.0*z_93 + z_88)); /* c_77 */
+    prepared[95] = z_67; /* c_78 */
+    prepared[96] = z_66; /* c_79 */
+    prepared[97] = 2.0*z_64; /* c_80 */
+    prepared[98] = 2.0*z_63; /* c_81 */
+    const double z_94 = 2.0*g + z_45;
+    prepared[99] = z_45*z_91 + z_94*z_92 + 2.0*g*(z_90 + z_88); /* c_82 */
+    prepared[100] = 2.0*(z_78*z_93); /* c_83 */
+    prepared[101] = z_75; /* c_84 */
+    prepared[102] = z_74; /* c_85 */
+    prepared[103] = (1.0/3.0)*z_3; /* c_86 */
+    prepared[104] = (1.0/12.0)*z_13; /* c_87 */
     prepared[105] = (1.0/6.0)*z_28; /* c_88 */
-    prepared[106] = (1.0/12.0)*z_48; /* c_89 */
+    prepared[106] = (1.0/12.0)*z_47; /* c_89 */
     prepared[107] = fabs(j); /* c_90 */
     prepared[108] = fabs(b); /* c_91 */
     prepared[109] = fabs(m); /* c_92 */
@@ -3349,19 +3349,19 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[112] = fabs(k); /* c_95 */
     const double z_95 = fabs(c_);
     prepared[113] = z_95; /* c_96 */
-    prepared[114] = fabs(z_9); /* c_97 */
+    prepared[114] = fabs(z_11); /* c_97 */
     prepared[115] = 2.0*z_95; /* c_98 */
-    prepared[116] = 2.0*fabs(z_42); /* c_99 */
+    prepared[116] = 2.0*fabs(z_49); /* c_99 */
     prepared[117] = 2.0*fabs(f); /* c_100 */
     prepared[118] = 2.0*fabs(g); /* c_101 */
-    prepared[119] = 2.0*z_15; /* c_102 */
+    prepared[119] = 2.0*z_3; /* c_102 */
     prepared[120] = 2.0*z_28; /* c_103 */
     prepared[121] = (-4.0)*l; /* c_104 */
     prepared[122] = z_86; /* c_105 */
     prepared[123] = z_94; /* c_106 */
-    prepared[124] = 2.0*z_77; /* c_107 */
+    prepared[124] = 2.0*z_78; /* c_107 */
     prepared[125] = 4.0*c_; /* c_108 */
-    prepared[126] = z_46; /* c_109 */
+    prepared[126] = z_45; /* c_109 */
     prepared[127] = 2.0*b; /* c_110 */
     prepared[128] = (-2.0)*l; /* c_111 */
     prepared[129] = 2.0*j; /* c_112 */
@@ -3389,14 +3389,14 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[0] = c_86;
     M[7] = M[1] = 0.0;
     M[8] = 0.0;
-    const double c_36 = c[53];
+    const double c_55 = c[72];
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
     const double sin_ab = em_sin(ab);
     const double sin_theta = em_sin(theta);
-    M[14] = M[2] = (1.0/6.0)*(c_36*(cos_ab*cos_theta + sin_ab*sin_theta));
+    M[14] = M[2] = (1.0/6.0)*(c_55*(cos_ab*cos_theta + sin_ab*sin_theta));
     M[15] = M[9] = 0.0;
     const double c_87 = c[104];
     M[16] = c_87;
@@ -3404,18 +3404,18 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[22] = M[10] = 0.0;
     M[23] = M[17] = 0.0;
     M[24] = 0.0;
-    const double c_37 = c[54];
+    const double c_56 = c[73];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double sin_ac = em_sin(ac);
-    M[28] = M[4] = (1.0/6.0)*(c_37*(cos_theta*cos_ac + sin_theta*sin_ac));
+    M[28] = M[4] = (1.0/6.0)*(c_56*(cos_theta*cos_ac + sin_theta*sin_ac));
     M[29] = M[11] = 0.0;
-    const double c_46 = c[63];
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double z_6 = cos_ab*c_8 - sin_ab*c_9;
-    const double z_7 = sin_ab*c_8 + cos_ab*c_9;
-    M[30] = M[18] = (1.0/12.0)*(c_46*(cos_ac*z_6 + sin_ac*z_7));
+    const double c_65 = c[82];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_6 = cos_ab*c_13 - sin_ab*c_14;
+    const double z_7 = sin_ab*c_13 + cos_ab*c_14;
+    M[30] = M[18] = (1.0/12.0)*(c_65*(cos_ac*z_6 + sin_ac*z_7));
     M[31] = M[25] = 0.0;
     const double c_88 = c[105];
     M[32] = c_88;
@@ -3427,16 +3427,16 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[40] = 0.0;
     M[42] = M[6] = 0.0;
     M[43] = M[13] = 0.0;
-    const double c_47 = c[64];
+    const double c_66 = c[83];
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
     const double sin_ag = em_sin(ag);
-    M[44] = M[20] = (1.0/12.0)*(c_47*(z_6*cos_ag + z_7*sin_ag));
+    M[44] = M[20] = (1.0/12.0)*(c_66*(z_6*cos_ag + z_7*sin_ag));
     M[45] = M[27] = 0.0;
-    const double c_57 = c[74];
-    const double c_58 = c[75];
-    M[46] = M[34] = (1.0/12.0)*(cos_ac*cos_ag*c_57 + sin_ac*sin_ag*c_57 + c_58*(sin_ac*cos_ag) -
-        c_58*(cos_ac*sin_ag));
+    const double c_76 = c[93];
+    const double c_41 = c[58];
+    M[46] = M[34] = (1.0/12.0)*(cos_ac*cos_ag*c_76 + sin_ac*sin_ag*c_76 + c_41*(sin_ac*cos_ag) -
+        c_41*(cos_ac*sin_ag));
     M[47] = M[41] = 0.0;
     const double c_89 = c[106];
     M[48] = c_89;
@@ -3446,105 +3446,105 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
 EM_ACROSS void factored_matrix(double t, const double *restrict x, const double *restrict c,
                                double *restrict M)
 {
-    const double c_68 = c[85];
-    const double c_69 = c[86];
+    const double c_0 = c[17];
+    const double c_1 = c[18];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_70 = c[87];
+    const double c_2 = c[19];
     const double sin_theta = em_sin(theta);
-    M[0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
+    M[0] = (1.0/3.0)*(c_0 + c_1*(cos_theta*cos_theta) + c_2*(sin_theta*sin_theta));
     const double aj = x[1];
     const double cos_aj = em_cos(aj);
-    const double c_1 = c[18];
+    const double c_3 = c[20];
     const double sin_aj = em_sin(aj);
-    const double c_2 = c[19];
-    M[7] = M[1] = (1.0/3.0)*(cos_theta*cos_aj*c_1 + sin_theta*sin_aj*c_2);
-    const double c_71 = c[88];
-    const double c_72 = c[89];
-    M[8] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
+    const double c_4 = c[21];
+    M[7] = M[1] = (1.0/3.0)*(cos_theta*cos_aj*c_3 + sin_theta*sin_aj*c_4);
+    const double c_5 = c[22];
+    const double c_6 = c[23];
+    M[8] = (1.0/3.0)*(c_5*(cos_aj*cos_aj) + c_6*(sin_aj*sin_aj));
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
-    const double c_4 = c[21];
-    const double sin_ab = em_sin(ab);
-    const double c_5 = c[22];
-    M[14] = M[2] = (1.0/6.0)*(cos_ab*cos_theta*c_4 + sin_ab*sin_theta*c_5);
-    const double c_6 = c[23];
     const double c_7 = c[24];
-    M[15] = M[9] = ((-1.0/3.0))*(cos_ab*cos_aj*c_6 + sin_ab*sin_aj*c_7);
-    const double c_73 = c[90];
-    const double c_10 = c[27];
+    const double sin_ab = em_sin(ab);
     const double c_8 = c[25];
+    M[14] = M[2] = (1.0/6.0)*(cos_ab*cos_theta*c_7 + sin_ab*sin_theta*c_8);
     const double c_9 = c[26];
-    const double z_6 = cos_ab*c_8 - sin_ab*c_9;
+    const double c_10 = c[27];
+    M[15] = M[9] = ((-1.0/3.0))*(cos_ab*cos_aj*c_9 + sin_ab*sin_aj*c_10);
     const double c_11 = c[28];
-    const double z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const double c_74 = c[91];
-    const double c_75 = c[92];
-    M[16] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
+    const double c_12 = c[29];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_6 = cos_ab*c_13 - sin_ab*c_14;
+    const double c_15 = c[32];
+    const double z_7 = sin_ab*c_13 + cos_ab*c_14;
+    const double c_16 = c[33];
+    const double c_17 = c[34];
+    M[16] = (1.0/12.0)*(c_11 + c_12*(z_6*z_6) + c_15*(z_7*z_7) + c_16*(cos_ab*cos_ab) + c_17*(sin_ab*sin_ab));
     const double ak = x[3];
     const double cos_ak = em_cos(ak);
-    const double c_13 = c[30];
+    const double c_18 = c[35];
     const double sin_ak = em_sin(ak);
-    const double c_14 = c[31];
-    M[21] = M[3] = (1.0/3.0)*(cos_theta*cos_ak*c_13 + sin_theta*sin_ak*c_14);
+    const double c_19 = c[36];
+    M[21] = M[3] = (1.0/3.0)*(cos_theta*cos_ak*c_18 + sin_theta*sin_ak*c_19);
     M[22] = M[10] = 0.0;
     M[23] = M[17] = 0.0;
-    const double c_76 = c[93];
-    const double c_77 = c[94];
-    M[24] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
-    const double ac = x[4];
-    const double cos_ac = em_cos(ac);
-    const double c_16 = c[33];
-    const double sin_ac = em_sin(ac);
-    const double c_17 = c[34];
-    M[28] = M[4] = (1.0/6.0)*(cos_theta*cos_ac*c_16 + sin_theta*sin_ac*c_17);
-    M[29] = M[11] = 0.0;
-    const double c_18 = c[35];
-    const double c_19 = c[36];
-    M[30] = M[18] = (1.0/12.0)*(cos_ac*z_6*c_18 + sin_ac*z_7*c_19);
     const double c_20 = c[37];
     const double c_21 = c[38];
-    M[31] = M[25] = ((-1.0/3.0))*(cos_ac*cos_ak*c_20 + sin_ac*sin_ak*c_21);
-    const double c_78 = c[95];
-    const double c_79 = c[96];
-    const double c_80 = c[97];
-    M[32] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
+    M[24] = (1.0/3.0)*(c_20*(cos_ak*cos_ak) + c_21*(sin_ak*sin_ak));
+    const double ac = x[4];
+    const double cos_ac = em_cos(ac);
+    const double c_22 = c[39];
+    const double sin_ac = em_sin(ac);
+    const double c_23 = c[40];
+    M[28] = M[4] = (1.0/6.0)*(cos_theta*cos_ac*c_22 + sin_theta*sin_ac*c_23);
+    M[29] = M[11] = 0.0;
+    const double c_24 = c[41];
+    const double c_25 = c[42];
+    M[30] = M[18] = (1.0/12.0)*(cos_ac*z_6*c_24 + sin_ac*z_7*c_25);
+    const double c_26 = c[43];
+    const double c_27 = c[44];
+    M[31] = M[25] = ((-1.0/3.0))*(cos_ac*cos_ak*c_26 + sin_ac*sin_ak*c_27);
+    const double c_28 = c[45];
+    const double c_29 = c[46];
+    const double c_30 = c[47];
+    M[32] = (1.0/6.0)*(c_28 + c_29*(cos_ac*cos_ac) + c_30*(sin_ac*sin_ac));
     M[35] = M[5] = 0.0;
     M[36] = M[12] = 0.0;
     const double af = x[5];
     const double sin_af = em_sin(af);
-    const double c_23 = c[40];
+    const double c_31 = c[48];
     const double cos_af = em_cos(af);
-    const double c_24 = c[41];
-    M[37] = M[19] = (1.0/6.0)*(z_7*sin_af*c_23 + z_6*cos_af*c_24);
+    const double c_32 = c[49];
+    M[37] = M[19] = (1.0/6.0)*(z_7*sin_af*c_31 + z_6*cos_af*c_32);
     M[38] = M[26] = 0.0;
-    const double c_25 = c[42];
-    const double c_26 = c[43];
-    M[39] = M[33] = ((-1.0/3.0))*(cos_ac*cos_af*c_25 + sin_ac*sin_af*c_26);
-    const double c_81 = c[98];
-    const double c_82 = c[99];
-    M[40] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
+    const double c_33 = c[50];
+    const double c_34 = c[51];
+    M[39] = M[33] = ((-1.0/3.0))*(cos_ac*cos_af*c_33 + sin_ac*sin_af*c_34);
+    const double c_35 = c[52];
+    const double c_36 = c[53];
+    M[40] = (1.0/3.0)*(c_35*(cos_af*cos_af) + c_36*(sin_af*sin_af));
     M[42] = M[6] = 0.0;
     M[43] = M[13] = 0.0;
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
-    const double c_28 = c[45];
+    const double c_37 = c[54];
     const double sin_ag = em_sin(ag);
-    const double c_29 = c[46];
-    M[44] = M[20] = (1.0/12.0)*(z_6*cos_ag*c_28 + z_7*sin_ag*c_29);
+    const double c_38 = c[55];
+    M[44] = M[20] = (1.0/12.0)*(z_6*cos_ag*c_37 + z_7*sin_ag*c_38);
     M[45] = M[27] = 0.0;
-    const double c_31 = c[48];
-    const double c_32 = c[49];
-    const double c_58 = c[75];
-    M[46] = M[34] = ((-1.0/12.0))*(c_58*(cos_ac*sin_ag) - cos_ac*cos_ag*c_31 - sin_ac*sin_ag*c_32 -
-        c_58*(sin_ac*cos_ag));
-    const double c_33 = c[50];
-    const double c_34 = c[51];
-    M[47] = M[41] = ((-1.0/3.0))*(cos_ag*cos_af*c_33 + sin_ag*sin_af*c_34);
-    const double c_83 = c[100];
-    const double c_84 = c[101];
-    const double c_85 = c[102];
-    M[48] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
+    const double c_39 = c[56];
+    const double c_40 = c[57];
+    const double c_41 = c[58];
+    M[46] = M[34] = ((-1.0/12.0))*(c_41*(cos_ac*sin_ag) - cos_ac*cos_ag*c_39 - sin_ac*sin_ag*c_40 -
+        c_41*(sin_ac*cos_ag));
+    const double c_42 = c[59];
+    const double c_43 = c[60];
+    M[47] = M[41] = ((-1.0/3.0))*(cos_ag*cos_af*c_42 + sin_ag*sin_af*c_43);
+    const double c_44 = c[61];
+    const double c_45 = c[62];
+    const double c_46 = c[63];
+    M[48] = (1.0/12.0)*(c_44 + c_45*(cos_ag*cos_ag) + c_46*(sin_ag*sin_ag));
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -3607,9 +3607,9 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
     A[27] = 0.0;
     A[28] = 0.0;
     A[29] = 0.0;
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    A[30] = (-0.5)*(sin_ab*c_8 + cos_ab*c_9);
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    A[30] = (-0.5)*(sin_ab*c_13 + cos_ab*c_14);
     A[31] = 0.0;
     A[32] = c_*sin_ac;
     const double f = c[5];
@@ -3622,7 +3622,7 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
     A[34] = g*sin_ag;
     A[35] = 0.0;
     A[36] = 0.0;
-    A[37] = 0.5*(cos_ab*c_8 - sin_ab*c_9);
+    A[37] = 0.5*(cos_ab*c_13 - sin_ab*c_14);
     A[38] = 0.0;
     A[39] = -c_*cos_ac;
     const double cos_af = em_cos(af);
@@ -3669,19 +3669,19 @@ EM_ACROSS void position(double t, const double *restrict x, const double *restri
     const double sin_ak = em_sin(ak);
     const double sin_ac = em_sin(ac);
     phi[3] = k*sin_ak + z_7 - c_*sin_ac;
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double c_50 = c[67];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double c_69 = c[86];
     const double af = x[5];
     const double cos_af = em_cos(af);
-    const double c_52 = c[69];
+    const double c_71 = c[88];
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
-    const double c_51 = c[68];
-    phi[4] = 0.5*(cos_ab*c_8 + cos_af*c_52 - sin_ab*c_9 - cos_ac*c_50 - cos_ag*c_51);
+    const double c_70 = c[87];
+    phi[4] = 0.5*(cos_ab*c_13 + cos_af*c_71 - sin_ab*c_14 - cos_ac*c_69 - cos_ag*c_70);
     const double sin_af = em_sin(af);
     const double sin_ag = em_sin(ag);
-    phi[5] = 0.5*(sin_ab*c_8 + cos_ab*c_9 + sin_af*c_52 - sin_ac*c_50 - sin_ag*c_51);
+    phi[5] = 0.5*(sin_ab*c_13 + cos_ab*c_14 + sin_af*c_71 - sin_ac*c_69 - sin_ag*c_70);
     const double c_90 = c[107];
     const double c_91 = c[108];
     const double z_16 = fabs(cos_ab) + fabs(ab*sin_ab);
@@ -3729,105 +3729,105 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[16])
 {
-    const double c_68 = c[85];
-    const double c_69 = c[86];
+    const double c_0 = c[17];
+    const double c_1 = c[18];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_70 = c[87];
+    const double c_2 = c[19];
     const double sin_theta = em_sin(theta);
-    M1[0][0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
+    M1[0][0] = (1.0/3.0)*(c_0 + c_1*(cos_theta*cos_theta) + c_2*(sin_theta*sin_theta));
     const double aj = x[1];
     const double cos_aj = em_cos(aj);
-    const double c_1 = c[18];
+    const double c_3 = c[20];
     const double sin_aj = em_sin(aj);
-    const double c_2 = c[19];
-    M1[0][1] = M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_1) + sin_aj*(sin_theta*c_2));
-    const double c_71 = c[88];
-    const double c_72 = c[89];
-    M1[1][1] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
+    const double c_4 = c[21];
+    M1[0][1] = M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_3) + sin_aj*(sin_theta*c_4));
+    const double c_5 = c[22];
+    const double c_6 = c[23];
+    M1[1][1] = (1.0/3.0)*(c_5*(cos_aj*cos_aj) + c_6*(sin_aj*sin_aj));
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
-    const double c_4 = c[21];
-    const double sin_ab = em_sin(ab);
-    const double c_5 = c[22];
-    M1[0][2] = M1[2][0] = (1.0/6.0)*(cos_theta*(cos_ab*c_4) + sin_theta*(sin_ab*c_5));
-    const double c_6 = c[23];
     const double c_7 = c[24];
-    M1[1][2] = M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_6) + sin_aj*(sin_ab*c_7));
-    const double c_73 = c[90];
-    const double c_10 = c[27];
+    const double sin_ab = em_sin(ab);
     const double c_8 = c[25];
+    M1[0][2] = M1[2][0] = (1.0/6.0)*(cos_theta*(cos_ab*c_7) + sin_theta*(sin_ab*c_8));
     const double c_9 = c[26];
-    const double z_6 = cos_ab*c_8 - sin_ab*c_9;
+    const double c_10 = c[27];
+    M1[1][2] = M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_9) + sin_aj*(sin_ab*c_10));
     const double c_11 = c[28];
-    const double z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const double c_74 = c[91];
-    const double c_75 = c[92];
-    M1[2][2] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
+    const double c_12 = c[29];
+    const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_6 = cos_ab*c_13 - sin_ab*c_14;
+    const double c_15 = c[32];
+    const double z_7 = sin_ab*c_13 + cos_ab*c_14;
+    const double c_16 = c[33];
+    const double c_17 = c[34];
+    M1[2][2] = (1.0/12.0)*(c_11 + c_12*(z_6*z_6) + c_15*(z_7*z_7) + c_16*(cos_ab*cos_ab) + c_17*(sin_ab*sin_ab));
     const double ak = x[3];
     const double cos_ak = em_cos(ak);
-    const double c_13 = c[30];
+    const double c_18 = c[35];
     const double sin_ak = em_sin(ak);
-    const double c_14 = c[31];
-    M1[0][3] = M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_13) + sin_ak*(sin_theta*c_14));
+    const double c_19 = c[36];
+    M1[0][3] = M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_18) + sin_ak*(sin_theta*c_19));
     M1[1][3] = M1[3][1] = 0.0;
     M1[2][3] = M1[3][2] = 0.0;
-    const double c_76 = c[93];
-    const double c_77 = c[94];
-    M1[3][3] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
-    const double ac = x[4];
-    const double cos_ac = em_cos(ac);
-    const double c_16 = c[33];
-    const double sin_ac = em_sin(ac);
-    const double c_17 = c[34];
-    M1[0][4] = M1[4][0] = (1.0/6.0)*(cos_ac*(cos_theta*c_16) + sin_ac*(sin_theta*c_17));
-    M1[1][4] = M1[4][1] = 0.0;
-    const double c_18 = c[35];
-    const double c_19 = c[36];
-    M1[2][4] = M1[4][2] = (1.0/12.0)*(z_6*(cos_ac*c_18) + z_7*(sin_ac*c_19));
     const double c_20 = c[37];
     const double c_21 = c[38];
-    M1[3][4] = M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_20) + sin_ak*(sin_ac*c_21));
-    const double c_78 = c[95];
-    const double c_79 = c[96];
-    const double c_80 = c[97];
-    M1[4][4] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
+    M1[3][3] = (1.0/3.0)*(c_20*(cos_ak*cos_ak) + c_21*(sin_ak*sin_ak));
+    const double ac = x[4];
+    const double cos_ac = em_cos(ac);
+    const double c_22 = c[39];
+    const double sin_ac = em_sin(ac);
+    const double c_23 = c[40];
+    M1[0][4] = M1[4][0] = (1.0/6.0)*(cos_ac*(cos_theta*c_22) + sin_ac*(sin_theta*c_23));
+    M1[1][4] = M1[4][1] = 0.0;
+    const double c_24 = c[41];
+    const double c_25 = c[42];
+    M1[2][4] = M1[4][2] = (1.0/12.0)*(z_6*(cos_ac*c_24) + z_7*(sin_ac*c_25));
+    const double c_26 = c[43];
+    const double c_27 = c[44];
+    M1[3][4] = M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_26) + sin_ak*(sin_ac*c_27));
+    const double c_28 = c[45];
+    const double c_29 = c[46];
+    const double c_30 = c[47];
+    M1[4][4] = (1.0/6.0)*(c_28 + c_29*(cos_ac*cos_ac) + c_30*(sin_ac*sin_ac));
     M1[0][5] = M1[5][0] = 0.0;
     M1[1][5] = M1[5][1] = 0.0;
     const double af = x[5];
     const double sin_af = em_sin(af);
-    const double c_23 = c[40];
+    const double c_31 = c[48];
     const double cos_af = em_cos(af);
-    const double c_24 = c[41];
-    M1[2][5] = M1[5][2] = (1.0/6.0)*(sin_af*(z_7*c_23) + cos_af*(z_6*c_24));
+    const double c_32 = c[49];
+    M1[2][5] = M1[5][2] = (1.0/6.0)*(sin_af*(z_7*c_31) + cos_af*(z_6*c_32));
     M1[3][5] = M1[5][3] = 0.0;
-    const double c_25 = c[42];
-    const double c_26 = c[43];
-    M1[4][5] = M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_25) + sin_af*(sin_ac*c_26));
-    const double c_81 = c[98];
-    const double c_82 = c[99];
-    M1[5][5] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
+    const double c_33 = c[50];
+    const double c_34 = c[51];
+    M1[4][5] = M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_33) + sin_af*(sin_ac*c_34));
+    const double c_35 = c[52];
+    const double c_36 = c[53];
+    M1[5][5] = (1.0/3.0)*(c_35*(cos_af*cos_af) + c_36*(sin_af*sin_af));
     M1[0][6] = M1[6][0] = 0.0;
     M1[1][6] = M1[6][1] = 0.0;
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
-    const double c_28 = c[45];
+    const double c_37 = c[54];
     const double sin_ag = em_sin(ag);
-    const double c_29 = c[46];
-    M1[2][6] = M1[6][2] = (1.0/12.0)*(cos_ag*(z_6*c_28) + sin_ag*(z_7*c_29));
+    const double c_38 = c[55];
+    M1[2][6] = M1[6][2] = (1.0/12.0)*(cos_ag*(z_6*c_37) + sin_ag*(z_7*c_38));
     M1[3][6] = M1[6][3] = 0.0;
-    const double c_31 = c[48];
-    const double c_32 = c[49];
-    const double c_58 = c[75];
-    M1[4][6] = M1[6][4] = ((-1.0/12.0))*(c_58*(cos_ac*sin_ag) - cos_ag*(cos_ac*c_31) - sin_ag*(sin_ac*c_32) -
-        c_58*(sin_ac*cos_ag));
-    const double c_33 = c[50];
-    const double c_34 = c[51];
-    M1[5][6] = M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_33) + sin_af*(sin_ag*c_34));
-    const double c_83 = c[100];
-    const double c_84 = c[101];
-    const double c_85 = c[102];
-    M1[6][6] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
+    const double c_39 = c[56];
+    const double c_40 = c[57];
+    const double c_41 = c[58];
+    M1[4][6] = M1[6][4] = ((-1.0/12.0))*(c_41*(cos_ac*sin_ag) - cos_ag*(cos_ac*c_39) - sin_ag*(sin_ac*c_40) -
+        c_41*(sin_ac*cos_ag));
+    const double c_42 = c[59];
+    const double c_43 = c[60];
+    M1[5][6] = M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_42) + sin_af*(sin_ag*c_43));
+    const double c_44 = c[61];
+    const double c_45 = c[62];
+    const double c_46 = c[63];
+    M1[6][6] = (1.0/12.0)*(c_44 + c_45*(cos_ag*cos_ag) + c_46*(sin_ag*sin_ag));
     const double m = c[12];
     A1[0][0] = -m*sin_theta;
     const double j = c[9];
@@ -3905,114 +3905,114 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[16],
                              double Mdot1[N1][N1])
 {
-    const double c_0 = c[17];
+    const double c_47 = c[64];
     const double sin_theta = shared[0];
     const double theta_dot = v[0];
     const double cos_theta = shared[1];
     const double z_16 = theta_dot*cos_theta;
-    Mdot1[0][0] = -c_0*(sin_theta*z_16);
-    const double c_1 = c[18];
+    Mdot1[0][0] = -c_47*(sin_theta*z_16);
+    const double c_3 = c[20];
     const double cos_aj = shared[2];
     const double z_17 = theta_dot*sin_theta;
     const double aj_dot = v[1];
     const double sin_aj = shared[3];
     const double z_18 = aj_dot*sin_aj;
-    const double c_2 = c[19];
-    const double z_19 = aj_dot*cos_aj;
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_1*(cos_aj*z_17 + cos_theta*z_18) - c_2*(sin_aj*z_16 +
-        sin_theta*z_19));
-    const double c_3 = c[20];
-    Mdot1[1][1] = -c_3*(sin_aj*z_19);
     const double c_4 = c[21];
+    const double z_19 = aj_dot*cos_aj;
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/3.0))*(c_3*(cos_aj*z_17 + cos_theta*z_18) - c_4*(sin_aj*z_16 +
+        sin_theta*z_19));
+    const double c_48 = c[65];
+    Mdot1[1][1] = -c_48*(sin_aj*z_19);
+    const double c_7 = c[24];
     const double ab_dot = v[2];
     const double sin_ab = shared[4];
     const double z_20 = ab_dot*sin_ab;
     const double cos_ab = shared[5];
-    const double c_5 = c[22];
-    const double z_21 = ab_dot*cos_ab;
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_4*(cos_theta*z_20 + cos_ab*z_17) - c_5*(sin_theta*z_21 +
-        sin_ab*z_16));
-    const double c_6 = c[23];
-    const double c_7 = c[24];
-    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_6*(cos_aj*z_20 + cos_ab*z_18) - c_7*(sin_aj*z_21 + sin_ab*z_19));
-    const double z_6 = shared[6];
-    const double c_10 = c[27];
     const double c_8 = c[25];
+    const double z_21 = ab_dot*cos_ab;
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/6.0))*(c_7*(cos_theta*z_20 + cos_ab*z_17) - c_8*(sin_theta*z_21 +
+        sin_ab*z_16));
     const double c_9 = c[26];
-    const double z_22 = c_8*z_20 + c_9*z_21;
-    const double z_7 = shared[7];
-    const double c_11 = c[28];
-    const double z_23 = c_8*z_21 - c_9*z_20;
+    const double c_10 = c[27];
+    Mdot1[1][2] = Mdot1[2][1] = (1.0/3.0)*(c_9*(cos_aj*z_20 + cos_ab*z_18) - c_10*(sin_aj*z_21 + sin_ab*z_19));
+    const double z_6 = shared[6];
     const double c_12 = c[29];
-    Mdot1[2][2] = ((-1.0/6.0))*(z_6*c_10*z_22 + c_12*(sin_ab*z_21) - z_7*c_11*z_23);
     const double c_13 = c[30];
+    const double c_14 = c[31];
+    const double z_22 = c_13*z_20 + c_14*z_21;
+    const double z_7 = shared[7];
+    const double c_15 = c[32];
+    const double z_23 = c_13*z_21 - c_14*z_20;
+    const double c_49 = c[66];
+    Mdot1[2][2] = ((-1.0/6.0))*(z_6*c_12*z_22 + c_49*(sin_ab*z_21) - z_7*c_15*z_23);
+    const double c_18 = c[35];
     const double cos_ak = shared[8];
     const double ak_dot = v[3];
     const double sin_ak = shared[9];
     const double z_24 = ak_dot*sin_ak;
-    const double c_14 = c[31];
+    const double c_19 = c[36];
     const double z_25 = ak_dot*cos_ak;
-    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_13*(cos_ak*z_17 + cos_theta*z_24) - c_14*(sin_ak*z_16 +
+    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/3.0))*(c_18*(cos_ak*z_17 + cos_theta*z_24) - c_19*(sin_ak*z_16 +
         sin_theta*z_25));
     Mdot1[1][3] = Mdot1[3][1] = 0.0;
     Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    const double c_15 = c[32];
-    Mdot1[3][3] = -c_15*(sin_ak*z_25);
-    const double c_16 = c[33];
+    const double c_50 = c[67];
+    Mdot1[3][3] = -c_50*(sin_ak*z_25);
+    const double c_22 = c[39];
     const double cos_ac = shared[10];
     const double ac_dot = v[4];
     const double sin_ac = shared[11];
     const double z_26 = ac_dot*sin_ac;
-    const double c_17 = c[34];
+    const double c_23 = c[40];
     const double z_27 = ac_dot*cos_ac;
-    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_16*(cos_ac*z_17 + cos_theta*z_26) - c_17*(sin_ac*z_16 +
+    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/6.0))*(c_22*(cos_ac*z_17 + cos_theta*z_26) - c_23*(sin_ac*z_16 +
         sin_theta*z_27));
     Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    const double c_18 = c[35];
-    const double c_19 = c[36];
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_18*(z_6*z_26 + cos_ac*z_22) - c_19*(z_7*z_27 + sin_ac*z_23));
-    const double c_20 = c[37];
-    const double c_21 = c[38];
-    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_20*(cos_ak*z_26 + cos_ac*z_24) - c_21*(sin_ak*z_27 + sin_ac*z_25));
-    const double c_22 = c[39];
-    Mdot1[4][4] = -c_22*(sin_ac*z_27);
+    const double c_24 = c[41];
+    const double c_25 = c[42];
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/12.0))*(c_24*(z_6*z_26 + cos_ac*z_22) - c_25*(z_7*z_27 + sin_ac*z_23));
+    const double c_26 = c[43];
+    const double c_27 = c[44];
+    Mdot1[3][4] = Mdot1[4][3] = (1.0/3.0)*(c_26*(cos_ak*z_26 + cos_ac*z_24) - c_27*(sin_ak*z_27 + sin_ac*z_25));
+    const double c_51 = c[68];
+    Mdot1[4][4] = -c_51*(sin_ac*z_27);
     Mdot1[0][5] = Mdot1[5][0] = 0.0;
     Mdot1[1][5] = Mdot1[5][1] = 0.0;
-    const double c_23 = c[40];
+    const double c_31 = c[48];
     const double sin_af = shared[12];
     const double af_dot = v[5];
     const double cos_af = shared[13];
     const double z_28 = af_dot*cos_af;
-    const double c_24 = c[41];
+    const double c_32 = c[49];
     const double z_29 = af_dot*sin_af;
-    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_23*(sin_af*z_23 + z_7*z_28) - c_24*(cos_af*z_22 + z_6*z_29));
+    Mdot1[2][5] = Mdot1[5][2] = (1.0/6.0)*(c_31*(sin_af*z_23 + z_7*z_28) - c_32*(cos_af*z_22 + z_6*z_29));
     Mdot1[3][5] = Mdot1[5][3] = 0.0;
-    const double c_25 = c[42];
-    const double c_26 = c[43];
-    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_25*(cos_af*z_26 + cos_ac*z_29) - c_26*(sin_af*z_27 + sin_ac*z_28));
-    const double c_27 = c[44];
-    Mdot1[5][5] = -c_27*(cos_af*z_29);
+    const double c_33 = c[50];
+    const double c_34 = c[51];
+    Mdot1[4][5] = Mdot1[5][4] = (1.0/3.0)*(c_33*(cos_af*z_26 + cos_ac*z_29) - c_34*(sin_af*z_27 + sin_ac*z_28));
+    const double c_52 = c[69];
+    Mdot1[5][5] = -c_52*(cos_af*z_29);
     Mdot1[0][6] = Mdot1[6][0] = 0.0;
     Mdot1[1][6] = Mdot1[6][1] = 0.0;
-    const double c_28 = c[45];
+    const double c_37 = c[54];
     const double cos_ag = shared[14];
     const double ag_dot = v[6];
     const double sin_ag = shared[15];
     const double z_30 = ag_dot*sin_ag;
-    const double c_29 = c[46];
+    const double c_38 = c[55];
     const double z_31 = ag_dot*cos_ag;
-    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_28*(cos_ag*z_22 + z_6*z_30) - c_29*(sin_ag*z_23 + z_7*z_31));
+    Mdot1[2][6] = Mdot1[6][2] = ((-1.0/12.0))*(c_37*(cos_ag*z_22 + z_6*z_30) - c_38*(sin_ag*z_23 + z_7*z_31));
     Mdot1[3][6] = Mdot1[6][3] = 0.0;
-    const double c_30 = c[47];
-    const double c_31 = c[48];
-    const double c_32 = c[49];
-    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_30*(sin_ag*z_26 - cos_ac*z_31) + 2.0*c_30*(cos_ag*z_27 -
-        sin_ac*z_30) + c_32*(sin_ag*z_27 + sin_ac*z_31) - c_31*(cos_ag*z_26 + cos_ac*z_30));
-    const double c_33 = c[50];
-    const double c_34 = c[51];
-    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_33*(cos_af*z_30 + cos_ag*z_29) - c_34*(sin_af*z_31 + sin_ag*z_28));
-    const double c_35 = c[52];
-    Mdot1[6][6] = -c_35*(sin_ag*z_31);
+    const double c_53 = c[70];
+    const double c_39 = c[56];
+    const double c_40 = c[57];
+    Mdot1[4][6] = Mdot1[6][4] = (1.0/12.0)*(2.0*c_53*(sin_ag*z_26 - cos_ac*z_31) + 2.0*c_53*(cos_ag*z_27 -
+        sin_ac*z_30) + c_40*(sin_ag*z_27 + sin_ac*z_31) - c_39*(cos_ag*z_26 + cos_ac*z_30));
+    const double c_42 = c[59];
+    const double c_43 = c[60];
+    Mdot1[5][6] = Mdot1[6][5] = (1.0/3.0)*(c_42*(cos_af*z_30 + cos_ag*z_29) - c_43*(sin_af*z_31 + sin_ag*z_28));
+    const double c_54 = c[71];
+    Mdot1[6][6] = -c_54*(sin_ag*z_31);
 }
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

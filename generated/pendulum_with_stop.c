@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:9da102ae1f76a0cf95439c382edd014e6ff63d9385bcedd2c3e60b3d64f0277a */
+/* body sha256:393fa5c3a420ebcb6f905a2e8bac4ccfbd3820697f33b969e4e76cbf801fece2 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -76,12 +76,12 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1],
                                   real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[10];
+    const real c_1 = c[11];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
-    f1[0] = -c_0*sin_theta;
-    const real c_1 = c[11];
-    A1[0][0] = c_1;
+    f1[0] = -c_1*sin_theta;
+    const real c_0 = c[10];
+    A1[0][0] = c_0;
     gamma[0] = em_real(0.0);
 }
 
@@ -183,10 +183,10 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
-    bias[0] = -c_0*sin_theta;
+    bias[0] = -c_1*sin_theta;
     gamma[0] = 0.0;
 }
 
@@ -201,8 +201,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     e[2] = 0.0;
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_0 = c[10];
-    e[3] = -cos_theta*c_0;
+    const double c_1 = c[11];
+    e[3] = -cos_theta*c_1;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -423,11 +423,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double l = parameters[1];
     const double z_0 = m*(l*l);
     M1[0][0] = z_0;
-    const double g = parameters[2];
-    prepared[10] = m*l*g; /* c_0 */
     const double wall_held = parameters[5];
     const double z_1 = l*wall_held;
-    prepared[11] = z_1; /* c_1 */
+    prepared[10] = z_1; /* c_0 */
+    const double g = parameters[2];
+    prepared[11] = m*l*g; /* c_1 */
     prepared[12] = z_0; /* c_2 */
     const double stop = parameters[4];
     prepared[13] = fabs(stop); /* c_3 */
@@ -467,8 +467,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
-    const double c_1 = c[11];
-    A[0] = c_1;
+    const double c_0 = c[10];
+    A[0] = c_0;
     b[0] = 0.0;
 }
 
@@ -476,10 +476,10 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
 EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
-    const double c_1 = c[11];
+    const double c_0 = c[10];
     const double theta = x[0];
     const double stop = c[4];
-    phi[0] = c_1*(theta - stop);
+    phi[0] = c_0*(theta - stop);
     const double c_3 = c[13];
     const double c_4 = c[14];
     terms[0] = (fabs(theta) + c_3)*c_4;
@@ -515,8 +515,8 @@ EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0}, {-1, -1, -1, -1, -1}
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
 {
-    const double c_1 = c[11];
-    A1[0][0] = c_1;
+    const double c_0 = c[10];
+    A1[0][0] = c_0;
     b[0] = 0.0;
 }
 

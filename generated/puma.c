@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:0eb1b1505564231d6c49fc64fed80976bac40c3756ac55665c929842a9c25217 */
+/* body sha256:f0885c23c28d99ccd7e394be646077dd77d02bf9f751cebfc558afa476c51b67 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -217,11 +217,11 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_114 = z_43 - z_112;
     const real z_115 = 1000.0*z_113 + 2159.0*z_114;
     const real z_116 = (z_96*z_54 - sin_q5*z_109) + c_1*(z_98*z_53 + cos_q5*z_110);
-    const real c_8 = c[10];
-    const real z_117 = 33885.0*z_101 + z_103*c_8 + 77724.0*z_102;
+    const real c_9 = c[11];
+    const real z_117 = 33885.0*z_101 + z_103*c_9 + 77724.0*z_102;
     const real z_118 = sin_q5*sin_q5;
     const real z_119 = sin_q4*z_118 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_101);
-    const real z_120 = 33885.0*z_113 + z_115*c_8 + 77724.0*z_114;
+    const real z_120 = 33885.0*z_113 + z_115*c_9 + 77724.0*z_114;
     const real z_121 = cos_q5*z_53;
     const real z_122 = (2.0*sin_q4*z_121 + z_43*z_118) + (124307479.0/170000.0)*(z_43 +
         (621792.0/124307479.0)*z_113);
@@ -238,9 +238,9 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     Mdot1[0][2] = Mdot1[2][0] = (1.0/20000000000.0)*(-10.0*z_90);
     Mdot1[1][2] = Mdot1[2][1] = ((-1.0/10000000000.0))*(-20.0*z_123);
     const real z_124 = 2159.0*sin_q4 + 1000.0*z_101;
-    const real z_125 = 77724.0*sin_q4 + 33885.0*z_101 + z_124*c_8;
+    const real z_125 = 77724.0*sin_q4 + 33885.0*z_101 + z_124*c_9;
     const real z_126 = 2159.0*z_43 + 1000.0*z_113;
-    const real z_127 = 77724.0*z_43 + 33885.0*z_113 + z_126*c_8;
+    const real z_127 = 77724.0*z_43 + 33885.0*z_113 + z_126*c_9;
     const real z_128 = sin_q5 - (4318.0/203.0)*z_63;
     const real z_129 = 203.0*z_128 - 2000.0*cos_q4;
     const real z_130 = c_0*z_129 + 8729.0*z_128 - 2880.0*cos_q4;
@@ -260,12 +260,12 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_138 = cos_q5*cos_q5*z_136 + cos_q5*z_137 - z_118*z_136;
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/62500000.0))*((z_117*z_54 + sin_q5*z_120) - 21250.0*z_138);
     Mdot1[2][3] = Mdot1[3][2] = (1.0/62500000.0)*(21250.0*z_138 - (z_125*z_54 + sin_q5*z_127));
-    const real c_9 = c[11];
-    Mdot1[3][3] = -c_9*z_121;
+    const real c_14 = c[16];
+    Mdot1[3][3] = -c_14*z_121;
     Mdot1[0][4] = Mdot1[4][0] = ((-1.0/62500000.0))*(40135.0*z_44 + z_57*c_3 + 27009.0*z_56);
-    const real c_10 = c[12];
-    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_51 + z_108*c_10 + 18.0*z_107);
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_51 + z_133*c_10 + 3654.0*z_132);
+    const real c_12 = c[14];
+    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_51 + z_108*c_12 + 18.0*z_107);
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_51 + z_133*c_12 + 3654.0*z_132);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     Mdot1[0][5] = Mdot1[5][0] = ((-1.0/25000.0))*z_77;
@@ -343,32 +343,32 @@ EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restric
     const real z_196 = 500000000.0*z_147 + 1575840.0*z_194 + 3001.0*z_195 - 406.0*z_182 - 640.0*(81250.0*z_155 +
         1250.0*cos_q5*z_189 - sin_q5*z_187);
     const real z_197 = q1_dot*cos_q3;
-    const real c_11 = c[13];
-    const real c_12 = c[14];
-    const real z_198 = c_11 + cos_q5*c_12;
-    const real c_13 = c[15];
-    const real c_14 = c[16];
-    const real z_199 = c_13 - z_76*c_14;
     const real c_15 = c[17];
     const real c_16 = c[18];
+    const real z_198 = c_15 + cos_q5*c_16;
+    const real c_17 = c[19];
+    const real c_18 = c[20];
+    const real z_199 = c_17 - z_76*c_18;
+    const real c_19 = c[21];
+    const real c_20 = c[22];
     f1[1] = (1.0/40000000000.0)*(40000000000.0*tau2 + (sin_q2*(4.0*q1_dot*(4145280.0*z_143 +
         19792500.0*(12.0*q2_dot - 455.0*z_140) - 23664000.0*z_144 - 2159.0*z_182) + z_196*z_197 +
-        400000.0*cos_q3*z_198 + 200000.0*sin_q3*z_199 + c_15 - 20960000000.0*cos_q2*z_139 - z_192*z_193) -
-        cos_q2*(174000.0*q1_dot*(48.0*z_144 + 455.0*(136.0*q2_dot - 455.0*z_141)) + 200000.0*cos_q3*z_199 + c_16 -
+        400000.0*cos_q3*z_198 + 200000.0*sin_q3*z_199 + c_19 - 20960000000.0*cos_q2*z_139 - z_192*z_193) -
+        cos_q2*(174000.0*q1_dot*(48.0*z_144 + 455.0*(136.0*q2_dot - 455.0*z_141)) + 200000.0*cos_q3*z_199 + c_20 -
         5200000000.0*sin_q2*z_139 - z_192*z_197 - z_196*z_193 - 400000.0*sin_q3*z_198)));
     const real tau3 = u[2];
     f1[2] = (1.0/40000000000.0)*(40000000000.0*tau3 + (sin_q3*(8636.0*q2_dot*(480.0*z_183 - z_184) + z_140*z_196 +
         400000.0*cos_q2*z_198 + 200000.0*sin_q2*z_199 - z_141*z_192) - cos_q3*(8636.0*q2_dot*(480.0*z_194 + z_195)
         + 200000.0*cos_q2*z_199 - z_140*z_192 - z_141*z_196 - 400000.0*sin_q2*z_198)));
     const real tau4 = u[3];
-    const real c_17 = c[19];
+    const real c_21 = c[23];
     f1[3] = (1.0/40000000000.0)*(40000000000.0*tau4 + (sin_q4*(2.0*z_150*z_176 + 4.0*z_142*z_190 - z_149*z_181 -
-        4.0*z_145*z_191 - z_12*c_17) + cos_q4*(z_149*z_176 + 2.0*z_150*z_181 + 4.0*z_145*z_190 +
+        4.0*z_145*z_191 - z_12*c_21) + cos_q4*(z_149*z_176 + 2.0*z_150*z_181 + 4.0*z_145*z_190 +
         4.0*z_142*z_191)));
     const real tau5 = u[4];
     const real z_200 = c_1*z_178;
     f1[4] = (1.0/40000000000.0)*(40000000000.0*tau5 - (sin_q5*(z_164*z_200 + z_162*z_179 + 640.0*z_146*z_187 +
-        800000.0*z_155*z_189 + z_15*c_17) - cos_q5*(z_162*z_200 + 800000.0*z_146*z_189 + z_28*c_17 - z_164*z_179 -
+        800000.0*z_155*z_189 + z_15*c_21) - cos_q5*(z_162*z_200 + 800000.0*z_146*z_189 + z_28*c_21 - z_164*z_179 -
         640.0*z_155*z_187)));
     const real tau6 = u[5];
     f1[5] = (1.0/40000000000.0)*(40000000000.0*tau6 + (cos_q6*(z_165*z_169 + z_153*z_174 + 640.0*z_156*z_185 +
@@ -508,8 +508,8 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_47 = cos_q5*c_1;
     const real z_48 = 1821922.0*z_6 + z_41 - z_24*z_47;
     const real z_49 = 1575840.0*z_14 - 5.0*z_36;
-    const real c_18 = c[20];
-    const real z_50 = (cos_q4*z_44 + 0.5*c_18*z_45) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_14) +
+    const real c_8 = c[10];
+    const real z_50 = (cos_q4*z_44 + 0.5*c_8*z_45) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_14) +
         (1.0/246082.0)*(z_41 + (10.0/203.0)*sin_q4*z_42));
     M1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*sin_q2 + 475020000.0*cos_q2 + 4318.0*cos_q3*z_48 +
         4318.0*sin_q3*z_49 - 2.0*z_50);
@@ -531,18 +531,18 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_66 = sin_q5*z_56;
     const real z_67 = 2426716.0*cos_q3 + 16646.0 + z_58*z_47 - z_66;
     const real z_68 = 845415424.0*cos_q4 + 2159.0*z_57 + z_55*c_5 + z_58*z_43 - 798087304.0*z_51 - 1440.0*z_54;
-    const real c_8 = c[10];
-    const real z_69 = 33885.0*z_61 + z_63*c_8 + 77724.0*z_62;
+    const real c_9 = c[11];
+    const real z_69 = 33885.0*z_61 + z_63*c_9 + 77724.0*z_62;
     const real z_70 = sin_q5*sin_q5;
     const real z_71 = sin_q4*z_70 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_61);
     const real z_72 = 8.0*cos_q5*z_69 + z_63*c_4 + 170000.0*z_71 - 119895747.0*z_60;
-    const real z_73 = (cos_q4*z_68 + 0.5*cos_q5*z_58*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
+    const real z_73 = (cos_q4*z_68 + 0.5*cos_q5*z_58*c_8) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
         (29.0/207264000.0)*(z_66 - (20.0/203.0)*sin_q4*z_72));
     M1[1][1] = (1.0/10000000000.0)*(4318.0*cos_q3*z_67 + 30547567588.0 + 2.0*z_73 - 4318.0*sin_q3*z_65);
     M1[2][0] = ((-1.0/20000000000.0))*(-2.0*z_50);
     M1[2][1] = (1.0/10000000000.0)*(1098579138.0 + 2.0*z_73);
     const real z_74 = 2159.0*sin_q4 + 1000.0*z_61;
-    const real z_75 = 77724.0*sin_q4 + 33885.0*z_61 + z_74*c_8;
+    const real z_75 = 77724.0*sin_q4 + 33885.0*z_61 + z_74*c_9;
     const real z_76 = 8.0*cos_q5*z_75 + z_74*c_4 + 170000.0*z_71;
     const real z_77 = cos_q4*cos_q5;
     const real z_78 = sin_q5 - (4318.0/203.0)*z_77;
@@ -551,23 +551,23 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_81 = sin_q5*cos_q4;
     const real z_82 = 203.0*cos_q5 + 4318.0*z_81;
     const real z_83 = 2159.0*cos_q5*z_80 + z_79*c_5 + 292320.0*z_78 - 845415424.0*cos_q4 - z_82*z_43;
-    const real c_19 = c[21];
-    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_76 + 10150.0*sin_q5*z_80 + 343365622869.0 + cos_q5*z_82*c_19
+    const real c_10 = c[12];
+    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_76 + 10150.0*sin_q5*z_80 + 343365622869.0 + cos_q5*z_82*c_10
         - 100.0*cos_q4*z_83);
     M1[3][0] = ((-1.0/62500000.0))*(81250.0*z_14 - z_39);
     const real z_84 = sin_q5*z_61;
     M1[3][1] = ((-1.0/62500000.0))*(sin_q5*z_69 - 21250.0*z_84);
     M1[3][2] = (1.0/62500000.0)*(21250.0*z_84 - sin_q5*z_75);
     const real z_85 = cos_q5*cos_q5;
-    const real c_20 = c[22];
-    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_85 + 1200566413273.0 + c_20*z_70);
+    const real c_11 = c[13];
+    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_85 + 1200566413273.0 + c_11*z_70);
     M1[4][0] = (1.0/62500000.0)*(40135.0*z_8 + z_20*c_3 + 27009.0*z_19);
-    const real c_10 = c[12];
-    M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_55*c_10 - 18.0*z_54);
-    M1[4][2] = ((-1.0/62500000.0))*(z_79*c_10 + 3654.0*z_78 - 40135.0*cos_q4);
+    const real c_12 = c[14];
+    M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_55*c_12 - 18.0*z_54);
+    M1[4][2] = ((-1.0/62500000.0))*(z_79*c_12 + 3654.0*z_78 - 40135.0*cos_q4);
     M1[4][3] = em_real(0.0);
-    const real c_21 = c[23];
-    M1[4][4] = c_21;
+    const real c_13 = c[15];
+    M1[4][4] = c_13;
     M1[5][0] = ((-1.0/25000.0))*z_38;
     M1[5][1] = (1.0/25000.0)*(sin_q5*sin_q4);
     M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
@@ -759,8 +759,8 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_142 = (z_56*z_106 - sin_q5*z_135) + c_1*(z_58*z_105 + cos_q5*z_136);
     const real z_72 = shared[43];
     const real z_69 = shared[44];
-    const real c_8 = c[10];
-    const real z_143 = 33885.0*z_139 + z_141*c_8 + 77724.0*z_140;
+    const real c_9 = c[11];
+    const real z_143 = 33885.0*z_139 + z_141*c_9 + 77724.0*z_140;
     const real z_61 = shared[45];
     const real z_70 = shared[46];
     const real z_144 = (2.0*z_61*z_105 + z_95*z_70) + (124307479.0/170000.0)*(z_95 +
@@ -777,7 +777,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_76 = shared[48];
     const real z_75 = shared[49];
     const real z_146 = 2159.0*z_95 + 1000.0*z_139;
-    const real z_147 = 77724.0*z_95 + 33885.0*z_139 + z_146*c_8;
+    const real z_147 = 77724.0*z_95 + 33885.0*z_139 + z_146*c_9;
     const real z_83 = shared[50];
     const real z_80 = shared[51];
     const real z_148 = z_106 + (4318.0/203.0)*(cos_q5*z_103 + cos_q4*z_105);
@@ -796,12 +796,12 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_154 = z_85*z_152 + cos_q5*z_153 - z_70*z_152;
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/62500000.0))*((z_69*z_106 + sin_q5*z_143) - 21250.0*z_154);
     Mdot1[2][3] = Mdot1[3][2] = (1.0/62500000.0)*(21250.0*z_154 - (z_75*z_106 + sin_q5*z_147));
-    const real c_9 = c[11];
-    Mdot1[3][3] = -c_9*(cos_q5*z_105);
+    const real c_14 = c[16];
+    Mdot1[3][3] = -c_14*(cos_q5*z_105);
     Mdot1[0][4] = Mdot1[4][0] = ((-1.0/62500000.0))*(40135.0*z_96 + z_109*c_3 + 27009.0*z_108);
-    const real c_10 = c[12];
-    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_103 + z_134*c_10 + 18.0*z_133);
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_103 + z_149*c_10 + 3654.0*z_148);
+    const real c_12 = c[14];
+    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_103 + z_134*c_12 + 18.0*z_133);
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_103 + z_149*c_12 + 3654.0*z_148);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     Mdot1[0][5] = Mdot1[5][0] = ((-1.0/25000.0))*z_123;
@@ -881,32 +881,32 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_212 = 500000000.0*z_163 + 1575840.0*z_210 + 3001.0*z_211 - 406.0*z_198 - 640.0*(81250.0*z_171 +
         1250.0*cos_q5*z_205 - sin_q5*z_203);
     const real z_213 = q1_dot*cos_q3;
-    const real c_11 = c[13];
-    const real c_12 = c[14];
-    const real z_214 = c_11 + cos_q5*c_12;
-    const real c_13 = c[15];
-    const real c_14 = c[16];
-    const real z_215 = c_13 - z_81*c_14;
     const real c_15 = c[17];
     const real c_16 = c[18];
+    const real z_214 = c_15 + cos_q5*c_16;
+    const real c_17 = c[19];
+    const real c_18 = c[20];
+    const real z_215 = c_17 - z_81*c_18;
+    const real c_19 = c[21];
+    const real c_20 = c[22];
     f1[1] = (1.0/40000000000.0)*(40000000000.0*tau2 + (sin_q2*(4.0*q1_dot*(4145280.0*z_159 +
         19792500.0*(12.0*q2_dot - 455.0*z_156) - 23664000.0*z_160 - 2159.0*z_198) + z_212*z_213 +
-        400000.0*cos_q3*z_214 + 200000.0*sin_q3*z_215 + c_15 - 20960000000.0*cos_q2*z_155 - z_208*z_209) -
-        cos_q2*(174000.0*q1_dot*(48.0*z_160 + 455.0*(136.0*q2_dot - 455.0*z_157)) + 200000.0*cos_q3*z_215 + c_16 -
+        400000.0*cos_q3*z_214 + 200000.0*sin_q3*z_215 + c_19 - 20960000000.0*cos_q2*z_155 - z_208*z_209) -
+        cos_q2*(174000.0*q1_dot*(48.0*z_160 + 455.0*(136.0*q2_dot - 455.0*z_157)) + 200000.0*cos_q3*z_215 + c_20 -
         5200000000.0*sin_q2*z_155 - z_208*z_213 - z_212*z_209 - 400000.0*sin_q3*z_214)));
     const real tau3 = u[2];
     f1[2] = (1.0/40000000000.0)*(40000000000.0*tau3 + (sin_q3*(8636.0*q2_dot*(480.0*z_199 - z_200) + z_156*z_212 +
         400000.0*cos_q2*z_214 + 200000.0*sin_q2*z_215 - z_157*z_208) - cos_q3*(8636.0*q2_dot*(480.0*z_210 + z_211)
         + 200000.0*cos_q2*z_215 - z_156*z_208 - z_157*z_212 - 400000.0*sin_q2*z_214)));
     const real tau4 = u[3];
-    const real c_17 = c[19];
+    const real c_21 = c[23];
     f1[3] = (1.0/40000000000.0)*(40000000000.0*tau4 + (sin_q4*(2.0*z_166*z_192 + 4.0*z_158*z_206 - z_165*z_197 -
-        4.0*z_161*z_207 - z_11*c_17) + cos_q4*(z_165*z_192 + 2.0*z_166*z_197 + 4.0*z_161*z_206 +
+        4.0*z_161*z_207 - z_11*c_21) + cos_q4*(z_165*z_192 + 2.0*z_166*z_197 + 4.0*z_161*z_206 +
         4.0*z_158*z_207)));
     const real tau5 = u[4];
     const real z_216 = c_1*z_194;
     f1[4] = (1.0/40000000000.0)*(40000000000.0*tau5 - (sin_q5*(z_180*z_216 + z_178*z_195 + 640.0*z_162*z_203 +
-        800000.0*z_171*z_205 + z_14*c_17) - cos_q5*(z_178*z_216 + 800000.0*z_162*z_205 + z_27*c_17 - z_180*z_195 -
+        800000.0*z_171*z_205 + z_14*c_21) - cos_q5*(z_178*z_216 + 800000.0*z_162*z_205 + z_27*c_21 - z_180*z_195 -
         640.0*z_171*z_203)));
     const real tau6 = u[5];
     f1[5] = (1.0/40000000000.0)*(40000000000.0*tau6 + (cos_q6*(z_181*z_185 + z_169*z_190 + 640.0*z_172*z_201 +
@@ -1034,8 +1034,8 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real z_45 = cos_q5*c_1;
     const real z_46 = 1821922.0*z_6 + z_39 - z_22*z_45;
     const real z_47 = 1575840.0*z_13 - 5.0*z_34;
-    const real c_18 = c[20];
-    const real z_48 = (cos_q4*z_42 + 0.5*c_18*z_43) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
+    const real c_8 = c[10];
+    const real z_48 = (cos_q4*z_42 + 0.5*c_8*z_43) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
         (1.0/246082.0)*(z_39 + (10.0/203.0)*sin_q4*z_40));
     M1[0][1] = M1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*sin_q2 + 475020000.0*cos_q2 + 4318.0*cos_q3*z_46 +
         4318.0*sin_q3*z_47 - 2.0*z_48);
@@ -1057,41 +1057,41 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real z_64 = sin_q5*z_54;
     const real z_65 = 2426716.0*cos_q3 + 16646.0 + z_56*z_45 - z_64;
     const real z_66 = 845415424.0*cos_q4 + 2159.0*z_55 + z_53*c_5 + z_56*z_41 - 798087304.0*z_49 - 1440.0*z_52;
-    const real c_8 = c[10];
-    const real z_67 = 33885.0*z_59 + z_61*c_8 + 77724.0*z_60;
+    const real c_9 = c[11];
+    const real z_67 = 33885.0*z_59 + z_61*c_9 + 77724.0*z_60;
     const real z_68 = sin_q5*sin_q5;
     const real z_69 = sin_q4*z_68 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_59);
     const real z_70 = 8.0*cos_q5*z_67 + z_61*c_4 + 170000.0*z_69 - 119895747.0*z_58;
-    const real z_71 = (cos_q4*z_66 + 0.5*cos_q5*z_56*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
+    const real z_71 = (cos_q4*z_66 + 0.5*cos_q5*z_56*c_8) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
         (29.0/207264000.0)*(z_64 - (20.0/203.0)*sin_q4*z_70));
     M1[1][1] = (1.0/10000000000.0)*(4318.0*cos_q3*z_65 + 30547567588.0 + 2.0*z_71 - 4318.0*sin_q3*z_63);
     M1[0][2] = M1[2][0] = ((-1.0/20000000000.0))*(-2.0*z_48);
     M1[1][2] = M1[2][1] = (1.0/10000000000.0)*(1098579138.0 + 2.0*z_71);
     const real z_72 = 2159.0*sin_q4 + 1000.0*z_59;
-    const real z_73 = 77724.0*sin_q4 + 33885.0*z_59 + z_72*c_8;
+    const real z_73 = 77724.0*sin_q4 + 33885.0*z_59 + z_72*c_9;
     const real z_74 = 8.0*cos_q5*z_73 + z_72*c_4 + 170000.0*z_69;
     const real z_75 = sin_q5 - (4318.0/203.0)*cos_q4*cos_q5;
     const real z_76 = 203.0*z_75 - 2000.0*cos_q4;
     const real z_77 = c_0*z_76 + 8729.0*z_75 - 2880.0*cos_q4;
     const real z_78 = 203.0*cos_q5 + 4318.0*sin_q5*cos_q4;
     const real z_79 = 2159.0*cos_q5*z_77 + z_76*c_5 + 292320.0*z_75 - 845415424.0*cos_q4 - z_78*z_41;
-    const real c_19 = c[21];
-    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_74 + 10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_19
+    const real c_10 = c[12];
+    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_74 + 10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_10
         - 100.0*cos_q4*z_79);
     M1[0][3] = M1[3][0] = ((-1.0/62500000.0))*(81250.0*z_13 - z_37);
     const real z_80 = sin_q5*z_59;
     M1[1][3] = M1[3][1] = ((-1.0/62500000.0))*(sin_q5*z_67 - 21250.0*z_80);
     M1[2][3] = M1[3][2] = (1.0/62500000.0)*(21250.0*z_80 - sin_q5*z_73);
     const real z_81 = cos_q5*cos_q5;
-    const real c_20 = c[22];
-    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_81 + 1200566413273.0 + c_20*z_68);
+    const real c_11 = c[13];
+    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_81 + 1200566413273.0 + c_11*z_68);
     M1[0][4] = M1[4][0] = (1.0/62500000.0)*(40135.0*z_8 + z_19*c_3 + 27009.0*z_18);
-    const real c_10 = c[12];
-    M1[1][4] = M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_53*c_10 - 18.0*z_52);
-    M1[2][4] = M1[4][2] = ((-1.0/62500000.0))*(z_76*c_10 + 3654.0*z_75 - 40135.0*cos_q4);
+    const real c_12 = c[14];
+    M1[1][4] = M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_53*c_12 - 18.0*z_52);
+    M1[2][4] = M1[4][2] = ((-1.0/62500000.0))*(z_76*c_12 + 3654.0*z_75 - 40135.0*cos_q4);
     M1[3][4] = M1[4][3] = em_real(0.0);
-    const real c_21 = c[23];
-    M1[4][4] = c_21;
+    const real c_13 = c[15];
+    M1[4][4] = c_13;
     M1[0][5] = M1[5][0] = ((-1.0/25000.0))*z_36;
     M1[1][5] = M1[5][1] = (1.0/25000.0)*(sin_q5*sin_q4);
     M1[2][5] = M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
@@ -1274,8 +1274,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real z_140 = (z_54*z_102 - sin_q5*z_133) + c_1*(z_56*z_101 + cos_q5*z_134);
     const real z_70 = shared[39];
     const real z_67 = shared[40];
-    const real c_8 = c[10];
-    const real z_141 = 33885.0*z_137 + z_139*c_8 + 77724.0*z_138;
+    const real c_9 = c[11];
+    const real z_141 = 33885.0*z_137 + z_139*c_9 + 77724.0*z_138;
     const real z_59 = shared[41];
     const real z_68 = shared[42];
     const real z_142 = (2.0*z_59*z_101 + z_91*z_68) + (124307479.0/170000.0)*(z_91 +
@@ -1292,7 +1292,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real z_74 = shared[44];
     const real z_73 = shared[45];
     const real z_144 = 2159.0*z_91 + 1000.0*z_137;
-    const real z_145 = 77724.0*z_91 + 33885.0*z_137 + z_144*c_8;
+    const real z_145 = 77724.0*z_91 + 33885.0*z_137 + z_144*c_9;
     const real z_79 = shared[46];
     const real z_77 = shared[47];
     const real z_146 = z_102 + (4318.0/203.0)*(cos_q5*z_99 + cos_q4*z_101);
@@ -1311,12 +1311,12 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real z_152 = z_81*z_150 + cos_q5*z_151 - z_68*z_150;
     Mdot1[1][3] = Mdot1[3][1] = ((-1.0/62500000.0))*((z_67*z_102 + sin_q5*z_141) - 21250.0*z_152);
     Mdot1[2][3] = Mdot1[3][2] = (1.0/62500000.0)*(21250.0*z_152 - (z_73*z_102 + sin_q5*z_145));
-    const real c_9 = c[11];
-    Mdot1[3][3] = -c_9*(cos_q5*z_101);
+    const real c_14 = c[16];
+    Mdot1[3][3] = -c_14*(cos_q5*z_101);
     Mdot1[0][4] = Mdot1[4][0] = ((-1.0/62500000.0))*(40135.0*z_92 + z_105*c_3 + 27009.0*z_104);
-    const real c_10 = c[12];
-    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_99 + z_132*c_10 + 18.0*z_131);
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_99 + z_147*c_10 + 3654.0*z_146);
+    const real c_12 = c[14];
+    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_99 + z_132*c_12 + 18.0*z_131);
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_99 + z_147*c_12 + 3654.0*z_146);
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     Mdot1[0][5] = Mdot1[5][0] = ((-1.0/25000.0))*z_121;
@@ -1597,21 +1597,21 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_136 = q1_dot*q1_dot;
     const double z_137 = q1_dot*sin_q3;
     const double z_138 = q1_dot*cos_q3;
-    const double c_11 = c[13];
-    const double c_12 = c[14];
-    const double z_139 = c_11 + cos_q5*c_12;
-    const double c_13 = c[15];
-    const double c_14 = c[16];
-    const double z_140 = c_13 - c_14*(sin_q5*cos_q4);
     const double c_15 = c[17];
     const double c_16 = c[18];
+    const double z_139 = c_15 + cos_q5*c_16;
+    const double c_17 = c[19];
+    const double c_18 = c[20];
+    const double z_140 = c_17 - c_18*(sin_q5*cos_q4);
+    const double c_19 = c[21];
+    const double c_20 = c[22];
     const double z_141 = 480.0*z_125 + z_126;
     const double z_142 = 480.0*z_101 - z_102;
     const double z_143 = ((z_108*z_63 + sin_q4*z_120) - (z_109*z_62 + cos_q4*z_122)) + 168000.0*(z_131 +
         (29.0/48000.0)*z_115);
     bias[1] = (1.0/40000000000.0)*((40000000000.0*tau2 + (sin_q2*(4.0*q1_dot*z_57 + z_127*z_138 +
-        400000.0*cos_q3*z_139 + 200000.0*sin_q3*z_140 + c_15 - 20960000000.0*cos_q2*z_136 - z_110*z_137) -
-        cos_q2*(174000.0*q1_dot*z_6 + 200000.0*cos_q3*z_140 + c_16 - 5200000000.0*sin_q2*z_136 - z_110*z_138 -
+        400000.0*cos_q3*z_139 + 200000.0*sin_q3*z_140 + c_19 - 20960000000.0*cos_q2*z_136 - z_110*z_137) -
+        cos_q2*(174000.0*q1_dot*z_6 + 200000.0*cos_q3*z_140 + c_20 - 5200000000.0*sin_q2*z_136 - z_110*z_138 -
         z_127*z_137 - 400000.0*sin_q3*z_139))) - 2.0*(475020000.0*z_8 + 4318.0*(z_142*z_59 + cos_q3*(480.0*z_114 +
         z_115)) + 2.0*z_143 - 5383560000.0*z_7 - 4318.0*(z_141*z_58 + sin_q3*(480.0*z_131 + z_132))));
     const double tau3 = u[2];
@@ -1619,15 +1619,15 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
         400000.0*cos_q2*z_139 + 200000.0*sin_q2*z_140 - z_1*z_110) - cos_q3*(8636.0*q2_dot*z_141 +
         200000.0*cos_q2*z_140 - z_4*z_110 - z_1*z_127 - 400000.0*sin_q2*z_139))) - 2.0*(2.0*z_143));
     const double tau4 = u[3];
-    const double c_17 = c[19];
+    const double c_21 = c[23];
     const double z_144 = z_124 + z_113;
     bias[3] = (1.0/40000000000.0)*((40000000000.0*tau4 + (sin_q4*(2.0*z_21*z_49 + 4.0*z_12*z_108 - z_20*z_55 -
-        4.0*z_16*z_109 - c_17*(z_144*sin_q5)) + cos_q4*(z_20*z_49 + 2.0*z_21*z_55 + 4.0*z_16*z_108 +
+        4.0*z_16*z_109 - c_21*(z_144*sin_q5)) + cos_q4*(z_20*z_49 + 2.0*z_21*z_55 + 4.0*z_16*z_108 +
         4.0*z_12*z_109))) + 640.0*z_133);
     const double tau5 = u[4];
     bias[4] = (1.0/40000000000.0)*((40000000000.0*tau5 - (sin_q5*(z_37*z_52 + z_35*z_53 + 640.0*z_17*z_105 +
-        800000.0*z_28*z_107 + (z_135 - z_130)*c_17) - cos_q5*(z_35*z_52 + 800000.0*z_17*z_107 +
-        c_17*(z_144*cos_q4) - z_37*z_53 - 640.0*z_28*z_105))) + 640.0*z_121);
+        800000.0*z_28*z_107 + (z_135 - z_130)*c_21) - cos_q5*(z_35*z_52 + 800000.0*z_17*z_107 +
+        c_21*(z_144*cos_q4) - z_37*z_53 - 640.0*z_28*z_105))) + 640.0*z_121);
     const double tau6 = u[5];
     bias[5] = (1.0/40000000000.0)*((40000000000.0*tau6 + (cos_q6*(z_38*z_42 + z_24*z_47 + 640.0*z_29*z_103 +
         640.0*z_31*z_104) - sin_q6*(z_24*z_42 + 640.0*z_29*z_104 - z_38*z_47 - 640.0*z_31*z_103))) -
@@ -1699,8 +1699,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double q2_dot = v[1];
     const double z_43 = cos_q5*c_1;
     const double z_44 = sin_q2 + (3.0/34.0)*cos_q2;
-    const double c_18 = c[20];
-    const double z_45 = (cos_q4*z_40 + 0.5*c_18*z_41) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
+    const double c_8 = c[10];
+    const double z_45 = (cos_q4*z_40 + 0.5*c_8*z_41) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
         (1.0/246082.0)*(z_37 + (10.0/203.0)*sin_q4*z_38));
     const double z_46 = 4318.0*cos_q3*(1821922.0*z_6 + z_37 - z_22*z_43) + 4318.0*sin_q3*(1575840.0*z_13 -
         5.0*z_32) + 5383560000.0*z_44 - 2.0*z_45;
@@ -1724,31 +1724,31 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_60 = sin_q4 - z_58;
     const double z_61 = 1000.0*z_59 + 2159.0*z_60;
     const double z_62 = sin_q5*z_55;
-    const double c_8 = c[10];
-    const double z_63 = 33885.0*z_59 + z_61*c_8 + 77724.0*z_60;
+    const double c_9 = c[11];
+    const double z_63 = 33885.0*z_59 + z_61*c_9 + 77724.0*z_60;
     const double z_64 = sin_q5*sin_q5;
     const double z_65 = sin_q4*z_64 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_59);
     const double z_66 = (cos_q4*(845415424.0*cos_q4 + 2159.0*z_56 + z_54*c_5 + z_57*z_39 - 798087304.0*z_50 -
-        1440.0*z_53) + 0.5*cos_q5*z_57*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
+        1440.0*z_53) + 0.5*cos_q5*z_57*c_8) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
         (29.0/207264000.0)*(z_62 - (20.0/203.0)*sin_q4*(8.0*cos_q5*z_63 + z_61*c_4 + 170000.0*z_65 -
         119895747.0*z_58)));
     const double z_67 = 1098579138.0 + 2.0*z_66;
     const double z_68 = sin_q5*sin_q4;
     const double z_69 = cos_q5*z_68;
     const double z_70 = sin_q5*z_63 - 21250.0*z_69;
-    const double c_10 = c[12];
-    const double z_71 = 40135.0*cos_q4 + z_54*c_10 - 18.0*z_53;
+    const double c_12 = c[14];
+    const double z_71 = 40135.0*cos_q4 + z_54*c_12 - 18.0*z_53;
     const double z_72 = q6_dot*z_68;
     const double z_73 = 2159.0*sin_q4 + 1000.0*z_59;
-    const double z_74 = 77724.0*sin_q4 + 33885.0*z_59 + z_73*c_8;
+    const double z_74 = 77724.0*sin_q4 + 33885.0*z_59 + z_73*c_9;
     const double z_75 = sin_q5 - (4318.0/203.0)*cos_q4*cos_q5;
     const double z_76 = 203.0*z_75 - 2000.0*cos_q4;
     const double z_77 = c_0*z_76 + 8729.0*z_75 - 2880.0*cos_q4;
     const double z_78 = 203.0*cos_q5 + 4318.0*sin_q5*cos_q4;
-    const double c_19 = c[21];
+    const double c_10 = c[12];
     const double z_79 = 21250.0*z_69 - sin_q5*z_74;
-    const double z_80 = z_76*c_10 + 3654.0*z_75 - 40135.0*cos_q4;
-    const double c_20 = c[22];
+    const double z_80 = z_76*c_12 + 3654.0*z_75 - 40135.0*cos_q4;
+    const double c_11 = c[13];
     const double c_22 = c[24];
     e[0] = (1.0/50000000000000.0)*(25.0*q1_dot*(q1_dot*(130000000000.0*sin_q2*sin_q2 +
         524000000000.0*cos_q2*cos_q2 + 4350000.0*sin_q2*(207169.0*sin_q2 - 1632.0*cos_q2) + 25.0*z_11*z_36 +
@@ -1756,7 +1756,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         - 25.0*z_3*z_42 - 25.0*z_5*z_42 - 25.0*z_12*z_36) + 16000.0*q5_dot*z_49 - 50.0*q2_dot*z_46 -
         50.0*q3_dot*z_47 - 16000.0*q4_dot*z_48 - 40000000.0*q6_dot*z_34) + 50.0*q3_dot*(20000000.0*z_72 +
         50.0*q2_dot*z_67 + q3_dot*(1000.0*sin_q4*(8.0*cos_q5*z_74 + z_73*c_4 + 170000.0*z_65) +
-        10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_19 - 100.0*cos_q4*(2159.0*cos_q5*z_77 + z_76*c_5 +
+        10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_10 - 100.0*cos_q4*(2159.0*cos_q5*z_77 + z_76*c_5 +
         292320.0*z_75 - 845415424.0*cos_q4 - z_78*z_39)) + 8000.0*q4_dot*z_79 - 25.0*q1_dot*z_47 -
         8000.0*q5_dot*z_80) + 25.0*q5_dot*(16000.0*q1_dot*z_49 + 16000.0*q2_dot*z_71 + q5_dot*c_22 -
         16000.0*q3_dot*z_80) + 100.0*q6_dot*(48526126417.0*q6_dot + 10000000.0*q2_dot*z_68 +
@@ -1766,7 +1766,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         354076.0*z_50) + 10.0*sin_q4*(55533.0*sin_q4 + 288.0*z_59 + z_61*c_2 - 53975.0*z_58) - 2072640.0*sin_q3))
         - 2.0*q3_dot*z_67 - 320.0*q5_dot*z_71 - 800000.0*z_72) - 4.0*q4_dot*(100000.0*q1_dot*z_48 +
         100000.0*q2_dot*z_70 - 100000.0*q3_dot*z_79 - q4_dot*(2125000000.0*cos_q5*cos_q5 + 1200566413273.0 +
-        c_20*z_64) - 250000000.0*q6_dot*cos_q5));
+        c_11*z_64) - 250000000.0*q6_dot*cos_q5));
     e[1] = 0.0;
     e[2] = 0.0;
     const double c_23 = c[25];
@@ -3692,32 +3692,32 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[7] = 100000.0*load; /* c_5 */
     prepared[8] = 2159.0*z_0; /* c_6 */
     prepared[9] = 3001.0*z_0; /* c_7 */
-    prepared[10] = 2500.0*load; /* c_8 */
+    prepared[10] = 203.0*z_0; /* c_8 */
+    prepared[11] = 2500.0*load; /* c_9 */
+    prepared[12] = 10150.0*z_0; /* c_10 */
     const double z_1 = 6777.0 + 500000.0*load;
-    prepared[11] = (1.0/6250000.0)*(4250.0 - z_1); /* c_9 */
-    prepared[12] = 1250.0*load; /* c_10 */
+    prepared[13] = 500000.0*z_1; /* c_11 */
+    prepared[14] = 1250.0*load; /* c_12 */
+    const double z_2 = 171348451657.0 + 40000000000.0*load;
+    prepared[15] = (1.0/1000000000000.0)*z_2; /* c_13 */
+    prepared[16] = (1.0/6250000.0)*(4250.0 - z_1); /* c_14 */
     const double g = parameters[0];
-    const double z_2 = load*g;
-    prepared[13] = 89133.0*g + 43180.0*z_2; /* c_11 */
-    const double z_3 = 9.0*g + 625.0*z_2;
-    prepared[14] = 32.0*z_3; /* c_12 */
-    prepared[15] = 1015.0*(5.0*g + 4.0*z_2); /* c_13 */
-    prepared[16] = 64.0*z_3; /* c_14 */
-    prepared[17] = 4176000000.0*g; /* c_15 */
-    prepared[18] = 6800000.0*(22327.0*g + 2540.0*z_2); /* c_16 */
-    prepared[19] = 12800000.0*z_3; /* c_17 */
-    prepared[20] = 203.0*z_0; /* c_18 */
-    prepared[21] = 10150.0*z_0; /* c_19 */
-    prepared[22] = 500000.0*z_1; /* c_20 */
-    const double z_4 = 171348451657.0 + 40000000000.0*load;
-    prepared[23] = (1.0/1000000000000.0)*z_4; /* c_21 */
-    prepared[24] = z_4; /* c_22 */
+    const double z_3 = load*g;
+    prepared[17] = 89133.0*g + 43180.0*z_3; /* c_15 */
+    const double z_4 = 9.0*g + 625.0*z_3;
+    prepared[18] = 32.0*z_4; /* c_16 */
+    prepared[19] = 1015.0*(5.0*g + 4.0*z_3); /* c_17 */
+    prepared[20] = 64.0*z_4; /* c_18 */
+    prepared[21] = 4176000000.0*g; /* c_19 */
+    prepared[22] = 6800000.0*(22327.0*g + 2540.0*z_3); /* c_20 */
+    prepared[23] = 12800000.0*z_4; /* c_21 */
+    prepared[24] = z_2; /* c_22 */
     prepared[25] = 960.0*g; /* c_23 */
     prepared[26] = 9.0*g; /* c_24 */
     prepared[27] = 34.0*g; /* c_25 */
     prepared[28] = 82.0*g; /* c_26 */
     prepared[29] = 34800.0*g; /* c_27 */
-    prepared[30] = 100.0*z_2; /* c_28 */
+    prepared[30] = 100.0*z_3; /* c_28 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -3793,8 +3793,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
         100.0*cos_q2*(70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_31 - 18759823020.0*cos_q2) - 25.0*z_3*z_42 -
         25.0*z_5*z_42 - 25.0*z_12*z_36);
     const double z_43 = cos_q5*c_1;
-    const double c_18 = c[20];
-    const double z_44 = (cos_q4*z_40 + 0.5*c_18*z_41) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
+    const double c_8 = c[10];
+    const double z_44 = (cos_q4*z_40 + 0.5*c_8*z_41) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
         (1.0/246082.0)*(z_37 + (10.0/203.0)*sin_q4*z_38));
     M[6] = M[1] = ((-1.0/20000000000.0))*(5383560000.0*sin_q2 + 475020000.0*cos_q2 + 4318.0*cos_q3*(1821922.0*z_6
         + z_37 - z_22*z_43) + 4318.0*sin_q3*(1575840.0*z_13 - 5.0*z_32) - 2.0*z_44);
@@ -3811,12 +3811,12 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_55 = sin_q4 - z_53;
     const double z_56 = 1000.0*z_54 + 2159.0*z_55;
     const double z_57 = sin_q5*z_50;
-    const double c_8 = c[10];
-    const double z_58 = 33885.0*z_54 + z_56*c_8 + 77724.0*z_55;
+    const double c_9 = c[11];
+    const double z_58 = 33885.0*z_54 + z_56*c_9 + 77724.0*z_55;
     const double z_59 = sin_q5*sin_q5;
     const double z_60 = sin_q4*z_59 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_54);
     const double z_61 = (cos_q4*(845415424.0*cos_q4 + 2159.0*z_51 + z_49*c_5 + z_52*z_39 - 798087304.0*z_45 -
-        1440.0*z_48) + 0.5*cos_q5*z_52*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
+        1440.0*z_48) + 0.5*cos_q5*z_52*c_8) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
         (29.0/207264000.0)*(z_57 - (20.0/203.0)*sin_q4*(8.0*cos_q5*z_58 + z_56*c_4 + 170000.0*z_60 -
         119895747.0*z_53)));
     M[7] = (1.0/10000000000.0)*(4318.0*cos_q3*(2426716.0*cos_q3 + 16646.0 + z_52*z_43 - z_57) + 30547567588.0 +
@@ -3825,29 +3825,29 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[12] = M[2] = ((-1.0/20000000000.0))*(-2.0*z_44);
     M[13] = M[8] = (1.0/10000000000.0)*(1098579138.0 + 2.0*z_61);
     const double z_62 = 2159.0*sin_q4 + 1000.0*z_54;
-    const double z_63 = 77724.0*sin_q4 + 33885.0*z_54 + z_62*c_8;
+    const double z_63 = 77724.0*sin_q4 + 33885.0*z_54 + z_62*c_9;
     const double z_64 = sin_q5 - (4318.0/203.0)*cos_q4*cos_q5;
     const double z_65 = 203.0*z_64 - 2000.0*cos_q4;
     const double z_66 = c_0*z_65 + 8729.0*z_64 - 2880.0*cos_q4;
     const double z_67 = 203.0*cos_q5 + 4318.0*sin_q5*cos_q4;
-    const double c_19 = c[21];
+    const double c_10 = c[12];
     M[14] = (1.0/500000000000.0)*(1000.0*sin_q4*(8.0*cos_q5*z_63 + z_62*c_4 + 170000.0*z_60) + 10150.0*sin_q5*z_66
-        + 343365622869.0 + cos_q5*z_67*c_19 - 100.0*cos_q4*(2159.0*cos_q5*z_66 + z_65*c_5 + 292320.0*z_64 -
+        + 343365622869.0 + cos_q5*z_67*c_10 - 100.0*cos_q4*(2159.0*cos_q5*z_66 + z_65*c_5 + 292320.0*z_64 -
         845415424.0*cos_q4 - z_67*z_39));
     M[18] = M[3] = ((-1.0/62500000.0))*(81250.0*z_13 - z_35);
     const double z_68 = sin_q5*sin_q4;
     const double z_69 = cos_q5*z_68;
     M[19] = M[9] = ((-1.0/62500000.0))*(sin_q5*z_58 - 21250.0*z_69);
     M[20] = M[15] = (1.0/62500000.0)*(21250.0*z_69 - sin_q5*z_63);
-    const double c_20 = c[22];
-    M[21] = (1.0/6250000000000.0)*(2125000000.0*cos_q5*cos_q5 + 1200566413273.0 + c_20*z_59);
+    const double c_11 = c[13];
+    M[21] = (1.0/6250000000000.0)*(2125000000.0*cos_q5*cos_q5 + 1200566413273.0 + c_11*z_59);
     M[24] = M[4] = (1.0/62500000.0)*(40135.0*z_8 + z_19*c_3 + 27009.0*z_18);
-    const double c_10 = c[12];
-    M[25] = M[10] = (1.0/62500000.0)*(40135.0*cos_q4 + z_49*c_10 - 18.0*z_48);
-    M[26] = M[16] = ((-1.0/62500000.0))*(z_65*c_10 + 3654.0*z_64 - 40135.0*cos_q4);
+    const double c_12 = c[14];
+    M[25] = M[10] = (1.0/62500000.0)*(40135.0*cos_q4 + z_49*c_12 - 18.0*z_48);
+    M[26] = M[16] = ((-1.0/62500000.0))*(z_65*c_12 + 3654.0*z_64 - 40135.0*cos_q4);
     M[27] = M[22] = 0.0;
-    const double c_21 = c[23];
-    M[28] = c_21;
+    const double c_13 = c[15];
+    M[28] = c_13;
     M[30] = M[5] = ((-1.0/25000.0))*z_34;
     M[31] = M[11] = (1.0/25000.0)*z_68;
     M[32] = M[17] = (1.0/25000.0)*z_68;

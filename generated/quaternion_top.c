@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:1367af0c3c2a7075f3170bc56f8a2a204ab4794b4f0847c4fdc9a0841bd123d9 */
+/* body sha256:223d78a719add8d4a451d76eb529dd4b01feaf725bb8e060a48dac5ee1745663 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -108,29 +108,29 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_16 = q_2_dot*q_0;
     const real z_17 = z_15 + z_16;
     Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
-    const real c_3 = c[8];
+    const real c_4 = c[9];
     const real z_18 = q_2_dot*q_1;
     const real z_19 = q_1_dot*q_2;
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_18 + z_19));
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_4*(z_18 + z_19));
     Mdot1[2][2] = 8.0*(J3*z_2 + c_0*z_3 + z_11);
     const real z_20 = q_0_dot*q_3;
     const real z_21 = q_3_dot*q_0;
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_20 + z_21));
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_4*(z_20 + z_21));
     Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_17 + c_2*z_14);
     Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_10 - c_2*z_7);
     Mdot1[3][3] = 8.0*(J3*z_1 + c_0*z_0 + z_4);
-    const real c_4 = c[9];
     const real c_5 = c[10];
-    const real z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
     const real c_6 = c[11];
-    const real z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
-    const real z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
+    const real z_22 = (z_20 + z_18 - z_21 - z_19)*c_6;
     const real c_7 = c[12];
-    const real z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
-    f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_4 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
-    f1[3] = 2.0*((q_0_dot*z_22 + q_1_dot*z_23 - q_3*c_4 - q_2_dot*z_24) + q_3_dot*z_25);
+    const real z_23 = (z_15 + z_12 - z_16 - z_13)*c_7;
+    const real z_24 = (z_8 + z_5 - z_9 - z_6)*c_7;
+    const real c_8 = c[13];
+    const real z_25 = (z_0 + z_2 + z_3 + z_1)*c_8;
+    f1[0] = (-2.0)*((q_0*c_5 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
+    f1[1] = 2.0*((q_1*c_5 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
+    f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_5 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
+    f1[3] = 2.0*((q_0_dot*z_22 + q_1_dot*z_23 - q_3*c_5 - q_2_dot*z_24) + q_3_dot*z_25);
     A1[0][0] = 2.0*q_0;
     A1[0][1] = 2.0*q_1;
     A1[0][2] = 2.0*q_2;
@@ -236,10 +236,10 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_8 = q_1*c_1;
     const real z_9 = q_2*c_2;
     M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const real c_8 = c[13];
-    M1[2][1] = -c_8*(q_1*q_2);
+    const real c_3 = c[8];
+    M1[2][1] = -c_3*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[3][0] = -c_8*(q_3*q_0);
+    M1[3][0] = -c_3*(q_3*q_0);
     M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -284,29 +284,29 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_26 = q_2_dot*q_0;
     const real z_27 = z_25 + z_26;
     Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
-    const real c_3 = c[8];
+    const real c_4 = c[9];
     const real z_28 = q_2_dot*q_1;
     const real z_29 = q_1_dot*q_2;
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_28 + z_29));
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_4*(z_28 + z_29));
     Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_21);
     const real z_30 = q_0_dot*q_3;
     const real z_31 = q_3_dot*q_0;
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_30 + z_31));
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_4*(z_30 + z_31));
     Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_27 + c_2*z_24);
     Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_20 - c_2*z_17);
     Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
-    const real c_4 = c[9];
     const real c_5 = c[10];
-    const real z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
     const real c_6 = c[11];
-    const real z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
-    const real z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
+    const real z_32 = (z_30 + z_28 - z_31 - z_29)*c_6;
     const real c_7 = c[12];
-    const real z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
-    f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_4 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
-    f1[3] = 2.0*((q_0_dot*z_32 + q_1_dot*z_33 - q_3*c_4 - q_2_dot*z_34) + q_3_dot*z_35);
+    const real z_33 = (z_25 + z_22 - z_26 - z_23)*c_7;
+    const real z_34 = (z_18 + z_15 - z_19 - z_16)*c_7;
+    const real c_8 = c[13];
+    const real z_35 = (z_10 + z_12 + z_13 + z_11)*c_8;
+    f1[0] = (-2.0)*((q_0*c_5 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
+    f1[1] = 2.0*((q_1*c_5 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
+    f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_5 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
+    f1[3] = 2.0*((q_0_dot*z_32 + q_1_dot*z_33 - q_3*c_5 - q_2_dot*z_34) + q_3_dot*z_35);
     A1[0][0] = 2.0*q_0;
     A1[0][1] = 2.0*q_1;
     A1[0][2] = 2.0*q_2;
@@ -437,7 +437,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            double *restrict gamma)
 {
     const double q_0 = x[0];
-    const double c_4 = c[9];
+    const double c_5 = c[10];
     const double q_3_dot = v[3];
     const double q_0_dot = v[0];
     const double q_3 = x[3];
@@ -446,28 +446,28 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double q_1_dot = v[1];
     const double q_2 = x[2];
     const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
-    const double c_5 = c[10];
-    const double z_1 = z_0*c_5;
-    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
     const double c_6 = c[11];
-    const double z_3 = z_2*c_6;
+    const double z_1 = z_0*c_6;
+    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double c_7 = c[12];
+    const double z_3 = z_2*c_7;
     const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
-    const double z_5 = z_4*c_6;
+    const double z_5 = z_4*c_7;
     const double J3 = c[4];
     const double z_6 = J3*z_0;
     const double J = c[3];
     const double z_7 = J*z_2;
     const double z_8 = J*z_4;
     const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
-    const double c_7 = c[12];
-    const double z_10 = z_9*c_7;
-    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
+    const double c_8 = c[13];
+    const double z_10 = z_9*c_8;
+    bias[0] = (-2.0)*(((q_0*c_5 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
         q_1_dot*z_8)) + q_0*z_10);
-    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
+    bias[1] = 2.0*(((q_1*c_5 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
         q_3_dot*z_7)) - q_1*z_10);
-    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
+    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_5 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
         q_3_dot*z_8)) + q_2*z_10);
-    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
+    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_5 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
         q_2_dot*z_8)) - q_3*z_10);
     gamma[0] = 2.0*z_9;
 }
@@ -509,8 +509,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         q_3_dot*(J3*z_11 + z_3)));
     e[1] = 0.0;
     e[2] = 0.0;
-    const double c_4 = c[9];
-    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
+    const double c_5 = c[10];
+    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_5;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -966,15 +966,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[6] = J - J3; /* c_1 */
     prepared[7] = J - z_0; /* c_2 */
     const double z_1 = J3 - z_0;
-    prepared[8] = z_1; /* c_3 */
+    prepared[8] = 4.0*z_1; /* c_3 */
+    prepared[9] = z_1; /* c_4 */
     const double g = parameters[2];
     const double l = parameters[1];
     const double m = parameters[0];
-    prepared[9] = g*l*m; /* c_4 */
-    prepared[10] = 2.0*J3; /* c_5 */
-    prepared[11] = 2.0*J; /* c_6 */
-    prepared[12] = 2.0*z_0; /* c_7 */
-    prepared[13] = 4.0*z_1; /* c_8 */
+    prepared[10] = g*l*m; /* c_5 */
+    prepared[11] = 2.0*J3; /* c_6 */
+    prepared[12] = 2.0*J; /* c_7 */
+    prepared[13] = 2.0*z_0; /* c_8 */
     prepared[14] = 4.0*J3; /* c_9 */
     prepared[15] = 2.5*l; /* c_10 */
     prepared[16] = 1.25*l; /* c_11 */
@@ -1050,10 +1050,10 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double z_8 = q_1*q_3;
     const double z_9 = q_2*q_0;
     M[8] = M[2] = (-4.0)*(c_1*z_8 + c_2*z_9);
-    const double c_8 = c[13];
-    M[9] = M[6] = -c_8*(q_1*q_2);
+    const double c_3 = c[8];
+    M[9] = M[6] = -c_3*(q_1*q_2);
     M[10] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M[12] = M[3] = -c_8*(q_3*q_0);
+    M[12] = M[3] = -c_3*(q_3*q_0);
     M[13] = M[7] = (-4.0)*(c_1*z_9 + c_2*z_8);
     M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -1135,10 +1135,10 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_8 = q_1*c_1;
     const double z_9 = q_2*c_2;
     M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const double c_8 = c[13];
-    M1[1][2] = M1[2][1] = -c_8*(q_1*q_2);
+    const double c_3 = c[8];
+    M1[1][2] = M1[2][1] = -c_3*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[0][3] = M1[3][0] = -c_8*(q_3*q_0);
+    M1[0][3] = M1[3][0] = -c_3*(q_3*q_0);
     M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[2][3] = M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -1180,10 +1180,10 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
     const double z_18 = q_1_dot*q_3 + q_3_dot*q_1;
     const double z_19 = q_0_dot*q_2 + q_2_dot*q_0;
     Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_18 + c_2*z_19);
-    const double c_3 = c[8];
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(q_2_dot*q_1 + q_1_dot*q_2));
+    const double c_4 = c[9];
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_4*(q_2_dot*q_1 + q_1_dot*q_2));
     Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_17);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(q_0_dot*q_3 + q_3_dot*q_0));
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_4*(q_0_dot*q_3 + q_3_dot*q_0));
     Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_19 + c_2*z_18);
     Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_16 - c_2*z_15);
     Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);

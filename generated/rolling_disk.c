@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:bad3937d060fa93e84f3eeb7002e2a5e6b976fc0f276e584073a2c4966d4d6aa */
+/* body sha256:bc5f65cb9675f83e733e5662e58c716ea6cb79e751a7bae6016e42f1ed5190a7 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -88,8 +88,8 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_5 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_2 - sin_phi*z_5));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_5 + sin_phi*z_2);
-    const real c_1 = c[4];
-    Mdot1[2][2] = sin_theta*c_1*z_2;
+    const real c_4 = c[7];
+    Mdot1[2][2] = sin_theta*c_4*z_2;
     const real z_6 = theta_dot*sin_theta;
     const real z_7 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_6 - cos_phi*z_7);
@@ -98,8 +98,8 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     Mdot1[3][3] = em_real(0.0);
     Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
-    const real c_2 = c[5];
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_2;
+    const real c_3 = c[6];
+    Mdot1[2][4] = Mdot1[4][2] = -c_3*z_2;
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
@@ -107,17 +107,17 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real x_dot = v[0];
     const real y_dot = v[1];
     f1[2] = -(cos_phi*(c_0*(x_dot*z_2 + y_dot*z_5)) + sin_phi*(c_0*(y_dot*z_2 - x_dot*z_5)));
-    const real c_3 = c[6];
+    const real c_1 = c[4];
     const real z_8 = phi_dot*phi_dot;
-    const real c_4 = c[7];
     const real c_5 = c[8];
+    const real c_6 = c[9];
     const real psi_dot = v[4];
     const real z_9 = phi_dot*psi_dot;
-    const real c_6 = c[9];
     const real c_7 = c[10];
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_8 -
-        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_9 + sin_phi*c_6*(y_dot*phi_dot) +
-        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_8));
+    const real c_8 = c[11];
+    f1[3] = 0.25*(sin_theta*(c_5 + sin_phi*c_6*(x_dot*theta_dot) - cos_theta*c_1*z_8 -
+        cos_phi*c_6*(y_dot*theta_dot)) - 2.0*cos_theta*(c_1*z_9 + sin_phi*c_7*(y_dot*phi_dot) +
+        cos_phi*c_7*(x_dot*phi_dot) - sin_theta*c_8*z_8));
     f1[4] = em_real(0.0);
     A1[0][0] = em_real(1.0);
     A1[0][1] = em_real(0.0);
@@ -229,20 +229,20 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real sin_phi = em_sin(phi);
     const real z_4 = sin_phi*c_0;
     M1[2][1] = -sin_theta*z_4;
-    const real c_3 = c[6];
+    const real c_1 = c[4];
     const real cos_theta = em_cos(theta);
-    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[2][2] = 0.25*(c_1*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[3][0] = -cos_theta*z_4;
     M1[3][1] = cos_theta*z_2;
     M1[3][2] = em_real(0.0);
-    const real c_8 = c[11];
-    M1[3][3] = c_8;
+    const real c_2 = c[5];
+    M1[3][3] = c_2;
     M1[4][0] = em_real(0.0);
     M1[4][1] = em_real(0.0);
-    const real c_2 = c[5];
-    M1[4][2] = -sin_theta*c_2;
+    const real c_3 = c[6];
+    M1[4][2] = -sin_theta*c_3;
     M1[4][3] = em_real(0.0);
-    M1[4][4] = c_2;
+    M1[4][4] = c_3;
     shared[0] = cos_phi;
     shared[1] = cos_theta;
     shared[2] = sin_phi;
@@ -267,8 +267,8 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real z_7 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
-    const real c_1 = c[4];
-    Mdot1[2][2] = sin_theta*c_1*z_6;
+    const real c_4 = c[7];
+    Mdot1[2][2] = sin_theta*c_4*z_6;
     const real z_8 = theta_dot*sin_theta;
     const real z_9 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
@@ -277,8 +277,8 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     Mdot1[3][3] = em_real(0.0);
     Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
-    const real c_2 = c[5];
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    const real c_3 = c[6];
+    Mdot1[2][4] = Mdot1[4][2] = -c_3*z_6;
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
@@ -286,17 +286,17 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real x_dot = v[0];
     const real y_dot = v[1];
     f1[2] = -(cos_phi*(c_0*(x_dot*z_6 + y_dot*z_7)) + sin_phi*(c_0*(y_dot*z_6 - x_dot*z_7)));
-    const real c_3 = c[6];
+    const real c_1 = c[4];
     const real z_10 = phi_dot*phi_dot;
-    const real c_4 = c[7];
     const real c_5 = c[8];
+    const real c_6 = c[9];
     const real psi_dot = v[4];
     const real z_11 = phi_dot*psi_dot;
-    const real c_6 = c[9];
     const real c_7 = c[10];
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_10 -
-        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_11 + sin_phi*c_6*(y_dot*phi_dot) +
-        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_10));
+    const real c_8 = c[11];
+    f1[3] = 0.25*(sin_theta*(c_5 + sin_phi*c_6*(x_dot*theta_dot) - cos_theta*c_1*z_10 -
+        cos_phi*c_6*(y_dot*theta_dot)) - 2.0*cos_theta*(c_1*z_11 + sin_phi*c_7*(y_dot*phi_dot) +
+        cos_phi*c_7*(x_dot*phi_dot) - sin_theta*c_8*z_10));
     f1[4] = em_real(0.0);
     A1[0][0] = em_real(1.0);
     A1[0][1] = em_real(0.0);
@@ -399,20 +399,20 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real sin_phi = em_sin(phi);
     const real z_4 = sin_phi*c_0;
     M1[1][2] = M1[2][1] = -sin_theta*z_4;
-    const real c_3 = c[6];
+    const real c_1 = c[4];
     const real cos_theta = em_cos(theta);
-    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[2][2] = 0.25*(c_1*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[0][3] = M1[3][0] = -cos_theta*z_4;
     M1[1][3] = M1[3][1] = cos_theta*z_2;
     M1[2][3] = M1[3][2] = em_real(0.0);
-    const real c_8 = c[11];
-    M1[3][3] = c_8;
+    const real c_2 = c[5];
+    M1[3][3] = c_2;
     M1[0][4] = M1[4][0] = em_real(0.0);
     M1[1][4] = M1[4][1] = em_real(0.0);
-    const real c_2 = c[5];
-    M1[2][4] = M1[4][2] = -sin_theta*c_2;
+    const real c_3 = c[6];
+    M1[2][4] = M1[4][2] = -sin_theta*c_3;
     M1[3][4] = M1[4][3] = em_real(0.0);
-    M1[4][4] = c_2;
+    M1[4][4] = c_3;
     A1[0][0] = em_real(1.0);
     A1[0][1] = em_real(0.0);
     A1[0][2] = em_real(0.0);
@@ -450,8 +450,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real z_7 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
-    const real c_1 = c[4];
-    Mdot1[2][2] = sin_theta*c_1*z_6;
+    const real c_4 = c[7];
+    Mdot1[2][2] = sin_theta*c_4*z_6;
     const real z_8 = theta_dot*sin_theta;
     const real z_9 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
@@ -460,8 +460,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     Mdot1[3][3] = em_real(0.0);
     Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
-    const real c_2 = c[5];
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    const real c_3 = c[6];
+    Mdot1[2][4] = Mdot1[4][2] = -c_3*z_6;
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
 }
@@ -618,21 +618,21 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_14 = y_dot*theta_dot;
     const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
     const double psi_dot = v[4];
-    const double c_3 = c[6];
+    const double c_1 = c[4];
     const double c_9 = c[12];
     bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
-        theta_dot*cos_theta*(psi_dot*c_3)));
+        theta_dot*cos_theta*(psi_dot*c_1)));
     const double z_16 = z_6*(x_dot*cos_phi);
-    const double c_5 = c[8];
+    const double c_6 = c[9];
     const double z_17 = z_6*(y_dot*sin_phi);
     const double z_18 = z_3*z_12;
     const double z_19 = z_11*z_14;
     const double c_10 = c[13];
-    const double c_4 = c[7];
-    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
-        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
-    const double c_2 = c[5];
-    bias[4] = c_2*z_7;
+    const double c_5 = c[8];
+    bias[3] = (-0.25)*(((z_16*c_6 + z_17*c_6 + z_19*c_6 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
+        z_18*c_6) - sin_theta*c_5) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
+    const double c_3 = c[6];
+    bias[4] = c_3*z_7;
     const double r = c[1];
     const double z_20 = r*(phi_dot*psi_dot);
     gamma[0] = sin_phi*z_20;
@@ -659,17 +659,17 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double cos_theta = em_cos(theta);
     const double z_7 = theta_dot*cos_theta;
     const double y_dot = v[1];
-    const double c_3 = c[6];
-    const double c_5 = c[8];
-    const double z_8 = cos_phi*c_5;
-    const double z_9 = sin_phi*c_5;
+    const double c_1 = c[4];
+    const double c_6 = c[9];
+    const double z_8 = cos_phi*c_6;
+    const double z_9 = sin_phi*c_6;
     const double c_10 = c[13];
     const double psi_dot = v[4];
     const double c_9 = c[12];
     e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
         phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
-        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
-        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
+        phi_dot*(c_1*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
+        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_1*(-(psi_dot - z_1))));
     e[1] = 0.0;
     e[2] = 0.0;
     const double c_11 = c[14];
@@ -958,16 +958,16 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_0 = m*r;
     prepared[3] = z_0; /* c_0 */
     const double z_1 = m*(r*r);
-    prepared[4] = 2.5*z_1; /* c_1 */
-    prepared[5] = 0.5*z_1; /* c_2 */
-    prepared[6] = z_1; /* c_3 */
+    prepared[4] = z_1; /* c_1 */
+    prepared[5] = 1.25*z_1; /* c_2 */
+    prepared[6] = 0.5*z_1; /* c_3 */
+    prepared[7] = 2.5*z_1; /* c_4 */
     const double g = parameters[2];
     const double z_2 = g*z_0;
-    prepared[7] = 4.0*z_2; /* c_4 */
-    prepared[8] = 4.0*z_0; /* c_5 */
-    prepared[9] = 2.0*z_0; /* c_6 */
-    prepared[10] = 3.0*z_1; /* c_7 */
-    prepared[11] = 1.25*z_1; /* c_8 */
+    prepared[8] = 4.0*z_2; /* c_5 */
+    prepared[9] = 4.0*z_0; /* c_6 */
+    prepared[10] = 2.0*z_0; /* c_7 */
+    prepared[11] = 3.0*z_1; /* c_8 */
     prepared[12] = 5.0*z_1; /* c_9 */
     prepared[13] = 2.0*z_1; /* c_10 */
     prepared[14] = z_2; /* c_11 */
@@ -1002,20 +1002,20 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double sin_phi = em_sin(phi);
     const double z_4 = sin_phi*c_0;
     M[11] = M[7] = -sin_theta*z_4;
-    const double c_3 = c[6];
+    const double c_1 = c[4];
     const double cos_theta = em_cos(theta);
-    M[12] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M[12] = 0.25*(c_1*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M[15] = M[3] = -cos_theta*z_4;
     M[16] = M[8] = cos_theta*z_2;
     M[17] = M[13] = 0.0;
-    const double c_8 = c[11];
-    M[18] = c_8;
+    const double c_2 = c[5];
+    M[18] = c_2;
     M[20] = M[4] = 0.0;
     M[21] = M[9] = 0.0;
-    const double c_2 = c[5];
-    M[22] = M[14] = -sin_theta*c_2;
+    const double c_3 = c[6];
+    M[22] = M[14] = -sin_theta*c_3;
     M[23] = M[19] = 0.0;
-    M[24] = c_2;
+    M[24] = c_3;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

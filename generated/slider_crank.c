@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:b680c5afcbc24d523f6759dcc830efb593cd3f3fdcede1027c10b66a6fc9adbf */
+/* body sha256:667ed292ba803b7287a0f9a6bf03ee986bb009a32beec75aa1125238c6610e9f */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -79,7 +79,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[10];
+    const real c_1 = c[11];
     const real phi_dot = v[1];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
@@ -90,13 +90,13 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real sin_phi = em_sin(phi);
     const real cos_theta = em_cos(theta);
     const real z_5 = sin_phi*cos_theta;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_2 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_2));
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_1*(phi_dot*z_2 + theta_dot*z_5) + c_1*(phi_dot*z_5 + theta_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_2));
-    const real c_1 = c[11];
-    f1[0] = 0.5*(z_6 - cos_theta*c_1);
-    const real c_2 = c[12];
-    f1[1] = 0.5*(z_6 + cos_phi*c_2);
+    const real z_6 = theta_dot*phi_dot*(c_1*(z_5 + z_2));
+    const real c_3 = c[13];
+    f1[0] = 0.5*(z_6 - cos_theta*c_3);
+    const real c_4 = c[14];
+    f1[1] = 0.5*(z_6 + cos_phi*c_4);
     f2[0] = em_real(0.0);
     const real r = c[0];
     const real z_7 = r*sin_theta;
@@ -212,18 +212,18 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_3 = c[13];
-    M1[0][0] = c_3;
     const real c_0 = c[10];
+    M1[0][0] = c_0;
+    const real c_1 = c[11];
     const real phi = x[1];
     const real sin_phi = em_sin(phi);
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
     const real cos_phi = em_cos(phi);
     const real cos_theta = em_cos(theta);
-    M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
-    const real c_4 = c[14];
-    M1[1][1] = c_4;
+    M1[1][0] = 0.5*(c_1*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const real c_2 = c[12];
+    M1[1][1] = c_2;
     shared[0] = sin_theta;
     shared[1] = cos_phi;
     shared[2] = sin_phi;
@@ -236,7 +236,7 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
-    const real c_0 = c[10];
+    const real c_1 = c[11];
     const real phi_dot = v[1];
     const real sin_theta = shared[0];
     const real cos_phi = shared[1];
@@ -245,13 +245,13 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real sin_phi = shared[2];
     const real cos_theta = shared[3];
     const real z_5 = sin_phi*cos_theta;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_1*(phi_dot*z_4 + theta_dot*z_5) + c_1*(phi_dot*z_5 + theta_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
-    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_4));
-    const real c_1 = c[11];
-    f1[0] = 0.5*(z_6 - cos_theta*c_1);
-    const real c_2 = c[12];
-    f1[1] = 0.5*(z_6 + cos_phi*c_2);
+    const real z_6 = theta_dot*phi_dot*(c_1*(z_5 + z_4));
+    const real c_3 = c[13];
+    f1[0] = 0.5*(z_6 - cos_theta*c_3);
+    const real c_4 = c[14];
+    f1[1] = 0.5*(z_6 + cos_phi*c_4);
     f2[0] = em_real(0.0);
     const real r = c[0];
     const real z_7 = r*sin_theta;
@@ -409,7 +409,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 {
     const double theta_dot = v[0];
     const double phi_dot = v[1];
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
     const double theta = x[0];
@@ -418,12 +418,12 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double z_5 = sin_theta*cos_phi;
-    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
-    const double c_1 = c[11];
-    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
-    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
-    const double c_2 = c[12];
-    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
+    const double z_6 = theta_dot*phi_dot*(c_1*(z_2 + z_5));
+    const double c_3 = c[13];
+    const double z_7 = c_1*(phi_dot*z_5 + theta_dot*z_2) + c_1*(phi_dot*z_2 + theta_dot*z_5);
+    bias[0] = 0.5*((z_6 - cos_theta*c_3) - phi_dot*z_7);
+    const double c_4 = c[14];
+    bias[1] = 0.5*((z_6 + cos_phi*c_4) - theta_dot*z_7);
     bias[2] = 0.0;
     const double r = c[0];
     const double z_8 = r*(theta_dot*theta_dot);
@@ -439,14 +439,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 {
     const double theta_dot = v[0];
     const double phi_dot = v[1];
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
+    const double z_4 = c_1*(sin_phi*sin_theta - cos_phi*cos_theta);
     const double c_7 = c[17];
     const double c_8 = c[18];
     const double c_9 = c[19];
@@ -733,28 +733,28 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 {
     const double m_s = parameters[4];
     M2[0][0] = m_s;
-    const double l = parameters[1];
     const double m_r = parameters[3];
     const double r = parameters[0];
-    const double z_0 = m_r*r;
-    prepared[10] = l*z_0; /* c_0 */
-    const double g = parameters[5];
+    const double z_0 = r*r;
     const double m_c = parameters[2];
-    const double z_1 = r*m_c;
-    prepared[11] = g*z_1 + 2.0*g*z_0; /* c_1 */
-    prepared[12] = m_r*l*g; /* c_2 */
-    const double z_2 = r*r;
-    const double z_3 = 3.0*m_r*z_2 + m_c*z_2;
-    prepared[13] = (1.0/3.0)*z_3; /* c_3 */
-    const double z_4 = m_r*(l*l);
-    prepared[14] = (1.0/3.0)*z_4; /* c_4 */
+    const double z_1 = 3.0*m_r*z_0 + m_c*z_0;
+    prepared[10] = (1.0/3.0)*z_1; /* c_0 */
+    const double l = parameters[1];
+    const double z_2 = m_r*r;
+    prepared[11] = l*z_2; /* c_1 */
+    const double z_3 = m_r*(l*l);
+    prepared[12] = (1.0/3.0)*z_3; /* c_2 */
+    const double g = parameters[5];
+    const double z_4 = r*m_c;
+    prepared[13] = g*z_4 + 2.0*g*z_2; /* c_3 */
+    prepared[14] = m_r*l*g; /* c_4 */
     prepared[15] = fabs(r); /* c_5 */
     prepared[16] = fabs(l); /* c_6 */
-    prepared[17] = 2.0*z_3; /* c_7 */
-    prepared[18] = 2.0*z_4; /* c_8 */
+    prepared[17] = 2.0*z_1; /* c_7 */
+    prepared[18] = 2.0*z_3; /* c_8 */
     prepared[19] = 6.0*m_s; /* c_9 */
     prepared[20] = 2.0*r; /* c_10 */
-    prepared[21] = z_1; /* c_11 */
+    prepared[21] = z_4; /* c_11 */
     prepared[22] = 0.5*g; /* c_12 */
     prepared[23] = ((-1.0/3.0))*(4.0*r - 3.0*l); /* c_13 */
     prepared[24] = ((-1.0/3.0))*r; /* c_14 */
@@ -775,18 +775,18 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_3 = c[13];
-    M[0] = c_3;
     const double c_0 = c[10];
+    M[0] = c_0;
+    const double c_1 = c[11];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    M[3] = M[1] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
-    const double c_4 = c[14];
-    M[4] = c_4;
+    M[3] = M[1] = 0.5*(c_1*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const double c_2 = c[12];
+    M[4] = c_2;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
     const double m_s = c[4];
@@ -863,18 +863,18 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
                               double shared[4])
 {
-    const double c_3 = c[13];
-    M1[0][0] = c_3;
     const double c_0 = c[10];
+    M1[0][0] = c_0;
+    const double c_1 = c[11];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    M1[0][1] = M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
-    const double c_4 = c[14];
-    M1[1][1] = c_4;
+    M1[0][1] = M1[1][0] = 0.5*(c_1*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const double c_2 = c[12];
+    M1[1][1] = c_2;
     const double r = c[0];
     A1[0][0] = r*sin_theta;
     const double l = c[1];
@@ -896,7 +896,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1])
 {
     Mdot1[0][0] = 0.0;
-    const double c_0 = c[10];
+    const double c_1 = c[11];
     const double phi_dot = v[1];
     const double sin_theta = shared[0];
     const double cos_phi = shared[1];
@@ -905,7 +905,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     const double sin_phi = shared[2];
     const double cos_theta = shared[3];
     const double z_5 = sin_phi*cos_theta;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_1*(phi_dot*z_4 + theta_dot*z_5) + c_1*(phi_dot*z_5 + theta_dot*z_4));
     Mdot1[1][1] = 0.0;
 }
 

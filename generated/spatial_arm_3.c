@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:252b32f0a33061e689c16c1f310e7f628d80c1a5d5eef5c1f0f284477a5ee1b7 */
+/* body sha256:75fc9753b221f68e8e808fe986a9ada48bbd71ff23d2e08eab27f9cad36e8781 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -93,37 +93,37 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_9 = l_3*z_6 + 2.0*(cos_q_3*(l_2*z_6) + z_2*z_8);
     const real z_10 = c_0*z_6 + z_9*c_1;
     const real m_2 = c[1];
-    const real c_2 = c[10];
-    const real c_3 = c[11];
-    const real c_4 = c[12];
-    const real z_11 = sin_q_3*sin_q_3;
     const real c_5 = c[13];
-    const real z_12 = c_5*z_6;
-    const real m_3 = c[2];
     const real c_6 = c[14];
+    const real c_9 = c[17];
+    const real z_11 = sin_q_3*sin_q_3;
+    const real c_18 = c[26];
+    const real z_12 = c_18*z_6;
+    const real m_3 = c[2];
+    const real c_19 = c[27];
     const real z_13 = cos_q_3*z_8;
-    const real z_14 = m_3*(z_4*z_8 + cos_q_3*z_9) + 2.0*(c_6*z_11*z_6 - z_2*c_3*z_13);
-    const real c_7 = c[15];
+    const real z_14 = m_3*(z_4*z_8 + cos_q_3*z_9) + 2.0*(c_19*z_11*z_6 - z_2*c_6*z_13);
+    const real c_3 = c[11];
     const real z_15 = sin_q_2*sin_q_2*z_13;
     const real z_16 = cos_q_2*z_6;
-    const real c_8 = c[16];
+    const real c_20 = c[28];
     const real z_17 = cos_q_3*cos_q_3;
-    const real c_9 = c[17];
-    const real c_10 = c[18];
-    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*z_6 + cos_q_2*z_10) + 3.0*l_2*((m_2*(c_2 + z_1) +
-        cos_q_3*z_4*c_3 + z_2*c_4*z_11)*z_6 + cos_q_2*(z_12 + 2.0*z_14)) + 12.0*c_8*(z_15 - z_17*z_16) + (z_12 +
-        z_14)*c_9 - 2.0*c_7*(z_15 + z_11*z_16) - c_10*z_16);
-    const real c_11 = c[19];
+    const real c_7 = c[15];
+    const real c_21 = c[29];
+    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*z_6 + cos_q_2*z_10) + 3.0*l_2*((m_2*(c_5 + z_1) +
+        cos_q_3*z_4*c_6 + z_2*c_9*z_11)*z_6 + cos_q_2*(z_12 + 2.0*z_14)) + 12.0*c_20*(z_15 - z_17*z_16) + (z_12 +
+        z_14)*c_7 - 2.0*c_3*(z_15 + z_11*z_16) - c_21*z_16);
+    const real c_12 = c[20];
     const real z_18 = q_3_dot*sin_q_2;
     const real z_19 = q_2_dot*sin_q_3;
     const real z_20 = cos_q_2*z_19;
-    const real c_12 = c[20];
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_11*z_18 - z_17*z_18 - cos_q_3*z_20) -
-        6.0*c_12*(cos_q_3*z_18 + z_20));
-    const real c_13 = c[21];
+    const real c_22 = c[30];
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_12*(z_11*z_18 - z_17*z_18 - cos_q_3*z_20) -
+        6.0*c_22*(cos_q_3*z_18 + z_20));
     const real c_14 = c[22];
-    const real c_15 = c[23];
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_13 - (c_7*z_13 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_8) - c_15*z_8);
+    const real c_23 = c[31];
+    const real c_13 = c[21];
+    Mdot1[1][1] = (1.0/12.0)*(c_23*z_13 - (c_3*z_13 + (cos_q_3*c_0 + (c_14 + l_3*cos_q_3)*c_1)*z_8) - c_13*z_8);
     Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_10;
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
@@ -131,26 +131,26 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real q_1_dot = v[0];
     const real z_21 = q_1_dot*sin_q_2;
     const real z_22 = q_2_dot*cos_q_3 + sin_q_3*z_21;
-    const real z_23 = c_0*z_22 + (l_3*z_22 + q_2_dot*c_13)*c_1;
-    const real c_16 = c[24];
-    const real c_17 = c[25];
+    const real z_23 = c_0*z_22 + (l_3*z_22 + q_2_dot*c_14)*c_1;
+    const real c_24 = c[32];
+    const real c_8 = c[16];
     const real z_24 = q_1_dot*q_1_dot;
-    const real c_18 = c[26];
-    const real z_25 = c_18*(z_19 - cos_q_3*z_21);
-    const real c_19 = c[27];
-    const real c_20 = c[28];
+    const real c_11 = c[19];
+    const real z_25 = c_11*(z_19 - cos_q_3*z_21);
+    const real c_25 = c[33];
+    const real c_2 = c[10];
     const real z_26 = q_3_dot + q_1_dot*cos_q_2;
     const real z_27 = q_1_dot*z_1;
     const real z_28 = q_1_dot*l_1 + z_27;
     const real z_29 = l_3*z_26 + 2.0*cos_q_3*z_28;
-    const real c_21 = c[29];
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_23 + c_16 + c_17*(sin_q_2*z_24) + cos_q_3*c_19 -
-        z_25*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_24 + q_1_dot*(c_0*z_26 + z_29*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_2)))));
-    const real c_22 = c[30];
-    const real c_23 = c[31];
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_22*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
-        q_2_dot*z_23 - z_28*z_29*c_23 - sin_q_2*c_19));
+    const real c_10 = c[18];
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_23 + c_24 + c_8*(sin_q_2*z_24) + cos_q_3*c_25 -
+        z_25*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_2*z_24 + q_1_dot*(c_0*z_26 + z_29*c_1) +
+        c_10*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_5)))));
+    const real c_26 = c[34];
+    const real c_27 = c[35];
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_26*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
+        q_2_dot*z_23 - z_28*z_29*c_27 - sin_q_2*c_25));
 }
 
 /* xdot alone (20) */
@@ -223,42 +223,42 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const real c_1 = c[9];
     const real z_5 = cos_q_2*c_0 + z_4*c_1;
-    const real c_20 = c[28];
+    const real c_2 = c[10];
     const real sin_q_2 = em_sin(q_2);
     const real z_7 = sin_q_2*sin_q_2;
-    const real c_7 = c[15];
+    const real c_3 = c[11];
     const real sin_q_3 = em_sin(q_3);
     const real z_9 = sin_q_3*sin_q_3;
-    const real c_24 = c[32];
-    const real m_2 = c[1];
-    const real c_2 = c[10];
-    const real z_10 = m_2*(c_2 + z_1);
-    const real m_3 = c[2];
-    const real c_3 = c[11];
-    const real z_11 = z_2*z_9;
-    const real c_9 = c[17];
-    const real c_17 = c[25];
     const real c_4 = c[12];
-    const real z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
-    const real c_21 = c[29];
-    const real c_18 = c[26];
-    const real z_13 = cos_q_3*cos_q_3;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
-        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
-    const real z_14 = sin_q_3*sin_q_2;
+    const real m_2 = c[1];
+    const real c_5 = c[13];
+    const real z_10 = m_2*(c_5 + z_1);
+    const real m_3 = c[2];
+    const real c_6 = c[14];
+    const real z_11 = z_2*z_9;
+    const real c_7 = c[15];
+    const real c_8 = c[16];
+    const real c_9 = c[17];
+    const real z_12 = z_10 + cos_q_3*z_4*c_6 + c_9*z_11;
+    const real c_10 = c[18];
     const real c_11 = c[19];
-    const real c_15 = c[23];
-    M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    const real z_13 = cos_q_3*cos_q_3;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_2*(cos_q_2*cos_q_2) + z_7*(c_3*z_9) + c_4 + (z_10 + z_4*(m_3*cos_q_3) +
+        c_6*z_11)*c_7 + c_8*z_7 + cos_q_2*z_12*c_10 + c_11*z_7*z_13);
+    const real z_14 = sin_q_3*sin_q_2;
+    const real c_12 = c[20];
     const real c_13 = c[21];
-    const real z_15 = c_13 + l_3*cos_q_3;
+    M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_12) + c_13*z_14);
+    const real c_14 = c[22];
+    const real z_15 = c_14 + l_3*cos_q_3;
     const real z_16 = cos_q_3*c_0 + z_15*c_1;
-    const real c_25 = c[33];
-    const real c_26 = c[34];
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    const real c_15 = c[23];
+    const real c_16 = c[24];
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_15 + z_15*c_16 + c_11*z_9);
     M1[2][0] = (1.0/12.0)*z_5;
     M1[2][1] = em_real(0.0);
-    const real c_27 = c[35];
-    M1[2][2] = c_27;
+    const real c_17 = c[25];
+    M1[2][2] = c_17;
     shared[0] = z_5;
     shared[1] = sin_q_2;
     shared[2] = cos_q_2;
@@ -295,36 +295,36 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real c_1 = c[9];
     const real z_20 = c_0*z_17 + z_19*c_1;
     const real z_12 = shared[6];
-    const real c_5 = c[13];
-    const real z_21 = c_5*z_17;
+    const real c_18 = c[26];
+    const real z_21 = c_18*z_17;
     const real m_3 = c[2];
     const real z_4 = shared[7];
-    const real c_6 = c[14];
+    const real c_19 = c[27];
     const real z_9 = shared[8];
-    const real c_3 = c[11];
+    const real c_6 = c[14];
     const real z_22 = cos_q_3*z_18;
-    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
-    const real c_7 = c[15];
+    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_19*z_9*z_17 - c_6*(z_2*z_22));
+    const real c_3 = c[11];
     const real z_7 = shared[9];
     const real z_24 = z_7*z_22;
     const real z_25 = cos_q_2*z_17;
-    const real c_8 = c[16];
+    const real c_20 = c[28];
     const real z_13 = shared[10];
-    const real c_9 = c[17];
-    const real c_10 = c[18];
+    const real c_7 = c[15];
+    const real c_21 = c[29];
     Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
-        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
-    const real c_11 = c[19];
+        12.0*c_20*(z_24 - z_13*z_25) + (z_21 + z_23)*c_7 - 2.0*c_3*(z_24 + z_9*z_25) - c_21*z_25);
+    const real c_12 = c[20];
     const real z_26 = q_3_dot*sin_q_2;
     const real z_27 = q_2_dot*sin_q_3;
     const real z_28 = cos_q_2*z_27;
-    const real c_12 = c[20];
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_28) - 6.0*c_12*(cos_q_3*z_26
+    const real c_22 = c[30];
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_12*(z_9*z_26 - z_13*z_26 - cos_q_3*z_28) - 6.0*c_22*(cos_q_3*z_26
         + z_28));
     const real z_16 = shared[11];
-    const real c_14 = c[22];
-    const real c_15 = c[23];
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    const real c_23 = c[31];
+    const real c_13 = c[21];
+    Mdot1[1][1] = (1.0/12.0)*(c_23*z_22 - (c_3*z_22 + z_16*z_18) - c_13*z_18);
     Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
@@ -332,31 +332,31 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     const real q_1_dot = v[0];
     const real z_29 = q_1_dot*sin_q_2;
     const real z_30 = q_2_dot*cos_q_3 + sin_q_3*z_29;
-    const real c_13 = c[21];
-    const real z_31 = c_0*z_30 + (l_3*z_30 + q_2_dot*c_13)*c_1;
-    const real c_16 = c[24];
-    const real c_17 = c[25];
+    const real c_14 = c[22];
+    const real z_31 = c_0*z_30 + (l_3*z_30 + q_2_dot*c_14)*c_1;
+    const real c_24 = c[32];
+    const real c_8 = c[16];
     const real z_32 = q_1_dot*q_1_dot;
-    const real c_18 = c[26];
-    const real z_33 = c_18*(z_27 - cos_q_3*z_29);
-    const real c_19 = c[27];
-    const real c_20 = c[28];
+    const real c_11 = c[19];
+    const real z_33 = c_11*(z_27 - cos_q_3*z_29);
+    const real c_25 = c[33];
+    const real c_2 = c[10];
     const real z_34 = q_3_dot + q_1_dot*cos_q_2;
     const real l_1 = c[3];
     const real z_1 = shared[12];
     const real z_35 = q_1_dot*z_1;
     const real z_36 = q_1_dot*l_1 + z_35;
     const real z_37 = l_3*z_34 + 2.0*cos_q_3*z_36;
-    const real c_21 = c[29];
+    const real c_10 = c[18];
     const real m_2 = c[1];
-    const real c_2 = c[10];
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_31 + c_16 + c_17*(sin_q_2*z_32) + cos_q_3*c_19 -
-        z_33*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_32 + q_1_dot*(c_0*z_34 + z_37*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_36*z_9 + cos_q_3*z_37) + m_2*(z_35 + q_1_dot*c_2)))));
-    const real c_22 = c[30];
-    const real c_23 = c[31];
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_31*z_29 + q_2_dot*z_33 + c_22*(sin_q_3*(z_36*z_36))) + sin_q_3*(z_29*z_33 -
-        q_2_dot*z_31 - z_36*z_37*c_23 - sin_q_2*c_19));
+    const real c_5 = c[13];
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_31 + c_24 + c_8*(sin_q_2*z_32) + cos_q_3*c_25 -
+        z_33*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_2*z_32 + q_1_dot*(c_0*z_34 + z_37*c_1) +
+        c_10*(q_1_dot*(2.0*m_3*(2.0*z_36*z_9 + cos_q_3*z_37) + m_2*(z_35 + q_1_dot*c_5)))));
+    const real c_26 = c[34];
+    const real c_27 = c[35];
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_31*z_29 + q_2_dot*z_33 + c_26*(sin_q_3*(z_36*z_36))) + sin_q_3*(z_29*z_33 -
+        q_2_dot*z_31 - z_36*z_37*c_27 - sin_q_2*c_25));
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
@@ -422,42 +422,42 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const real c_1 = c[9];
     const real z_5 = cos_q_2*c_0 + z_4*c_1;
-    const real c_20 = c[28];
+    const real c_2 = c[10];
     const real sin_q_2 = em_sin(q_2);
     const real z_7 = sin_q_2*sin_q_2;
-    const real c_7 = c[15];
+    const real c_3 = c[11];
     const real sin_q_3 = em_sin(q_3);
     const real z_9 = sin_q_3*sin_q_3;
-    const real c_24 = c[32];
-    const real m_2 = c[1];
-    const real c_2 = c[10];
-    const real z_10 = m_2*(c_2 + z_1);
-    const real m_3 = c[2];
-    const real c_3 = c[11];
-    const real z_11 = z_2*z_9;
-    const real c_9 = c[17];
-    const real c_17 = c[25];
     const real c_4 = c[12];
-    const real z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
-    const real c_21 = c[29];
-    const real c_18 = c[26];
-    const real z_13 = cos_q_3*cos_q_3;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
-        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
-    const real z_14 = sin_q_3*sin_q_2;
+    const real m_2 = c[1];
+    const real c_5 = c[13];
+    const real z_10 = m_2*(c_5 + z_1);
+    const real m_3 = c[2];
+    const real c_6 = c[14];
+    const real z_11 = z_2*z_9;
+    const real c_7 = c[15];
+    const real c_8 = c[16];
+    const real c_9 = c[17];
+    const real z_12 = z_10 + cos_q_3*z_4*c_6 + c_9*z_11;
+    const real c_10 = c[18];
     const real c_11 = c[19];
-    const real c_15 = c[23];
-    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    const real z_13 = cos_q_3*cos_q_3;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_2*(cos_q_2*cos_q_2) + z_7*(c_3*z_9) + c_4 + (z_10 + z_4*(m_3*cos_q_3) +
+        c_6*z_11)*c_7 + c_8*z_7 + cos_q_2*z_12*c_10 + c_11*z_7*z_13);
+    const real z_14 = sin_q_3*sin_q_2;
+    const real c_12 = c[20];
     const real c_13 = c[21];
-    const real z_15 = c_13 + l_3*cos_q_3;
+    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_12) + c_13*z_14);
+    const real c_14 = c[22];
+    const real z_15 = c_14 + l_3*cos_q_3;
     const real z_16 = cos_q_3*c_0 + z_15*c_1;
-    const real c_25 = c[33];
-    const real c_26 = c[34];
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    const real c_15 = c[23];
+    const real c_16 = c[24];
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_15 + z_15*c_16 + c_11*z_9);
     M1[0][2] = M1[2][0] = (1.0/12.0)*z_5;
     M1[1][2] = M1[2][1] = em_real(0.0);
-    const real c_27 = c[35];
-    M1[2][2] = c_27;
+    const real c_17 = c[25];
+    M1[2][2] = c_17;
     shared[0] = z_5;
     shared[1] = sin_q_2;
     shared[2] = cos_q_2;
@@ -493,35 +493,35 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     const real c_1 = c[9];
     const real z_20 = c_0*z_17 + z_19*c_1;
     const real z_12 = shared[6];
-    const real c_5 = c[13];
-    const real z_21 = c_5*z_17;
+    const real c_18 = c[26];
+    const real z_21 = c_18*z_17;
     const real m_3 = c[2];
     const real z_4 = shared[7];
-    const real c_6 = c[14];
+    const real c_19 = c[27];
     const real z_9 = shared[8];
-    const real c_3 = c[11];
+    const real c_6 = c[14];
     const real z_22 = cos_q_3*z_18;
-    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
-    const real c_7 = c[15];
+    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_19*z_9*z_17 - c_6*(z_2*z_22));
+    const real c_3 = c[11];
     const real z_7 = shared[9];
     const real z_24 = z_7*z_22;
     const real z_25 = cos_q_2*z_17;
-    const real c_8 = c[16];
+    const real c_20 = c[28];
     const real z_13 = shared[10];
-    const real c_9 = c[17];
-    const real c_10 = c[18];
+    const real c_7 = c[15];
+    const real c_21 = c[29];
     Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
-        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
-    const real c_11 = c[19];
+        12.0*c_20*(z_24 - z_13*z_25) + (z_21 + z_23)*c_7 - 2.0*c_3*(z_24 + z_9*z_25) - c_21*z_25);
+    const real c_12 = c[20];
     const real z_26 = q_3_dot*sin_q_2;
     const real z_27 = sin_q_3*(q_2_dot*cos_q_2);
-    const real c_12 = c[20];
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_27) - 6.0*c_12*(cos_q_3*z_26
+    const real c_22 = c[30];
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_12*(z_9*z_26 - z_13*z_26 - cos_q_3*z_27) - 6.0*c_22*(cos_q_3*z_26
         + z_27));
     const real z_16 = shared[11];
-    const real c_14 = c[22];
-    const real c_15 = c[23];
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    const real c_23 = c[31];
+    const real c_13 = c[21];
+    Mdot1[1][1] = (1.0/12.0)*(c_23*z_22 - (c_3*z_22 + z_16*z_18) - c_13*z_18);
     Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
@@ -628,7 +628,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_8 = c[16];
+    const double c_20 = c[28];
     const double q_2_dot = v[1];
     const double q_3 = x[2];
     const double sin_q_3 = em_sin(q_3);
@@ -648,13 +648,13 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double c_0 = c[8];
     const double z_11 = q_2_dot*cos_q_3 + sin_q_3*z_3;
     const double l_3 = c[5];
-    const double c_13 = c[21];
+    const double c_14 = c[22];
     const double c_1 = c[9];
-    const double z_12 = c_0*z_11 + (l_3*z_11 + q_2_dot*c_13)*c_1;
-    const double c_7 = c[15];
+    const double z_12 = c_0*z_11 + (l_3*z_11 + q_2_dot*c_14)*c_1;
+    const double c_3 = c[11];
     const double z_13 = q_1_dot*sin_q_3;
     const double z_14 = q_2_dot*z_5 - (z_3*z_9 + z_7*z_13);
-    const double z_15 = c_7*z_14;
+    const double z_15 = c_3*z_14;
     const double z_16 = q_3_dot + q_1_dot*cos_q_2;
     const double l_1 = c[3];
     const double l_2 = c[4];
@@ -670,34 +670,34 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double m_3 = c[2];
     const double z_26 = sin_q_3*sin_q_3;
     const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_27 = 2.0*m_3*(2.0*z_18*z_26 + cos_q_3*z_19) + m_2*(z_17 + q_1_dot*c_2);
-    const double c_6 = c[14];
-    const double c_3 = c[11];
-    const double z_28 = 2.0*(cos_q_3*c_3*z_23 - c_6*z_26*z_22) - m_3*(z_19*z_5 + cos_q_3*z_24);
     const double c_5 = c[13];
-    const double z_29 = c_5*z_22;
-    const double c_9 = c[17];
-    const double c_10 = c[18];
-    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_4*(sin_q_2*z_5) - z_7*z_8 - z_10*(cos_q_3*sin_q_2)) + (sin_q_2*z_12*z_9 +
-        sin_q_3*z_12*z_7 - sin_q_3*sin_q_2*z_15) + c_9*(z_28 - z_29) + c_10*(z_3*z_7) - (z_20*z_21 + cos_q_2*z_25)
-        - 3.0*l_2*(z_27*z_21 - cos_q_2*(2.0*z_28 - z_29)));
-    const double c_16 = c[24];
-    const double c_17 = c[25];
-    const double z_30 = q_1_dot*q_1_dot;
-    const double c_18 = c[26];
+    const double z_27 = 2.0*m_3*(2.0*z_18*z_26 + cos_q_3*z_19) + m_2*(z_17 + q_1_dot*c_5);
     const double c_19 = c[27];
-    const double c_20 = c[28];
+    const double c_6 = c[14];
+    const double z_28 = 2.0*(cos_q_3*c_6*z_23 - c_19*z_26*z_22) - m_3*(z_19*z_5 + cos_q_3*z_24);
+    const double c_18 = c[26];
+    const double z_29 = c_18*z_22;
+    const double c_7 = c[15];
     const double c_21 = c[29];
-    const double c_15 = c[23];
-    bias[1] = (1.0/12.0)*((cos_q_2*(z_12*z_13 + c_16 + c_17*(sin_q_2*z_30) + cos_q_3*c_19 - q_1_dot*c_18*z_8) -
-        sin_q_2*(cos_q_2*c_20*z_30 + q_1_dot*z_20 + q_1_dot*z_27*c_21)) - (6.0*c_8*(q_3_dot*z_8 + sin_q_3*z_10) -
-        (z_12*z_5 + cos_q_3*z_15) - c_15*z_14));
-    const double z_31 = c_18*z_4;
-    const double c_22 = c[30];
-    const double c_23 = c[31];
-    bias[2] = (1.0/12.0)*((cos_q_3*(z_12*z_3 + q_2_dot*z_31 + c_22*(sin_q_3*(z_18*z_18))) + sin_q_3*(z_3*z_31 -
-        q_2_dot*z_12 - z_18*z_19*c_23 - sin_q_2*c_19)) + z_25);
+    bias[0] = ((-1.0/12.0))*(6.0*c_20*(z_4*(sin_q_2*z_5) - z_7*z_8 - z_10*(cos_q_3*sin_q_2)) + (sin_q_2*z_12*z_9 +
+        sin_q_3*z_12*z_7 - sin_q_3*sin_q_2*z_15) + c_7*(z_28 - z_29) + c_21*(z_3*z_7) - (z_20*z_21 + cos_q_2*z_25)
+        - 3.0*l_2*(z_27*z_21 - cos_q_2*(2.0*z_28 - z_29)));
+    const double c_24 = c[32];
+    const double c_8 = c[16];
+    const double z_30 = q_1_dot*q_1_dot;
+    const double c_11 = c[19];
+    const double c_25 = c[33];
+    const double c_2 = c[10];
+    const double c_10 = c[18];
+    const double c_13 = c[21];
+    bias[1] = (1.0/12.0)*((cos_q_2*(z_12*z_13 + c_24 + c_8*(sin_q_2*z_30) + cos_q_3*c_25 - q_1_dot*c_11*z_8) -
+        sin_q_2*(cos_q_2*c_2*z_30 + q_1_dot*z_20 + q_1_dot*z_27*c_10)) - (6.0*c_20*(q_3_dot*z_8 + sin_q_3*z_10) -
+        (z_12*z_5 + cos_q_3*z_15) - c_13*z_14));
+    const double z_31 = c_11*z_4;
+    const double c_26 = c[34];
+    const double c_27 = c[35];
+    bias[2] = (1.0/12.0)*((cos_q_3*(z_12*z_3 + q_2_dot*z_31 + c_26*(sin_q_3*(z_18*z_18))) + sin_q_3*(z_3*z_31 -
+        q_2_dot*z_12 - z_18*z_19*c_27 - sin_q_2*c_25)) + z_25);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -718,46 +718,46 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const double c_1 = c[9];
     const double z_5 = cos_q_2*c_0 + z_4*c_1;
-    const double c_20 = c[28];
-    const double c_7 = c[15];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
     const double sin_q_3 = em_sin(q_3);
     const double z_7 = sin_q_3*sin_q_3;
     const double sin_q_2 = em_sin(q_2);
     const double z_9 = sin_q_2*sin_q_2;
-    const double c_24 = c[32];
+    const double c_4 = c[12];
     const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_10 = m_2*(c_2 + z_1);
+    const double c_5 = c[13];
+    const double z_10 = m_2*(c_5 + z_1);
     const double m_3 = c[2];
     const double z_11 = cos_q_3*z_4;
-    const double c_3 = c[11];
+    const double c_6 = c[14];
     const double z_12 = z_2*z_7;
+    const double c_7 = c[15];
+    const double c_8 = c[16];
     const double c_9 = c[17];
-    const double c_17 = c[25];
-    const double c_4 = c[12];
-    const double c_21 = c[29];
-    const double c_18 = c[26];
-    const double q_2_dot = v[1];
+    const double c_10 = c[18];
     const double c_11 = c[19];
+    const double q_2_dot = v[1];
+    const double c_12 = c[20];
     const double z_13 = sin_q_3*sin_q_2;
-    const double c_15 = c[23];
-    const double z_14 = cos_q_3*c_11*z_13 + c_15*z_13;
-    const double q_3_dot = v[2];
     const double c_13 = c[21];
+    const double z_14 = cos_q_3*c_12*z_13 + c_13*z_13;
+    const double q_3_dot = v[2];
+    const double c_14 = c[22];
     const double z_15 = l_3*cos_q_3;
-    const double z_16 = c_13 + z_15;
-    const double c_25 = c[33];
-    const double c_26 = c[34];
-    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 +
-        m_3*z_11 + c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 +
-        c_18*(z_9*(cos_q_3*cos_q_3))) + q_2_dot*z_14 + q_3_dot*z_5) + q_2_dot*(q_1_dot*z_14 +
-        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_16*c_1) + c_25 + z_16*c_26 + c_18*z_7)) + q_3_dot*(q_1_dot*z_5 +
-        q_3_dot*c_7));
+    const double z_16 = c_14 + z_15;
+    const double c_15 = c[23];
+    const double c_16 = c[24];
+    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_5 + c_2*(cos_q_2*cos_q_2) + c_3*z_7*z_9 + c_4 + (z_10 +
+        m_3*z_11 + c_6*z_12)*c_7 + c_8*z_9 + cos_q_2*(z_10 + c_6*z_11 + c_9*z_12)*c_10 +
+        c_11*(z_9*(cos_q_3*cos_q_3))) + q_2_dot*z_14 + q_3_dot*z_5) + q_2_dot*(q_1_dot*z_14 +
+        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_16*c_1) + c_15 + z_16*c_16 + c_11*z_7)) + q_3_dot*(q_1_dot*z_5 +
+        q_3_dot*c_3));
     e[1] = 0.0;
     e[2] = 0.0;
     const double c_28 = c[36];
     const double c_29 = c[37];
-    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_28 + sin_q_2*c_29);
+    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_14)*c_28 + sin_q_2*c_29);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -1315,49 +1315,49 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[8] = z_3; /* c_0 */
     const double z_4 = m_3*l_3;
     prepared[9] = 3.0*z_4; /* c_1 */
-    const double l_1 = parameters[3];
-    prepared[10] = 2.0*l_1; /* c_2 */
-    prepared[11] = 2.0*m_3; /* c_3 */
-    prepared[12] = 4.0*m_3; /* c_4 */
     const double m_2 = parameters[1];
     const double l_2 = parameters[4];
-    const double z_5 = m_2*l_2;
-    prepared[13] = z_5; /* c_5 */
-    const double z_6 = l_2*m_3;
-    prepared[14] = z_6; /* c_6 */
+    const double z_5 = l_2*l_2;
+    const double z_6 = m_2*(3.0*z_1 + z_5);
+    prepared[10] = z_6; /* c_2 */
     const double z_7 = z_3 + 3.0*m_3*z_2;
-    prepared[15] = z_7; /* c_7 */
-    const double z_8 = m_3*z_0;
-    prepared[16] = z_8; /* c_8 */
-    prepared[17] = 6.0*l_1; /* c_9 */
-    const double z_9 = m_2*z_0;
-    const double z_10 = l_2*l_2;
-    const double z_11 = m_2*(3.0*z_1 + z_10);
-    prepared[18] = 2.0*(6.0*z_9 - z_11); /* c_10 */
-    prepared[19] = z_7 - 6.0*z_8; /* c_11 */
-    const double z_12 = l_3*z_6;
-    prepared[20] = z_12; /* c_12 */
-    prepared[21] = 2.0*l_2; /* c_13 */
-    prepared[22] = 12.0*z_8; /* c_14 */
-    prepared[23] = 6.0*z_12; /* c_15 */
-    const double g = parameters[7];
-    const double z_13 = g*z_5;
-    prepared[24] = 6.0*(z_13 + 2.0*z_6*g); /* c_16 */
-    prepared[25] = 6.0*z_9; /* c_17 */
-    prepared[26] = 6.0*z_8; /* c_18 */
-    prepared[27] = 6.0*(z_4*g); /* c_19 */
-    prepared[28] = z_11; /* c_20 */
-    prepared[29] = 3.0*l_2; /* c_21 */
-    prepared[30] = 12.0*m_3; /* c_22 */
-    prepared[31] = 6.0*m_3; /* c_23 */
+    prepared[11] = z_7; /* c_3 */
     const double m_1 = parameters[0];
-    const double z_14 = l_1*l_1;
-    prepared[32] = 3.0*m_1*z_14 + m_1*(z_14 + 3.0*z_1); /* c_24 */
-    prepared[33] = z_11 + 3.0*m_2*z_10; /* c_25 */
-    prepared[34] = 6.0*z_6; /* c_26 */
-    prepared[35] = (1.0/12.0)*z_7; /* c_27 */
+    const double l_1 = parameters[3];
+    const double z_8 = l_1*l_1;
+    prepared[12] = 3.0*m_1*z_8 + m_1*(z_8 + 3.0*z_1); /* c_4 */
+    prepared[13] = 2.0*l_1; /* c_5 */
+    prepared[14] = 2.0*m_3; /* c_6 */
+    prepared[15] = 6.0*l_1; /* c_7 */
+    const double z_9 = m_2*z_0;
+    prepared[16] = 6.0*z_9; /* c_8 */
+    prepared[17] = 4.0*m_3; /* c_9 */
+    prepared[18] = 3.0*l_2; /* c_10 */
+    const double z_10 = m_3*z_0;
+    prepared[19] = 6.0*z_10; /* c_11 */
+    prepared[20] = z_7 - 6.0*z_10; /* c_12 */
+    const double z_11 = l_2*m_3;
+    const double z_12 = l_3*z_11;
+    prepared[21] = 6.0*z_12; /* c_13 */
+    prepared[22] = 2.0*l_2; /* c_14 */
+    prepared[23] = z_6 + 3.0*m_2*z_5; /* c_15 */
+    prepared[24] = 6.0*z_11; /* c_16 */
+    prepared[25] = (1.0/12.0)*z_7; /* c_17 */
+    const double z_13 = m_2*l_2;
+    prepared[26] = z_13; /* c_18 */
+    prepared[27] = z_11; /* c_19 */
+    prepared[28] = z_10; /* c_20 */
+    prepared[29] = 2.0*(6.0*z_9 - z_6); /* c_21 */
+    prepared[30] = z_12; /* c_22 */
+    prepared[31] = 12.0*z_10; /* c_23 */
+    const double g = parameters[7];
+    const double z_14 = g*z_13;
+    prepared[32] = 6.0*(z_14 + 2.0*z_11*g); /* c_24 */
+    prepared[33] = 6.0*(z_4*g); /* c_25 */
+    prepared[34] = 12.0*m_3; /* c_26 */
+    prepared[35] = 6.0*m_3; /* c_27 */
     prepared[36] = m_3*g; /* c_28 */
-    prepared[37] = z_13; /* c_29 */
+    prepared[37] = z_14; /* c_29 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1384,40 +1384,40 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const double c_1 = c[9];
     const double z_5 = cos_q_2*c_0 + z_4*c_1;
-    const double c_20 = c[28];
-    const double c_7 = c[15];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
     const double sin_q_3 = em_sin(q_3);
     const double z_7 = sin_q_3*sin_q_3;
     const double sin_q_2 = em_sin(q_2);
     const double z_9 = sin_q_2*sin_q_2;
-    const double c_24 = c[32];
+    const double c_4 = c[12];
     const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_10 = m_2*(c_2 + z_1);
+    const double c_5 = c[13];
+    const double z_10 = m_2*(c_5 + z_1);
     const double m_3 = c[2];
     const double z_11 = cos_q_3*z_4;
-    const double c_3 = c[11];
+    const double c_6 = c[14];
     const double z_12 = z_2*z_7;
+    const double c_7 = c[15];
+    const double c_8 = c[16];
     const double c_9 = c[17];
-    const double c_17 = c[25];
-    const double c_4 = c[12];
-    const double c_21 = c[29];
-    const double c_18 = c[26];
-    M[0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 + m_3*z_11 +
-        c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 + c_18*(z_9*(cos_q_3*cos_q_3)));
+    const double c_10 = c[18];
     const double c_11 = c[19];
+    M[0] = (1.0/12.0)*(cos_q_2*z_5 + c_2*(cos_q_2*cos_q_2) + c_3*z_7*z_9 + c_4 + (z_10 + m_3*z_11 + c_6*z_12)*c_7
+        + c_8*z_9 + cos_q_2*(z_10 + c_6*z_11 + c_9*z_12)*c_10 + c_11*(z_9*(cos_q_3*cos_q_3)));
+    const double c_12 = c[20];
     const double z_13 = sin_q_3*sin_q_2;
-    const double c_15 = c[23];
-    M[3] = M[1] = (1.0/12.0)*(cos_q_3*c_11*z_13 + c_15*z_13);
     const double c_13 = c[21];
-    const double z_14 = c_13 + l_3*cos_q_3;
-    const double c_25 = c[33];
-    const double c_26 = c[34];
-    M[4] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_14*c_1) + c_25 + z_14*c_26 + c_18*z_7);
+    M[3] = M[1] = (1.0/12.0)*(cos_q_3*c_12*z_13 + c_13*z_13);
+    const double c_14 = c[22];
+    const double z_14 = c_14 + l_3*cos_q_3;
+    const double c_15 = c[23];
+    const double c_16 = c[24];
+    M[4] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_14*c_1) + c_15 + z_14*c_16 + c_11*z_7);
     M[6] = M[2] = (1.0/12.0)*z_5;
     M[7] = M[5] = 0.0;
-    const double c_27 = c[35];
-    M[8] = c_27;
+    const double c_17 = c[25];
+    M[8] = c_17;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */

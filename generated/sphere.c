@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:4c65eaab64d0247feccf8cc70f17db170b7eae7c87ecb5c458a7cf6d457a2492 */
+/* body sha256:7b694c22472c6e2ee96ba7bffeb5cd427eabf6889092323fefb22b14e672ad5c */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -102,8 +102,8 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_9 = z_7*z_8;
     const real z_10 = c_0*(p_3*z_6 - 2.0*z_2*z_9);
     const real z_11 = p_2_dot*z_5;
-    const real c_1 = c[13];
-    const real z_12 = c_1*z_9;
+    const real c_2 = c[14];
+    const real z_12 = c_2*z_9;
     const real z_13 = c_0*(p_2*z_11 - 2.0*z_1*z_9) - z_12;
     Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
     const real z_14 = p_1_dot*z_5;
@@ -113,8 +113,8 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
     Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
     Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
-    const real c_2 = c[14];
-    f1[0] = c_2;
+    const real c_3 = c[15];
+    f1[0] = c_3;
     f2[0] = em_real(0.0);
     const real z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
     const real z_17 = c_0*z_5;
@@ -131,9 +131,9 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[1][0] = em_real(0.0);
     A2[0][0] = em_real(0.0);
     A2[1][0] = em_real(1.0);
-    const real c_3 = c[15];
+    const real c_4 = c[16];
     const real z_24 = 1.0/z_3;
-    const real z_25 = c_3*z_24;
+    const real z_25 = c_4*z_24;
     A3[0][0] = -p_3*z_25;
     A3[0][1] = -z_25;
     A3[0][2] = p_1*z_25;
@@ -143,7 +143,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real R = c[1];
     const real z_26 = z_7*z_5;
     const real z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
-    const real z_28 = c_3*z_26;
+    const real z_28 = c_4*z_26;
     gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
     gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
 }
@@ -287,15 +287,15 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_7 = z_5;
     const real z_8 = z_7 + z_2*z_5;
     M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
-    const real c_4 = c[16];
+    const real c_1 = c[13];
     const real z_9 = p_1*z_5;
-    const real z_10 = c_4*z_9;
+    const real z_10 = c_1*z_9;
     M3[1][0] = -p_2*z_10;
     const real z_11 = z_1*z_5;
     M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
     M3[2][0] = -p_3*z_10;
     const real z_12 = p_2*p_3;
-    M3[2][1] = -c_4*z_5*z_12;
+    M3[2][1] = -c_1*z_5*z_12;
     M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
     shared[0] = z_5;
     shared[1] = z_0;
@@ -331,8 +331,8 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_17 = c_0*(p_3_dot*z_13 - 2.0*z_0*z_16);
     const real z_18 = p_2*z_5;
     const real z_2 = shared[4];
-    const real c_1 = c[13];
-    const real z_19 = c_1*z_16;
+    const real c_2 = c[14];
+    const real z_19 = c_2*z_16;
     const real z_20 = c_0*(p_2_dot*z_18 - 2.0*z_2*z_16) - z_19;
     Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
     const real z_9 = shared[5];
@@ -344,8 +344,8 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_12 = shared[7];
     Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
     Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
-    const real c_2 = c[14];
-    f1[0] = c_2;
+    const real c_3 = c[15];
+    f1[0] = c_3;
     f2[0] = em_real(0.0);
     const real z_22 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
     const real z_23 = c_0*z_5;
@@ -362,9 +362,9 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     A1[1][0] = em_real(0.0);
     A2[0][0] = em_real(0.0);
     A2[1][0] = em_real(1.0);
-    const real c_3 = c[15];
+    const real c_4 = c[16];
     const real z_30 = 1.0/z_3;
-    const real z_31 = c_3*z_30;
+    const real z_31 = c_4*z_30;
     A3[0][0] = -p_3*z_31;
     A3[0][1] = -z_31;
     A3[0][2] = p_1*z_31;
@@ -374,7 +374,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real R = c[1];
     const real z_32 = z_14*z_5;
     const real z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
-    const real z_34 = c_3*z_32;
+    const real z_34 = c_4*z_32;
     gamma[0] = (-2.0)*(p_1_dot*z_33 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_32)) - p_2_dot*z_34);
     gamma[1] = (-2.0)*(p_2_dot*z_33 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_32)));
 }
@@ -496,22 +496,22 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     const real z_7 = z_5;
     const real z_8 = z_7 + z_2*z_5;
     M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
-    const real c_4 = c[16];
+    const real c_1 = c[13];
     const real z_9 = p_1*z_5;
-    const real z_10 = c_4*z_9;
+    const real z_10 = c_1*z_9;
     M3[0][1] = M3[1][0] = -p_2*z_10;
     const real z_11 = z_1*z_5;
     M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
     M3[0][2] = M3[2][0] = -p_3*z_10;
     const real z_12 = p_2*p_3;
-    M3[1][2] = M3[2][1] = -c_4*z_5*z_12;
+    M3[1][2] = M3[2][1] = -c_1*z_5*z_12;
     M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
     A1[0][0] = em_real(1.0);
     A1[1][0] = em_real(0.0);
     A2[0][0] = em_real(0.0);
     A2[1][0] = em_real(1.0);
-    const real c_3 = c[15];
-    const real z_13 = c_3/z_3;
+    const real c_4 = c[16];
+    const real z_13 = c_4/z_3;
     A3[0][0] = -p_3*z_13;
     A3[0][1] = -z_13;
     A3[0][2] = p_1*z_13;
@@ -550,8 +550,8 @@ EM_INLINE void settled_rates(const real *restrict x, const real *restrict v, con
     const real z_16 = (p_1_dot*p_1 + z_15 + z_14)/(z_3*z_4);
     const real z_17 = c_0*(z_14*z_5 - 2.0*z_0*z_16);
     const real z_2 = shared[4];
-    const real c_1 = c[13];
-    const real z_18 = c_1*z_16;
+    const real c_2 = c[14];
+    const real z_18 = c_2*z_16;
     const real z_19 = c_0*(z_15*z_5 - 2.0*z_2*z_16) - z_18;
     Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_19);
     const real z_9 = shared[5];
@@ -705,8 +705,8 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_2 = c[14];
-    bias[0] = c_2;
+    const double c_3 = c[15];
+    bias[0] = c_3;
     bias[1] = 0.0;
     const double c_0 = c[12];
     const double p_1 = x[2];
@@ -746,8 +746,8 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_20 = 1.0/z_0;
     const double z_21 = z_11*z_2;
     const double z_22 = R*(p_3_dot*z_20 - 2.0*p_3*z_21);
-    const double c_3 = c[15];
-    const double z_23 = c_3*z_21;
+    const double c_4 = c[16];
+    const double z_23 = c_4*z_21;
     gamma[0] = (-2.0)*(p_1_dot*z_22 - p_3_dot*(R*(p_1_dot*z_20 - 2.0*p_1*z_21)) - p_2_dot*z_23);
     gamma[1] = (-2.0)*(p_2_dot*z_22 + p_1_dot*z_23 - p_3_dot*(R*(p_2_dot*z_20 - 2.0*p_2*z_21)));
 }
@@ -786,8 +786,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     e[1] = 0.0;
     e[2] = 0.0;
     const double x_ = x[0];
-    const double c_2 = c[14];
-    e[3] = -x_*c_2;
+    const double c_3 = c[15];
+    e[3] = -x_*c_3;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -1348,13 +1348,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double R = parameters[1];
     const double z_0 = m*(R*R);
     prepared[12] = z_0; /* c_0 */
-    prepared[13] = 2.0*z_0; /* c_1 */
+    prepared[13] = (8.0/5.0)*z_0; /* c_1 */
+    prepared[14] = 2.0*z_0; /* c_2 */
     const double g = parameters[2];
     const double alpha = parameters[3];
     const double sin_alpha = em_sin(alpha);
-    prepared[14] = m*g*sin_alpha; /* c_2 */
-    prepared[15] = 2.0*R; /* c_3 */
-    prepared[16] = (8.0/5.0)*z_0; /* c_4 */
+    prepared[15] = m*g*sin_alpha; /* c_3 */
+    prepared[16] = 2.0*R; /* c_4 */
     prepared[17] = 4.0*z_0; /* c_5 */
     prepared[18] = 5.0*m; /* c_6 */
     const double cos_alpha = em_cos(alpha);
@@ -1409,8 +1409,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[12] = (8.0/5.0)*(c_0*(z_5 + z_7));
     M[15] = M[3] = 0.0;
     M[16] = M[8] = 0.0;
-    const double c_4 = c[16];
-    const double z_8 = c_4*z_4;
+    const double c_1 = c[13];
+    const double z_8 = c_1*z_4;
     M[17] = M[13] = -z_8*(p_1*p_2);
     const double z_9 = z_1*z_4;
     M[18] = (8.0/5.0)*(c_0*(z_6 + z_5 + z_9));
@@ -1434,10 +1434,10 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
     A[0] = 1.0;
     A[1] = 0.0;
     const double p_3 = x[4];
-    const double c_3 = c[15];
+    const double c_4 = c[16];
     const double p_1 = x[2];
     const double p_2 = x[3];
-    const double z_0 = c_3/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    const double z_0 = c_4/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
     A[2] = -p_3*z_0;
     A[3] = -z_0;
     A[4] = p_1*z_0;

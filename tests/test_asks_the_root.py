@@ -8,7 +8,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c import kernels
+from eigenmotion.codegen.c import kernel
 from eigenmotion.codegen.choices import Choices
 
 from eigenmotion import build, simulate_ensemble
@@ -24,7 +24,7 @@ OF_ITS_OWN = "void settled_masses("
 def all_are_long():
     """Count every kernel as long."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(kernels, "LONG", 1)
+        patch.setattr(kernel, "LONG", 1)
         yield
 
 

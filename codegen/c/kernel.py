@@ -54,7 +54,7 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
-    across : whether other units call it
+    across : whether other units call it where it is long, or one that is written with it
     """
 
     name: str
@@ -79,6 +79,7 @@ class Kernel:
     statements : in the order in which they are needed, so that a compiler keeps few values at a time
     called : names of functions that it and those written with it call
     reads : which of INPUTS it takes
+    across : whether other units call it
     """
 
     head: str
@@ -88,6 +89,7 @@ class Kernel:
     cost: Cost
     called: frozenset[str]
     reads: frozenset[str]
+    across: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,11 +116,12 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
     taken = {*INPUTS, *arrays, SHARED, *(name for draft in drafts for name in draft.arguments)}
     writer = _Writer(graph, plan, symbols, constants, taken)
     scopes = [writer.scope(draft) for draft in drafts]
-    kernels = [_kernel(scope, len(writer.handed), plan.cost if scope is scopes[0] else Cost()) for scope in scopes]
+    long = any(len(scope.statements) + len(scope.shares) >= LONG for scope in scopes)
+    costs = [plan.cost, *[Cost()] * len(scopes)][: len(scopes)]
     if ahead is not None:
-        cost = cost_behind(plan, [entry.node for entry in drafts[-1].entries])
-        kernels.append(_kernel(writer.ahead(ahead), len(writer.handed), cost))
-    return kernels
+        scopes.append(writer.ahead(ahead))
+        costs.append(cost_behind(plan, [entry.node for entry in drafts[-1].entries]))
+    return [_kernel(scope, len(writer.handed), cost, long) for scope, cost in zip(scopes, costs, strict=True)]
 
 
 class _Scope:
@@ -243,7 +246,7 @@ class _Writer:
         return kind == "call" and operands[0] in ("sin", "cos")
 
 
-def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
+def _kernel(scope: _Scope, handed: int, cost: Cost, long: bool) -> Kernel:
     draft = scope.draft
     results = list(dict.fromkeys(entry.array for entry in draft.entries))
     if scope.shares:
@@ -252,7 +255,8 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     names = [*read, *(array.name for array in results)]
     actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
     linkage = "EM_INLINE" if len(statements) < LONG else "EM_BY_ITSELF"
-    if draft.across:
+    across = draft.across and long
+    if across:
         linkage = "EM_BY_ITSELF_ACROSS"
     return Kernel(
         head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
@@ -260,7 +264,7 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=statements, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
-        reads=frozenset(read),
+        reads=frozenset(read), across=across,
     )  # fmt: skip
 
 

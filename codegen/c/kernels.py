@@ -16,7 +16,7 @@ from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms
 from .break_kernel import break_kernel
-from .kernel import LONG, Array, Draft, Entry, Kernel, Symbols, both_triangles, written
+from .kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
@@ -48,9 +48,11 @@ class _Writing:
         } | {"t": ("t", None)}
 
     def kernels(self, whole: bool) -> Kernels:
-        published, triangular, settled = self.by_the_root() if self.asks_the_root else self.equations()
+        published, triangular, settled = self.equations()
+        across = settled.masses is not None and settled.masses.across
+        tells_all = across and not any(block.fixed for block in self.blocks)  # and with no row nothing is added to M
         asked = {
-            "mass_matrix": None if self.gives_all_masses else self.mass_matrix("mass_matrix", self.terms.M),
+            "mass_matrix": None if tells_all else self.mass_matrix("mass_matrix", self.terms.M),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
@@ -62,40 +64,39 @@ class _Writing:
         partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, breaks=breaks, prepared=prepared,
-                       asks_the_root=self.asks_the_root, **asked)  # fmt: skip
+                       asks_the_root=across, **asked)  # fmt: skip
 
     @property
-    def takes_over(self) -> bool:
-        """Whether the equations of the triangular root are there, too."""
-        return self.choices.bounded and self.layout.couples
-
-    @property
-    def asks_the_root(self) -> bool:
-        """Whether all goes by the kernels of the triangular root: they are long, and there is no row."""
-        varying = [block for block in self.blocks if not block.fixed]
-        entries = sum(block.size * (block.size + 1) // 2 for block in varying)
-        has_them = self.takes_over or self.choices.formulation == "cholesky" and not self.choices.extrapolate
-        return has_them and not self.scene.m and entries >= LONG and not any(block.single for block in varying)
-
-    @property
-    def gives_all_masses(self) -> bool:
-        """Whether these kernels tell all of M: no block is fixed, and with no row nothing is added to it."""
-        return self.asks_the_root and not any(block.fixed for block in self.blocks)
+    def root_tells(self) -> bool:
+        """Whether kernels of the triangular root have all that others ask: there are no rows, no single coordinate."""
+        return not (self.scene.m or self.choices.extrapolate or any(block.single for block in self.blocks))
 
     def equations(self) -> tuple[Stages, Stages, Stages]:
         """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
-        published, settled = self.published(), self.stages(self.settled_masses(), self.settled_rates())
-        return published, self.stages(*self.drafts("triangular")) if self.takes_over else Stages(None, None), settled
+        none, cholesky = Stages(None, None), self.choices.formulation == "cholesky"
+        takes_over = self.choices.bounded and self.layout.couples
+        root, handed = self.of_the_root() if cholesky or takes_over else (none, None)
+        if root.motion and root.motion.across:
+            return self.by_the_root(root, handed)
+        settled = self.stages(self.settled_masses(), self.settled_rates())
+        return (root, none, settled) if cholesky else (self.published(), root, settled)
 
-    def by_the_root(self) -> tuple[Stages, Stages, Stages]:
-        """Return the same, compiled once. Eigenfactors ask for what M hands on; whoever settles knows no input."""
+    def of_the_root(self) -> tuple[Stages, Kernel | None]:
+        """Return its kernels and, where they tell all, one of what the first hands on alone."""
+        drafts = self.drafts("triangular")
+        if not (self.root_tells and all(draft.entries for draft in drafts)):
+            return self.stages(*drafts), None
         ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
-        masses, motion, handed = self.write(*self.drafts("triangular"), ahead=ahead)
-        if not self.takes_over:
-            return Stages(masses, motion), Stages(None, None), Stages(masses, None)
-        rates = self.write(self.settled_rates())[0] if "u" in motion.reads else motion
-        published = Stages(handed if handed.statements else None, motion)
-        return published, Stages(masses, motion), Stages(masses, rates)
+        masses, motion, handed = self.write(*drafts, ahead=ahead)
+        return Stages(masses, motion), handed if handed.statements else None
+
+    def by_the_root(self, root: Stages, handed: Kernel | None) -> tuple[Stages, Stages, Stages]:
+        """Return `equations` of long kernels that are compiled once. Whoever accepts a step knows no input."""
+        assert root.motion is not None
+        if self.choices.formulation == "cholesky":
+            return root, Stages(None, None), Stages(root.masses, None)
+        rates = self.write(self.settled_rates())[0] if "u" in root.motion.reads else root.motion
+        return Stages(handed, root.motion), root, Stages(root.masses, rates)
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -169,7 +170,7 @@ class _Writing:
     def drafts(self, name: str) -> tuple[Draft, Draft]:
         """What the root of M needs; then, with the velocities known, Mdot, f, A and gamma."""
         eigen = name == "eigenfactor"
-        across = self.asks_the_root and not eigen
+        across = self.root_tells and not eigen
         varying = [block for block in self.blocks if not block.fixed]
         masses = self.masses([block for block in varying if block.single or not eigen], False)
         gamma = self.column("gamma", self.terms.gamma)
