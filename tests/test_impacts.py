@@ -12,7 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import Event, Model, ModelError, StopReason, System, t
 
-from .generation import model_of, system_for
+from .generation import model_of, system_for, system_of
 
 x, z = dynamicsymbols("x z")
 g, e = symbols("g e", positive=True)
@@ -276,3 +276,20 @@ def test_newtons_cradle_hands_its_swing_on(method):
     assert np.ptp(run.energy) < 1e-9
     assert run.x.max(axis=1) == pytest.approx([0, 0, 0, 0.5], abs=2e-4)
     assert run.x.min(axis=1) == pytest.approx([-0.5, 0, 0, 0], abs=1e-6)
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "Radau"])
+@pytest.mark.parametrize("tolerance", [1e-7, 1e-9, 1e-11])
+def test_balls_that_touch_at_rest_are_struck_again_and_again(method, tolerance):
+    """Gaps between those at rest are 1e-17 or less, of either sign; what strikes never goes through."""
+    at = np.linspace(0.0, 20.0, 401)
+    run = system_for(model_of("newtons_cradle"), "lagrange").simulate(
+        (0.0, 20.0), method=method, rtol=tolerance, atol=tolerance / 100, t_eval=at
+    )
+    alone = system_of("pendulum", "lagrange").simulate(
+        (0.0, 20.0), x0={"theta": -0.5}, parameters={"l": 0.2}, rtol=1e-13, atol=1e-14, t_eval=at
+    )
+    swing = alone.x[0]
+    expected = np.array([np.minimum(swing, 0), 0 * at, 0 * at, np.maximum(swing, 0)])
+    assert run.success, run.message
+    assert run.x == pytest.approx(expected, abs=1e3 * tolerance)

@@ -20,6 +20,7 @@ class Method:
     solver : of the others, "module:class" of what makes the steps, as `scipy.integrate.OdeSolver` does
     needs : the package without which there is none, "" where it comes with ours
     extra : what installs that: pip install 'eigenmotion[extra]'
+    begins : of those whose steps are made in Python, the method of the first ones of a leg after events that act, or ""
     iterates : of a compiled one, whether its rates are found by iteration, which ends at the tolerances and no sooner
     """
 
@@ -30,6 +31,7 @@ class Method:
     solver: str = ""
     needs: str = ""
     extra: str = ""
+    begins: str = ""
     iterates: bool = False
 
     @property
@@ -54,11 +56,11 @@ METHODS = _table(
     Method("ra15", order=15, number=3, iterates=True),
     Method("radau5", order=5, implicit=True, number=6),
     Method("radau9", order=9, implicit=True, number=7),
-    Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
-    Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
-    Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),
+    Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau", begins="Radau"),
+    Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF", begins="Radau"),
+    Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA", begins="Radau"),
     Method("CVODE", order=None, implicit=True, solver="eigenmotion.running.sundials:Cvode",
-           needs="sksundae", extra="stiff"),
+           needs="sksundae", extra="stiff", begins="Radau"),
 )  # fmt: skip
 AT_ONCE = ("dop853", "ra15")
 """Those that every compiled model has at once, for a run may take them by itself; others are compiled as asked for."""

@@ -18,7 +18,8 @@ from ..arguments.options import Task
 from ..results.solution import Solution
 from ..runtime import TOLD, EvaluationError, RunInParts, StopReason, explain
 from .compiled import solution_of
-from .methods import Method
+from .leaving import FIRST_STEPS, joined
+from .methods import METHODS, Method
 
 
 @dataclass(slots=True)
@@ -56,35 +57,47 @@ def _follow(task: Task, method: Method, run: RunInParts, tally: _Tally) -> None:
     EvaluationError
         Steps have become too short: says what stood in the way.
     """
+    fresh = task.model.acts and method.begins != ""
     for end, side in _pieces(task):
         while run.t != end:
             z = np.concatenate(run.now())
             if not np.isfinite(z).all():
                 raise _not_finite(task, z)
-            solver = _solver(_in_its_mode(task, run), method, side, (run.t, end), z, tally)
+            making = METHODS[method.begins] if fresh else method
+            solver = _solver(_in_its_mode(task, run), making, side, (run.t, end), z, tally)
             try:
-                if not _tell(run, solver, tally):
-                    return
+                goes_on = _tell(run, solver, tally, fresh)
             finally:
                 tally.add(solver)
+            if goes_on is False:
+                return
+            fresh = method.begins != "" and (goes_on is None or (fresh and solver.status != "running"))
 
 
-def _tell(run: RunInParts, solver: Any, tally: _Tally) -> bool:
-    """Tell the steps of a solver up to its end, or an event that acts; return whether the run goes on."""
+def _tell(run: RunInParts, solver: Any, tally: _Tally, fresh: bool) -> bool | None:
+    """Tell the steps of a solver up to its end, of a fresh leg the first ones.
+
+    Returns
+    -------
+    bool or None
+        Whether the run goes on; None: an event has acted.
+    """
 
     def inside(t: Vector) -> Vector:
-        values: Vector = solver.dense_output()(t)
+        values: Vector = (solver.dense_output() if between is None else between)(t)
         return values
 
-    while solver.status == "running":
-        start, z = solver.t, solver.y.copy()
+    last = run.nsteps + FIRST_STEPS
+    while solver.status == "running" and not (fresh and run.nsteps >= last):
+        start, z, rate = solver.t, solver.y.copy(), solver.f.copy() if fresh else None
         if not _stepped(solver):
             stop = StopReason.STEP_SIZE_UNDERFLOW
             raise tally.obstacle or EvaluationError(explain(stop, run.model.coordinates), stop)
         tally.obstacle = None
+        between = None if rate is None else joined((start, solver.t), (z, solver.y), (rate, solver.f))
         goes_on = run.tell(start, z, solver.t, solver.y, inside)
         if not goes_on:
-            return goes_on is None
+            return goes_on
     return True
 
 

@@ -54,13 +54,15 @@ static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS]
 
 /* In the first step of a leg: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
  * number they are so no longer. Those that fired as it began are meant to be
- * zero; others, where they are, keep their sign. */
+ * zero, and so are those that keep apart what touches, and are past zero by less than that: else what strikes then goes through.
+ * Others, where they are zero, keep their sign. */
 static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
     for (int i = 0; i < N_EVENTS; ++i) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j][i]));
         const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
-        const int meant = w->fresh == EM_FIRST_LEG || w->fired[i];
+        const int touches = em_keeps_apart(i) && em_side_of(w->g[i], 0.0) == w->run->event_direction[i];
+        const int meant = w->fresh == EM_FIRST_LEG || w->fired[i] || touches;
         const int side = em_side_of(w->g[i], meant ? em_max(rounding, w->zero[i]) : rounding);
         if (meant || side) w->side[i] = side;
         w->quiet[i] = rounding + 4.0 * fabs(w->g[i]);
