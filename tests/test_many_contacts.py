@@ -81,3 +81,27 @@ def test_members_of_an_ensemble_have_modes_of_their_own(at, method):
             assert np.array_equal(runs.outputs[name][k], values[rows])
     assert runs.multipliers[:, 0, -1] == pytest.approx([-G, -2 * G, 0.0])
     assert np.array_equal(pickle.loads(pickle.dumps(runs._found)).y, runs.y.swapaxes(1, 2))
+
+
+@cache
+def stack() -> System:
+    """Three blocks of height 1 on one another, which do not bounce on the floor for long, but do on each other."""
+    z = dynamicsymbols("z1:4")
+    m, g, e, r = symbols("m g e r", positive=True)
+    gaps = {"floor": (z[0], r), "lower": (z[1] - z[0] - 1, e), "upper": (z[2] - z[1] - 1, e)}
+    return system_for(
+        Model(name="stack_of_blocks", coordinates=list(z), kinetic_energy=m * sum(one.diff() ** 2 for one in z) / 2,
+              potential_energy=m * g * sum(z),
+              contacts={name: Contact(gap, bounce, Rational(1, 100)) for name, (gap, bounce) in gaps.items()},
+              parameters={m: 1.0, g: G, e: 1.0, r: 0.5}, initial=dict(zip(z, (0.5, 1.5, 2.5), strict=True))),
+        "lagrange")  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "Radau"])
+def test_what_falls_side_by_side_is_struck(method):
+    """A gap of what falls together is -1e-11 by then, by blows before; and rounding from start to end of a step."""
+    run = stack().simulate((0.0, 2.6), method=method, rtol=1e-8, atol=1e-10)
+    assert run.success, run.message
+    assert (np.diff(run.x, axis=0) - 1).min() > -1e-9
+    assert len(run.t_events[1]) == pytest.approx(2 * len(run.t_events[2]), abs=40)  # down, then up to what it hands on
+    assert run.nsteps < 10_000

@@ -52,19 +52,25 @@ static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS]
     return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_restless(w, g, i);
 }
 
+/* Whether g_i keeps apart what has not gone through, yet is past zero: what touches at rest, or falls side by side, is so by
+ * rounding, or by what one blow after another leaves. */
+static int em_touches(const em_walk *w, int i) {
+    const int through = w->run->event_direction[i];
+    return w->fresh != EM_FIRST_LEG && em_keeps_apart(i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
+}
+
 /* In the first step of a leg: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
- * number they are so no longer. Those that fired as it began are meant to be
- * zero, and so are those that keep apart what touches, and are past zero by less than that: else what strikes then goes through.
- * Others, where they are zero, keep their sign. */
+ * number they are so no longer. Those that fired as it began are meant to be zero; others, where they are zero, keep their
+ * sign. What touches counts as zero by all means: else what strikes then goes through. */
 static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
     for (int i = 0; i < N_EVENTS; ++i) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j][i]));
         const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
-        const int touches = em_keeps_apart(i) && em_side_of(w->g[i], 0.0) == w->run->event_direction[i];
-        const int meant = w->fresh == EM_FIRST_LEG || w->fired[i] || touches;
+        const int meant = w->fresh == EM_FIRST_LEG || w->fired[i], touches = em_touches(w, i);
         const int side = em_side_of(w->g[i], meant ? em_max(rounding, w->zero[i]) : rounding);
-        if (meant || side) w->side[i] = side;
+        if (touches) w->side[i] = 0;
+        else if (meant || side) w->side[i] = side;
         w->quiet[i] = rounding + 4.0 * fabs(w->g[i]);
     }
 }

@@ -73,12 +73,13 @@ static double em_polynomial_at(const double *a, double theta) {
 
 /* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
  * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
- * enough. */
-static int em_is_wild(const em_walk *w, const double *a, double size, double probe) {
+ * enough. Nor of what is rounding all along. */
+static int em_is_wild(const em_walk *w, int i, const double *a, double size, double probe) {
     enum { RETRIES = 5 };
     const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
     const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
     const double off = fabs(em_polynomial_at(a, EM_PROBE) - probe);
+    if (size <= w->noise[i]) return 0;
     return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
 }
 
@@ -175,7 +176,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     double a[EM_NODES], size = 0.0;
     em_polynomial(s, i, a);
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
-    if (em_is_wild(w, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+    if (em_is_wild(w, i, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
     em_point before = {w->t, w->g[i]};
     em_pass(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
