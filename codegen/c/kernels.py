@@ -51,8 +51,8 @@ class _Writing:
         published, triangular, settled = self.equations()
         across = settled.masses is not None and settled.masses.across
         tells_all = across and not any(block.fixed for block in self.blocks)  # and with no row nothing is added to M
+        mass_matrix = None if tells_all else self.mass_matrix("mass_matrix", self.terms.M)
         asked = {
-            "mass_matrix": None if tells_all else self.mass_matrix("mass_matrix", self.terms.M),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
@@ -64,39 +64,39 @@ class _Writing:
         partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, breaks=breaks, prepared=prepared,
-                       asks_the_root=across, **asked)  # fmt: skip
+                       asks_the_root=across, mass_matrix=mass_matrix, **asked)  # fmt: skip
 
     @property
     def root_tells(self) -> bool:
-        """Whether kernels of the triangular root have all that others ask: there are no rows, no single coordinate."""
-        return not (self.scene.m or self.choices.extrapolate or any(block.single for block in self.blocks))
+        """Whether kernels of the triangular root have all that others ask: there is no row, and what varies turns."""
+        turns = any(block.turning for block in self.blocks) and not any(block.single for block in self.blocks)
+        return turns and not (self.scene.m or self.choices.extrapolate)
 
     def equations(self) -> tuple[Stages, Stages, Stages]:
         """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
         none, cholesky = Stages(None, None), self.choices.formulation == "cholesky"
-        takes_over = self.choices.bounded and self.layout.couples
-        root, handed = self.of_the_root() if cholesky or takes_over else (none, None)
-        if root.motion and root.motion.across:
-            return self.by_the_root(root, handed)
+        root, handed = self.of_the_root() if cholesky or self.choices.bounded and self.layout.couples else (none, None)
+        if handed and root.motion and root.motion.across:
+            return self.by_the_root(root, root.motion, handed)
         settled = self.stages(self.settled_masses(), self.settled_rates())
         return (root, none, settled) if cholesky else (self.published(), root, settled)
 
     def of_the_root(self) -> tuple[Stages, Kernel | None]:
         """Return its kernels and, where they tell all, one of what the first hands on alone."""
         drafts = self.drafts("triangular")
-        if not (self.root_tells and all(draft.entries for draft in drafts)):
+        if not self.root_tells:
             return self.stages(*drafts), None
         ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
         masses, motion, handed = self.write(*drafts, ahead=ahead)
-        return Stages(masses, motion), handed if handed.statements else None
+        return Stages(masses, motion), handed
 
-    def by_the_root(self, root: Stages, handed: Kernel | None) -> tuple[Stages, Stages, Stages]:
+    def by_the_root(self, root: Stages, motion: Kernel, handed: Kernel) -> tuple[Stages, Stages, Stages]:
         """Return `equations` of long kernels that are compiled once. Whoever accepts a step knows no input."""
-        assert root.motion is not None
         if self.choices.formulation == "cholesky":
             return root, Stages(None, None), Stages(root.masses, None)
-        rates = self.write(self.settled_rates())[0] if "u" in root.motion.reads else root.motion
-        return Stages(handed, root.motion), root, Stages(root.masses, rates)
+        rates = self.write(self.settled_rates())[0] if "u" in motion.reads else motion
+        alone = Stages(None, replace(motion, cost=handed.cost))
+        return Stages(handed, motion) if handed.statements else alone, root, Stages(root.masses, rates)
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
