@@ -109,7 +109,8 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
     """Write kernels that are called one after the other: what they have in common is computed once and handed on.
 
     The first one tells the cost of all. Without `constants` what is made of parameters only is computed in place.
-    One more kernel, `ahead`, takes the place of the first for whoever wants the last alone; it tells what both cost.
+    Where they are long one more, `ahead`, takes the place of the first for whoever wants the last alone, and tells the
+    cost of these.
     """
     plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
     arrays = {entry.array.name for draft in drafts for entry in draft.entries}
@@ -118,7 +119,7 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
     scopes = [writer.scope(draft) for draft in drafts]
     long = any(len(scope.statements) + len(scope.shares) >= LONG for scope in scopes)
     costs = [plan.cost, *[Cost()] * len(scopes)][: len(scopes)]
-    if ahead is not None:
+    if ahead is not None and long:
         scopes.append(writer.ahead(ahead))
         costs.append(cost_behind(plan, [entry.node for entry in drafts[-1].entries]))
     return [_kernel(scope, len(writer.handed), cost, long) for scope, cost in zip(scopes, costs, strict=True)]

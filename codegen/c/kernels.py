@@ -76,19 +76,19 @@ class _Writing:
         """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
         none, cholesky = Stages(None, None), self.choices.formulation == "cholesky"
         root, handed = self.of_the_root() if cholesky or self.choices.bounded and self.layout.couples else (none, None)
-        if handed and root.motion and root.motion.across:
+        if handed and root.motion:
             return self.by_the_root(root, root.motion, handed)
         settled = self.stages(self.settled_masses(), self.settled_rates())
         return (root, none, settled) if cholesky else (self.published(), root, settled)
 
     def of_the_root(self) -> tuple[Stages, Kernel | None]:
-        """Return its kernels and, where they tell all, one of what the first hands on alone."""
+        """Return its kernels and, where they tell all and are long, one of what the first hands on alone."""
         drafts = self.drafts("triangular")
         if not self.root_tells:
             return self.stages(*drafts), None
         ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
-        masses, motion, handed = self.write(*drafts, ahead=ahead)
-        return Stages(masses, motion), handed
+        masses, motion, *handed = self.write(*drafts, ahead=ahead)
+        return Stages(masses, motion), handed[0] if handed else None
 
     def by_the_root(self, root: Stages, motion: Kernel, handed: Kernel) -> tuple[Stages, Stages, Stages]:
         """Return `equations` of long kernels that are compiled once. Whoever accepts a step knows no input."""
