@@ -88,9 +88,14 @@ def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
 
     Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
     """
+
+    def make(text: str) -> None:
+        with tools.stepper_first():
+            _shared_unit(text, "stepper", tools)
+
     with ThreadPoolExecutor(max_workers=1) as pool:
         pool.submit(getattr, tools, "identity")  # which compilers take a while to tell
-        yield lambda text: pool.submit(_shared_unit, text, "stepper", tools)
+        yield lambda text: pool.submit(make, text)
 
 
 def _shared_unit(text: str, unit: str, tools: Toolchain) -> str:

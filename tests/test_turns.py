@@ -1,0 +1,54 @@
+"""Units of one build are compiled as cores become free, and the one that takes longest does not wait for others."""
+
+from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import TimeoutError as Late
+from threading import BoundedSemaphore
+
+import pytest
+
+from eigenmotion.building.errors import BuildError
+from eigenmotion.building.toolchain import Toolchain
+
+
+@pytest.fixture
+def one_core(monkeypatch):
+    """A compiler that says what it is to compile, on one core."""
+    tools, asked = Toolchain(("cc",)), []
+
+    def compiler(_, *arguments, **__):
+        asked.append(arguments[-1])
+        if "bad_model.o" in arguments:
+            raise BuildError("bad")
+
+    monkeypatch.setattr(Toolchain, "_run", compiler)
+    monkeypatch.setattr(Toolchain, "optimised", ())
+    object.__setattr__(tools, "_turns", BoundedSemaphore(1))
+    return tools, asked
+
+
+def test_the_stepper_takes_the_turn_kept_for_it_and_others_wait(one_core, tmp_path):
+    tools, asked = one_core
+    with ThreadPoolExecutor() as pool, tools.stepper_first():
+        model = pool.submit(tools.compile_unit, tmp_path, "a", "model")
+        with pytest.raises(Late):
+            model.result(0.1)
+        assert tools.compile_unit(tmp_path, "a", "stepper") == "a_stepper.o"
+        assert model.result(10.0) == "a_model.o"
+    assert asked == ["a_stepper.o", "a_model.o"]
+
+
+def test_a_turn_kept_for_nothing_is_given_back(one_core, tmp_path):
+    tools, _ = one_core
+    with tools.stepper_first():
+        pass
+    with pytest.raises(ZeroDivisionError), tools.stepper_first():
+        raise ZeroDivisionError
+    assert tools.compile_unit(tmp_path, "a", "model") == "a_model.o"
+    assert tools.compile_unit(tmp_path, "a", "stepper") == "a_stepper.o"
+
+
+def test_a_unit_that_fails_gives_its_turn_back(one_core, tmp_path):
+    tools, _ = one_core
+    with pytest.raises(BuildError, match="bad"):
+        tools.compile_unit(tmp_path, "bad", "model")
+    assert tools.compile_unit(tmp_path, "a", "model") == "a_model.o"
