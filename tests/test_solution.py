@@ -1,6 +1,9 @@
 """A Solution of a model written by hand, against the pendulum on paper."""
 
 import pickle
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +17,8 @@ from eigenmotion.runtime import StopReason
 from .hand_written import bead
 from .hand_written.swing import START, TIGHT, G, L, M, pendulum
 
+ROOT = Path(__file__).parents[1]
+
 
 @pytest.fixture(scope="module")
 def motion() -> Solution:
@@ -22,6 +27,8 @@ def motion() -> Solution:
 
 def test_is_a_result_of_scipy(motion):
     assert isinstance(motion, OptimizeResult)
+    assert isinstance(motion, Solution)
+    assert motion.__class__.__doc__ == Solution.__doc__
     assert motion.success is True
     assert motion.status == 0
     assert motion.stop is StopReason.FINISHED
@@ -135,3 +142,15 @@ def test_carried_factors_are_put_into_their_blocks():
     np.testing.assert_array_equal(C[1, 3:, 3:], [[4, 5], [6, 7]])
     np.testing.assert_array_equal(C[1, :3, :3], np.eye(3))
     np.testing.assert_array_equal(s[1], [1, 1, 1, 9, 10])
+
+
+def test_a_run_does_not_wait_for_scipy():
+    scipys = "[name for name in sys.modules if name.startswith('scipy.') and name.count('.') == 1 and '._' not in name]"
+    script = f"""
+import sys
+from tests.hand_written import bead
+motion = bead().simulate((0, 1))
+print(motion.success, {scipys}, type(motion) is motion.__class__)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout.strip() == "True ['scipy.version'] True"

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
-import scipy.linalg
+import scipy
 
 from ..arguments.names import Vector
 

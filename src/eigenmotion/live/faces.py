@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+import scipy
 
 from ..arguments.names import Vector
 from ..codegen.model import Model
@@ -25,8 +25,8 @@ def faces(model: Model) -> Iterator[dict[str, Any]]:
 def around(corners: Vector) -> list[list[int]]:
     """Return the faces of the hull of corners (k, 3), each in the order round it; all corners where they are flat."""
     try:
-        hull = ConvexHull(corners)
-    except (QhullError, ValueError):
+        hull = scipy.spatial.ConvexHull(corners)
+    except (scipy.spatial.QhullError, ValueError):
         return [list(range(len(corners)))]
     planes: dict[tuple[float, ...], set[int]] = {}
     for plane, triangle in zip(hull.equations, hull.simplices, strict=True):

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import isotonic_regression
 
 from ..codegen.model import ModelError
 from ..files import write
@@ -65,7 +65,7 @@ def apart(ends: Sequence[float] | NDArray[np.float64], gap: float) -> NDArray[np
     order = np.argsort(wanted, kind="stable")
     steps = gap * np.arange(len(wanted))
     places = np.empty_like(wanted)
-    places[order] = np.clip(isotonic_regression(wanted[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
+    places[order] = np.clip(scipy.optimize.isotonic_regression(wanted[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
     return places
 
 

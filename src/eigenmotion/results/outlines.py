@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+import scipy
 
 from ..arguments.names import Vector
 from .drawing import Drawing, Shape
@@ -136,8 +136,8 @@ def nodes(axis: Vector) -> tuple[Vector, Vector]:
 def hull(corners: Vector) -> list[Vector]:
     """The triangles around corners (k, 3), or nothing where they lie in one plane."""
     try:
-        return [corners[triangle] for triangle in ConvexHull(corners).simplices]
-    except (QhullError, ValueError):
+        return [corners[triangle] for triangle in scipy.spatial.ConvexHull(corners).simplices]
+    except (scipy.spatial.QhullError, ValueError):
         return []
 
 

@@ -1,11 +1,12 @@
 """The result of a run: SciPy's fields, and the mechanism's own, computed when asked for."""
 
+import sys
 from collections.abc import Callable, ItemsView, Iterator, KeysView, ValuesView
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import OptimizeResult
 
 from ..arguments.names import Vector, vector
 from ..arguments.options import Task
@@ -84,7 +85,7 @@ class DenseOutput:
         return self._rows_at(t)
 
 
-class Solution(OptimizeResult):  # type: ignore[misc]
+class Solution(dict[str, Any]):
     """The motion, by attribute or by item, time last. k rows; n coordinates; m constraint rows, h of them holonomic.
 
     t : (k,)
@@ -129,13 +130,21 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     (2, 2)
     """
 
-    __slots__ = ("_source",)
+    __slots__ = ("__weakref__", "_source")
+    __setattr__ = dict.__setitem__
+    __delattr__ = dict.__delitem__
     _source: Trajectory | tuple[Task, tuple[Leg, ...]] | None
 
     def __init__(self, rows: Trajectory | tuple[Task, tuple[Leg, ...]] | None, fields: dict[str, Any]) -> None:
         """A run's task and legs say enough of its rows: many a run is asked for t and y alone."""
         dict.update(self, fields)
         _keep(self, rows)
+
+    @property  # type: ignore[misc]
+    def __class__(self) -> Any:
+        """A SciPy's OptimizeResult, to whoever has imported that: it takes much longer than most runs."""
+        of_scipy = getattr(sys.modules.get("scipy.optimize"), "OptimizeResult", None)
+        return Solution if of_scipy is None else _one_of(of_scipy)
 
     @property
     def _rows(self) -> Trajectory | None:
@@ -186,15 +195,15 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     def __len__(self) -> int:
         return sum(1 for _ in self)
 
-    def keys(self) -> KeysView[str]:
+    def keys(self) -> KeysView[str]:  # type: ignore[override]
         """Names of all fields, derived ones included."""
         return KeysView(self)
 
-    def values(self) -> ValuesView[Any]:
+    def values(self) -> ValuesView[Any]:  # type: ignore[override]
         """All fields; computes what was not asked for before."""
         return ValuesView(self)
 
-    def items(self) -> ItemsView[str, Any]:
+    def items(self) -> ItemsView[str, Any]:  # type: ignore[override]
         """Names and fields; computes what was not asked for before."""
         return ItemsView(self)
 
@@ -273,6 +282,11 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         if self._rows is not None and self._rows.model.recipe is None:
             fields["sol"] = None
         return _restored, (fields,)
+
+
+@cache
+def _one_of(of_scipy: type) -> type:
+    return type("Solution", (Solution, of_scipy), {"__doc__": Solution.__doc__, "__module__": __name__})
 
 
 _keep = Solution.__dict__["_source"].__set__  # attributes of a Solution are its fields, but for this one

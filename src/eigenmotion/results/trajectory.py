@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
+import scipy
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
@@ -133,7 +133,7 @@ class Trajectory:
         for number, rows in enumerate(legs):
             last[sign * t >= sign * self.t[rows[0]]] = number
         for number, rows in enumerate(legs):
-            cubics = CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
+            cubics = scipy.interpolate.CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
             found[last == number] = cubics(sign * t[last == number])
         return found
 

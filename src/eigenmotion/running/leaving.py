@@ -9,7 +9,7 @@ accelerations there say.
 from collections.abc import Callable
 
 import numpy as np
-from scipy.interpolate import BPoly
+import scipy
 
 from ..arguments.names import Vector
 
@@ -31,6 +31,7 @@ def joined(
     missed = np.abs((z[1] - z[0])[n:] - h * (a[0] + a[1]) / 2).max()
     if not missed <= _RESOLVED * h * np.abs(a).max():
         return None
-    x = BPoly.from_derivatives([0.0, h], [[end[:n], end[n:], of] for end, of in zip(z, a, strict=True)])
+    ends = [[end[:n], end[n:], of] for end, of in zip(z, a, strict=True)]
+    x = scipy.interpolate.BPoly.from_derivatives([0.0, h], ends)
     v = x.derivative()
     return lambda times: np.concatenate((x(times - start), v(times - start)), axis=1).T

@@ -11,7 +11,7 @@ from pkgutil import resolve_name
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.integrate import LSODA, Radau
+import scipy
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
@@ -175,13 +175,13 @@ def _solver(task: Task, method: Method, side: _Side, span: tuple[float, float], 
         return task.model.motion_jacobian(side.clock(t), z, task.prepared, side.u(t), task.least_norm)
 
     kind, first = resolve_name(method.solver), min(task.first_step, abs(end - start)) or None
-    if first is None and kind is LSODA:
+    if first is None and kind is scipy.integrate.LSODA:
         first, tally.nfev = _first_step(task, abs(end - start), z, rate(start, z)), tally.nfev + 1
     solver = kind(
         rate, start, z, end, jac=jacobian, rtol=task.rtol, atol=np.tile(task.atol, 2), first_step=first,
         max_step=task.max_step,
     )  # fmt: skip
-    if isinstance(solver, Radau):
+    if isinstance(solver, scipy.integrate.Radau):
         solver.newton_tol = max(solver.newton_tol, _NEWTON)
     return solver
 
