@@ -37,7 +37,7 @@ EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
 }
 
 /* em_model.board */
-EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
+EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
     const em_walk *const w = walk;
     const em_run *const run = w->run;
     const int width = EM_MODEL_LANES.width;
@@ -64,7 +64,7 @@ EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
 }
 
 /* The stages of the step under way, from the lane, and what the last was made at. */
-static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
+EM_RARE static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
     enum { PADDED = (N_STATE + 3) / 4 * 4 };
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     const int width = EM_MODEL_LANES.width, last = rk->stages - 1;
@@ -74,7 +74,7 @@ static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
 }
 
 /* Its ends, and what the run has done so far. */
-static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     em_run *const run = w->run;
     const int width = EM_MODEL_LANES.width;
     const long steps = (long)f->n_steps[lane];
@@ -108,7 +108,7 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
 }
 
 /* What em_land does about a step that was settled. 0, or -1 */
-static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
+EM_RARE static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
     if (N_EVENTS > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
         em_member_read_stages(w, f, lane);
@@ -119,7 +119,7 @@ static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
 }
 
 /* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
-static int em_member_lands(em_walk *w, em_flock *f, int lane) {
+EM_RARE static int em_member_lands(em_walk *w, em_flock *f, int lane) {
     const int width = EM_MODEL_LANES.width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
     if (N_EVENTS > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
@@ -135,7 +135,7 @@ static int em_member_lands(em_walk *w, em_flock *f, int lane) {
 }
 
 /* em_model.look: what em_land and em_advance do about an accepted step. */
-EM_ACROSS int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
+EM_RARE EM_ACROSS int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
     em_walk *const w = walk;
     int terminal = 0;
     em_member_read(w, f, lane);
