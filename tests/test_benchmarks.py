@@ -1,0 +1,37 @@
+"""What benchmarks measure: C written by hand for the stepper as it is now, and programs around generated C."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from eigenmotion.models import pendulum, veering
+
+import eigenmotion as em
+
+sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
+from common.plain import Runner, compiled, generated
+
+HURRIED = "-O1"
+
+
+@pytest.mark.parametrize(
+    "flags", [("-DDELTA=3.0",), ("-DDELTA=1.0", "-DDIAGONALISED=1"), ("-DDELTA=0.0", "-DPACED=0.5")]
+)
+@pytest.mark.parametrize("gap", [0.1, 1.0])
+def test_the_smooth_gauge_moves_as_lagrange_does(flags, gap, tmp_path):
+    exact = em.build(veering.model, formulation="lagrange").simulate(
+        (0.0, 5.0), parameters={"gap": gap}, rtol=1e-12, atol=1e-12, dense_output=True
+    )
+    found = Runner.by_hand("veering", "smooth_gauge.c", tmp_path / "by hand", *flags.split(), HURRIED).outcome(
+        5.0, 1e-9, gap
+    )
+    assert found.status == 0
+    assert found.nsteps > 5
+    assert np.abs(found.x - exact.sol(found.t)[:2].T).max() < 1e-6
+
+
+@pytest.mark.parametrize("main", ["run.c", "right_hand_side.c", "control.c"])
+def test_programs_around_generated_c_compile(main, tmp_path):
+    work = generated(pendulum.model, tmp_path / "generated")
+    assert compiled(work, "pendulum", ("pendulum.c",), main, HURRIED).exists()
