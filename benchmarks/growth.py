@@ -25,6 +25,7 @@ from eigenmotion.codegen.model import ModelError
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.extension import compile_and_link, load
+from eigenmotion.building.parts import whole
 from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
 from eigenmotion.reference.motion import Reference
@@ -80,14 +81,14 @@ class Judges:
 
 
 def program(model: Model, formulation: str, folder: Path) -> Program:
-    """Generate, compile and import anew; the same object file is linked with the timer."""
+    """Generate, compile and load anew; the timer is linked with the same library."""
     start = time.perf_counter()
     sources = request(model, formulation=formulation).sources()
     work = folder / f"{model.name}_{formulation}"
     work.mkdir()
     for file in sources.files:
         (work / file.name).write_text(file.text)
-    compile_and_link(work, model.name, toolchain())
+    compile_and_link(work, model.name, toolchain(), whole())
     system = load(work / f"{model.name}{EXTENSION_SUFFIX}")
     built = time.perf_counter() - start
     return Program(system, built, counted(model.name, work), timer(model.name, work))

@@ -78,10 +78,14 @@ def chosen(system: System) -> list[str]:
 
 
 def lost(system: System, both: Both) -> dict[str, np.ndarray]:
-    """Return, at each tolerance, the time of each method over that of the better one; `auto` among them."""
+    """Return, at each tolerance, the time of each method over that of the better one; `auto` among them.
+
+    NaN where a run fails, or `auto` takes the scene for stiff.
+    """
     better = np.where(np.isfinite(both["dop853"][1]), np.minimum(both["dop853"][0], both["ra15"][0]), np.nan)
     times = {method: both[method][0] / better for method in METHODS}
-    return {**times, "auto": np.array([times[method][k] for k, method in enumerate(chosen(system))])}
+    taken = [times[method][k] if method in times else np.nan for k, method in enumerate(chosen(system))]
+    return {**times, "auto": np.array(taken)}
 
 
 def main() -> None:

@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:cd2e98966c71121fbdedbdeff5d01c41253a8c8cc7d6c644c212273a77836eeb */
+/* body sha256:a46c9601303888b08fb22864893e306f5271556e5440cfa184150793d851660a */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -2772,14 +2772,14 @@ const em_model andrews_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .tangent = em_tangent,
-    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
+    .lanes = &andrews_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -2789,19 +2789,19 @@ const em_model andrews_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = model_events,
-    .lanes = &andrews_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 13,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .constraint_partials = constraint_partials,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
-/* body sha256:32bc2eded546c93cb7b3f39b5af5df1a70847e3aba6de8541ec85e85bfb9992e */
+/* body sha256:c74373513941dc01f4b1ec04a22c94b6bd2180f18aeea1201914b523a7fcb88d */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -663,15 +663,14 @@ const em_model block_on_incline_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .tangent = em_tangent,
-    .constraint_partials = constraint_partials,
-    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = em_watched,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .lanes = &block_on_incline_lanes,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -681,20 +680,21 @@ const em_model block_on_incline_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = em_watched,
-    .deeds = deeds,
-    .n_switches = N_SWITCHES,
-    .switches = switches,
-    .act_along = em_act_along,
-    .lanes = &block_on_incline_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
     .n_shapes = 2,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .constraint_partials = constraint_partials,
+    .event_partials = em_watched_partials,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .act_along = em_act_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:e22aa333d48bdb63ab546c8829b3c1e0b9c41c66cf4f90eb21b7cbee89e4dd08 */
+/* body sha256:bdb130a93177c5a4ac9e61321302375c532b396ddaa5f5a02c6958a5f29c35d0 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1260,12 +1260,17 @@ const em_model cart_pendulums_3_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .n_quasi = N,
+    .quasi_velocities = quasi_velocity_names,
+    .quasi = quasi,
+    .event = model_events,
+    .lanes = &cart_pendulums_3_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1275,23 +1280,18 @@ const em_model cart_pendulums_3_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .n_quasi = N,
-    .quasi_velocities = quasi_velocity_names,
-    .quasi = quasi,
-    .quasi_partials = quasi_partials,
-    .event = model_events,
-    .lanes = &cart_pendulums_3_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 9,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .quasi_partials = quasi_partials,
+    .motion_along = em_motion_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

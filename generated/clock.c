@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:88e60ceda8146f33081b4f98ab002622640d9b8473cbf113113bd822bac53343 */
+/* body sha256:f90635ac40d6dcef088b6369cb4fe39d42069310bb57b61be2a151899d8744dd */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -683,15 +683,14 @@ const em_model clock_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .tangent = em_tangent,
-    .constraint_partials = constraint_partials,
-    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = em_watched,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .lanes = &clock_lanes,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -701,20 +700,21 @@ const em_model clock_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = em_watched,
-    .deeds = deeds,
-    .n_switches = N_SWITCHES,
-    .switches = switches,
-    .act_along = em_act_along,
-    .lanes = &clock_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
     .n_shapes = 6,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .constraint_partials = constraint_partials,
+    .event_partials = em_watched_partials,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .act_along = em_act_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:bd478ee58fd3d40a9fd9d2a62df8b4bb037bece83609bc1d4efe62846a9c7b9b */
+/* body sha256:cb77d27eb2003946f503db563b884ee86c43635fdec98e656e6a554645f0448e */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -1085,13 +1085,14 @@ const em_model compass_gait_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = em_watched,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .lanes = &compass_gait_lanes,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1101,20 +1102,19 @@ const em_model compass_gait_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = em_watched,
-    .deeds = deeds,
-    .n_switches = N_SWITCHES,
-    .switches = switches,
-    .act_along = em_act_along,
-    .lanes = &compass_gait_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .event_partials = em_watched_partials,
+    .motion_along = em_motion_along,
+    .act_along = em_act_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

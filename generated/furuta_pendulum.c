@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:626b12820ac780aa4a26eccaea857bfc9a6864ea0c660d1565242e3c74361854 */
+/* body sha256:216e522dfc44d58371e1ec4a3621b698697eb0603588788ddcfa9f1c5d0d5776 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -821,13 +821,14 @@ const em_model furuta_pendulum_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .output_partials = output_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
+    .lanes = &furuta_pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -837,19 +838,18 @@ const em_model furuta_pendulum_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = model_events,
-    .lanes = &furuta_pendulum_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 5,
     .dimension = 3,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .output_partials = output_partials,
+    .motion_along = em_motion_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:95b0272885375fcec70cb6ed2f756bab6031379cd1d13ac40b53502ebfcde7eb */
+/* body sha256:5dd9bf4fcf7bd65b84958fc84adc3ad1d85e79883191ebc67d94b3e1254825e9 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -1113,12 +1113,14 @@ const em_model governor_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
+    .lanes = &governor_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1128,19 +1130,17 @@ const em_model governor_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = model_events,
-    .lanes = &governor_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 10,
     .dimension = 3,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:cbbbfdbbe59bc000d1406ee55f8617328e8a7209af1213f4b0b455595f5f11be */
+/* body sha256:c4f4a21798a317cb030d47e52b0ad752f086fca9c2fa0a304789f72ff99fec41 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -793,13 +793,14 @@ const em_model newtons_cradle_4_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = em_watched,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .lanes = &newtons_cradle_4_lanes,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -809,20 +810,19 @@ const em_model newtons_cradle_4_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = em_watched,
-    .deeds = deeds,
-    .n_switches = N_SWITCHES,
-    .switches = switches,
-    .act_along = em_act_along,
-    .lanes = &newtons_cradle_4_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
     .n_shapes = 8,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .event_partials = em_watched_partials,
+    .motion_along = em_motion_along,
+    .act_along = em_act_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:393fa5c3a420ebcb6f905a2e8bac4ccfbd3820697f33b969e4e76cbf801fece2 */
+/* body sha256:2c222e726f76419d05a60c7396612c4930717345540b20f64e83e2b6b218c954 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -688,15 +688,14 @@ const em_model pendulum_with_stop_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .tangent = em_tangent,
-    .constraint_partials = constraint_partials,
-    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = em_watched,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .lanes = &pendulum_with_stop_lanes,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -706,20 +705,21 @@ const em_model pendulum_with_stop_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = em_watched,
-    .deeds = deeds,
-    .n_switches = N_SWITCHES,
-    .switches = switches,
-    .act_along = em_act_along,
-    .lanes = &pendulum_with_stop_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .constraint_partials = constraint_partials,
+    .event_partials = em_watched_partials,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .act_along = em_act_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:3e9bdb45166410a2de7cda78e7575acdd467637ff3ef7590db9a96d1af7e67b6 */
+/* body sha256:45808eaaceefab5cb85557acf171da7e39b76ee3232050b36e5e6bc96c24aeaf */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1112,12 +1112,18 @@ const em_model rigid_body_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .n_quasi = N,
+    .quasi_velocities = quasi_velocity_names,
+    .initial_y = initial_y,
+    .quasi = quasi,
+    .event = model_events,
+    .lanes = &rigid_body_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1127,24 +1133,18 @@ const em_model rigid_body_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .n_quasi = N,
-    .quasi_velocities = quasi_velocity_names,
-    .quasi = quasi,
-    .quasi_partials = quasi_partials,
-    .initial_y = initial_y,
-    .event = model_events,
-    .lanes = &rigid_body_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 2,
     .dimension = 3,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .quasi_partials = quasi_partials,
+    .motion_along = em_motion_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

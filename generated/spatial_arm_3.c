@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:75fc9753b221f68e8e808fe986a9ada48bbd71ff23d2e08eab27f9cad36e8781 */
+/* body sha256:90901a2ead675eb66344e872c94bda7d65ee66784653c1a31925f06e4f06aae3 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1634,12 +1634,14 @@ const em_model spatial_arm_3_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
+    .lanes = &spatial_arm_3_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1649,19 +1651,17 @@ const em_model spatial_arm_3_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = model_events,
-    .lanes = &spatial_arm_3_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 8,
     .dimension = 3,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:7b694c22472c6e2ee96ba7bffeb5cd427eabf6889092323fefb22b14e672ad5c */
+/* body sha256:e1de3e7670346b36ca7ef0e1836463b2af5adb18a61f5a44eedd1dc7f5931503 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1694,14 +1694,18 @@ const em_model sphere_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
-    .tangent = em_tangent,
-    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .n_quasi = N,
+    .quasi_velocities = quasi_velocity_names,
+    .initial_y = initial_y,
+    .quasi = quasi,
+    .event = model_events,
+    .lanes = &sphere_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -1711,24 +1715,20 @@ const em_model sphere_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .n_quasi = N,
-    .quasi_velocities = quasi_velocity_names,
-    .quasi = quasi,
-    .quasi_partials = quasi_partials,
-    .initial_y = initial_y,
-    .event = model_events,
-    .lanes = &sphere_lanes,
-    .further = em_further,
-#ifdef EM_UNIT
-    .rate_jacobian = em_rate_jacobian,
-#endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
     .n_shapes = 6,
     .dimension = 3,
     .shapes = shapes,
     .draw = draw,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .constraint_partials = constraint_partials,
+    .quasi_partials = quasi_partials,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:f53c3b5de99e58d111a58e43675e2987a9dab1ae5d741ebf9fa5edd895a50f2a */
+/* body sha256:3a52a142b4aad4e99239525160d68152e998afe5ed0122c733d0553fc0a7d218 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -663,12 +663,14 @@ const em_model veering_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .n_arguments = N_ARGUMENTS,
-    .motion_derivatives = em_motion_derivatives,
-    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
+    .lanes = &veering_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .open = em_handle_open,
     .advance = em_handle_advance,
     .now = em_handle_now,
@@ -678,15 +680,13 @@ const em_model veering_model = {
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = model_events,
-    .lanes = &veering_lanes,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .further = em_further,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
-    .enter = em_member_enter,
-    .board = em_member_board,
-    .look = em_member_look,
 };
 
 #endif

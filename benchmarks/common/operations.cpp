@@ -43,14 +43,7 @@ static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, ex
 static inline Counted frexp(Counted a, int *exponent) { return std::frexp(a.v, exponent); }
 
 #define EM_LANES 1 // one by one: a vector of numbers that count is none
-#define EM_STEPPER_H // no stepper: what it needs is not counted
-#define EM_MEMBER_H
-#define em_member_enter nullptr
-#define em_member_look nullptr
-#define em_member_leave nullptr
-#define em_simulate nullptr
-#define em_interpolate nullptr
-#define em_release nullptr
+#define EM_UNIT (EM_MODEL | EM_RHS) // the others are not linked (counted.py)
 #define restrict __restrict__
 #define double Counted
 #include SOURCE
