@@ -87,7 +87,7 @@ def test_operations_are_those_of_the_equations(printed, n):
     (line,) = re.findall(r"^  lagrange: (.*)$", text, re.M)
     terms = sum(map(int, re.findall(r"\d+", line)))
     products = 2 * (comb(n, 2) + comb(n, 3))  # each with its subtraction, of the pivots and of the entries below
-    pivots = n + n + comb(n, 2)  # the least allowed, 1 / D, L
+    pivots = n + n + n + comb(n, 2)  # the least allowed, 1 / D, times 1 or NaN, L
     solves = 2 * 2 * comb(n, 2) + n
     assert column(printed, n, "operations")[2] == str(terms + products + pivots + solves)
 
