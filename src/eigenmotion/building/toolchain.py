@@ -20,7 +20,8 @@ from .errors import BuildError, CompilerNotFoundError
 INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
 OPTIMISED = (
     "-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno", "-fno-trapping-math",
-    "-fno-tree-slp-vectorize",  # GCC 12 packs straight-line code into vectors wrongly where a loop unrolls
+    "-fno-tree-slp-vectorize",  # GCC 12 packs straight-line code into vectors wrongly where a loop unrolls,
+    "--param=vect-epilogues-nomask=0",  # and moves what is left of a loop to where the stack is not aligned
 )  # fmt: skip
 """Default flags, as far as a compiler knows them (docs/flags.md)."""
 STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
