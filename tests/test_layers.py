@@ -69,7 +69,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
     "system": ("codegen.model", "runtime", "arguments", "running", "ensembles", "linear", "pages"),
-    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running"),
+    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "cores"),
     "building": (
         "codegen.model",
         "codegen.c",
@@ -80,6 +80,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "running",
         "codegen.choices",
         "system",
+        "cores",
         "files",
         "garbage",
     ),
@@ -133,6 +134,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "stability",
         "files",
     ),
+    "cores": (),
     "files": (),
     "garbage": (),
 }

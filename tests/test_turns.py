@@ -2,12 +2,13 @@
 
 from concurrent.futures import ThreadPoolExecutor
 from concurrent.futures import TimeoutError as Late
-from threading import BoundedSemaphore
+from threading import Event
 
 import pytest
 
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.toolchain import Toolchain
+from eigenmotion.building.turns import Turns
 
 
 @pytest.fixture
@@ -22,7 +23,7 @@ def one_core(monkeypatch):
 
     monkeypatch.setattr(Toolchain, "_run", compiler)
     monkeypatch.setattr(Toolchain, "optimised", ())
-    object.__setattr__(tools, "_turns", BoundedSemaphore(1))
+    object.__setattr__(tools, "_turns", Turns(1))
     return tools, asked
 
 
@@ -52,3 +53,28 @@ def test_a_unit_that_fails_gives_its_turn_back(one_core, tmp_path):
     with pytest.raises(BuildError, match="bad"):
         tools.compile_unit(tmp_path, "bad", "model")
     assert tools.compile_unit(tmp_path, "a", "model") == "a_model.o"
+
+
+def test_a_stepper_that_waits_already_takes_the_turn_that_is_kept(tmp_path, monkeypatch):
+    """Else whoever keeps it could wait for what that one is about to leave in the cache, and that one for the turn."""
+    tools, (begin, end) = Toolchain(("cc",)), (Event(), Event())
+    object.__setattr__(tools, "_turns", Turns(1))
+    monkeypatch.setattr(Toolchain, "optimised", ())
+
+    def compiler(_, *arguments, **__):
+        begin.set()
+        if arguments[-1] == "a_model.o":
+            end.wait(10.0)
+
+    monkeypatch.setattr(Toolchain, "_run", compiler)
+    with ThreadPoolExecutor() as pool:
+        model = pool.submit(tools.compile_unit, tmp_path, "a", "model")
+        assert begin.wait(10.0)
+        stepper = pool.submit(tools.compile_unit, tmp_path, "a", "stepper")
+        with pytest.raises(Late):
+            stepper.result(0.1)
+        end.set()
+        with tools.stepper_first():
+            assert stepper.result(10.0) == "a_stepper.o"
+        assert model.result(10.0) == "a_model.o"
+    assert tools.compile_unit(tmp_path, "a", "rhs") == "a_rhs.o"

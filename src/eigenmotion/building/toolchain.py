@@ -6,16 +6,15 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.util import find_spec
 from pathlib import Path
-from threading import BoundedSemaphore, Semaphore
 
 from .cache import key
 from .errors import BuildError, CompilerNotFoundError
+from .turns import Turns
 
 INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
 OPTIMISED = (
@@ -52,10 +51,6 @@ _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
 
-def _one_a_core() -> BoundedSemaphore:
-    return BoundedSemaphore(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
-
-
 @dataclass(frozen=True)
 class Toolchain:
     """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins).
@@ -66,8 +61,7 @@ class Toolchain:
 
     command: tuple[str, ...]
     flags: tuple[str, ...] = field(default=())
-    _turns: BoundedSemaphore = field(default_factory=_one_a_core, init=False, compare=False, repr=False)
-    _kept: Semaphore = field(default_factory=lambda: Semaphore(0), init=False, compare=False, repr=False)
+    _turns: Turns = field(default_factory=Turns, init=False, compare=False, repr=False)
 
     @cached_property
     def optimised(self) -> tuple[str, ...]:
@@ -103,27 +97,16 @@ class Toolchain:
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
         target = f"{stem}_{unit}.o"
-        if not (unit == "stepper" and self._kept.acquire(blocking=False)):
-            self._turns.acquire()
-        try:
+        with self._turns.taken(kept=unit == "stepper"):
             self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
-        finally:
-            self._turns.release()
         return target
 
-    @contextmanager
-    def stepper_first(self) -> Iterator[None]:
+    def stepper_first(self) -> AbstractContextManager[None]:
         """Keep a turn for the stepper, which takes longest, until it is compiled or need not be.
 
         It is asked for last, for its text must be known before it can be looked for in the cache.
         """
-        self._turns.acquire()
-        self._kept.release()
-        try:
-            yield
-        finally:
-            if self._kept.acquire(blocking=False):
-                self._turns.release()
+        return self._turns.keeping()
 
     def preprocess_unit(self, text: str, unit: str) -> str:
         """Return all that the compiler reads of a unit: a text and its headers, without comments and empty lines."""

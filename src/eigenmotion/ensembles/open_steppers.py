@@ -11,10 +11,10 @@ from ..arguments.members import Asked
 from ..arguments.names import Vector, is_named, unknown
 from ..arguments.options import OptionError
 from ..codegen.model.normalise import ModelError, number, shown
+from ..cores import cores
 from ..running.stepper import METHOD_NUMBERS, fixed_step, method_named
 from .gather import gather
 from .steppers import Begun, Steppers
-from .threads import cores
 from .told import columns
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ from ..arguments.members import Asked, Members
 from ..arguments.options import choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
+from ..cores import cores
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method
@@ -23,7 +24,7 @@ from . import memory
 from .executors import in_executor
 from .gather import gather
 from .progress import Progress
-from .threads import cores, in_threads
+from .threads import in_threads
 
 if TYPE_CHECKING:
     from ..system.system import System

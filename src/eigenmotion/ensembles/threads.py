@@ -1,6 +1,5 @@
 """Chunks of members for threads of this process, which take the next one as they come to it."""
 
-import os
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 
@@ -13,11 +12,6 @@ Report = Callable[[int], None]
 _PART = 3  # of what is left for a thread, the part that is its next chunk: the last are short, and all end together
 _LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
 _TICK = 0.05  # [s] between two looks at signals
-
-
-def cores() -> int:
-    """Return how many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def pieces(count: int, size: int) -> list[tuple[int, int]]:

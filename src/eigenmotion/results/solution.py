@@ -144,7 +144,7 @@ class Solution(dict[str, Any]):
     def __class__(self) -> Any:
         """A SciPy's OptimizeResult, to whoever has imported that: it takes much longer than most runs."""
         of_scipy = getattr(sys.modules.get("scipy.optimize"), "OptimizeResult", None)
-        return Solution if of_scipy is None else _one_of(of_scipy)
+        return _one_of(type(self), of_scipy) if isinstance(of_scipy, type) else type(self)
 
     @property
     def _rows(self) -> Trajectory | None:
@@ -285,8 +285,8 @@ class Solution(dict[str, Any]):
 
 
 @cache
-def _one_of(of_scipy: type) -> type:
-    return type("Solution", (Solution, of_scipy), {"__doc__": Solution.__doc__, "__module__": __name__})
+def _one_of(ours: type, of_scipy: type) -> type:
+    return type(ours.__name__, (ours, of_scipy), {"__doc__": ours.__doc__, "__module__": ours.__module__})
 
 
 _keep = Solution.__dict__["_source"].__set__  # attributes of a Solution are its fields, but for this one
