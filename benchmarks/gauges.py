@@ -8,6 +8,7 @@ eigenvalues".
 
 from __future__ import annotations
 
+import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -66,11 +67,12 @@ Measured = dict[tuple[float, float], dict[str, Found]]
 def with_thresholds(model: em.Model, work: Path, near: float, far: float, apart: float) -> Runner:
     """Compile `bounded` with other numbers than the header's."""
     generated(model, work)
+    shutil.copytree(INCLUDE, work, dirs_exist_ok=True)  # headers find each other where they are themselves
     lines = (INCLUDE / HEADER).read_text().splitlines()
     for name, value in (("EM_NEAR", near), ("EM_FAR", far), ("EM_APART", apart)):
         (at,) = (k for k, line in enumerate(lines) if line.startswith(f"#define {name} "))
         lines[at] = f"#define {name} {value}"
-    (work / HEADER).write_text("\n".join(lines) + "\n")  # found before the package's
+    (work / HEADER).write_text("\n".join(lines) + "\n")
     return Runner(compiled(work, model.name, (f"{model.name}.c",), "run.c"))
 
 

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from eigenmotion.models import pendulum, veering
+from eigenmotion.models import dual_link, pendulum, veering
 
 import eigenmotion as em
 
 sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
 from common.plain import Runner, compiled, generated
+from gauges import with_thresholds
 
 HURRIED = "-O1"
 MOST_STEPS = 45
@@ -39,3 +40,11 @@ def test_the_smooth_gauge_moves_as_lagrange_does(gauge, gap, tmp_path):
 def test_programs_around_generated_c_compile(main, tmp_path):
     work = generated(pendulum.model, tmp_path / "generated")
     assert compiled(work, "pendulum", ("pendulum.c",), main, HURRIED).exists()
+
+
+def test_other_thresholds_take_effect(tmp_path):
+    generated(dual_link.model, tmp_path / "as it is")
+    as_it_is = Runner(compiled(tmp_path / "as it is", "dual_link", ("dual_link.c",), "run.c", HURRIED))
+    others = with_thresholds(dual_link.model, tmp_path / "other", 1.0, 1.4, 0.9)
+    shares = [one.n_bounded / one.nsteps for one in (way.outcome(2.0, 1e-9) for way in (as_it_is, others))]
+    assert shares[0] < 0.5 < shares[1]
