@@ -2,7 +2,7 @@
 
 from concurrent.futures import ThreadPoolExecutor
 from concurrent.futures import TimeoutError as Late
-from threading import Event
+from contextlib import ExitStack
 
 import pytest
 
@@ -55,26 +55,22 @@ def test_a_unit_that_fails_gives_its_turn_back(one_core, tmp_path):
     assert tools.compile_unit(tmp_path, "a", "model") == "a_model.o"
 
 
-def test_a_stepper_that_waits_already_takes_the_turn_that_is_kept(tmp_path, monkeypatch):
+def test_whoever_waits_already_takes_the_turn_that_is_kept():
     """Else whoever keeps it could wait for what that one is about to leave in the cache, and that one for the turn."""
-    tools, (begin, end) = Toolchain(("cc",)), (Event(), Event())
-    object.__setattr__(tools, "_turns", Turns(1))
-    monkeypatch.setattr(Toolchain, "optimised", ())
+    turns = Turns(1)
 
-    def compiler(_, *arguments, **__):
-        begin.set()
-        if arguments[-1] == "a_model.o":
-            end.wait(10.0)
+    def take() -> bool:
+        with turns.taken(kept=True):
+            return True
 
-    monkeypatch.setattr(Toolchain, "_run", compiler)
-    with ThreadPoolExecutor() as pool:
-        model = pool.submit(tools.compile_unit, tmp_path, "a", "model")
-        assert begin.wait(10.0)
-        stepper = pool.submit(tools.compile_unit, tmp_path, "a", "stepper")
+    with ThreadPoolExecutor() as pool, ExitStack() as another, ExitStack() as keeper:
+        another.enter_context(turns.taken(kept=False))
+        waits = pool.submit(take)
         with pytest.raises(Late):
-            stepper.result(0.1)
-        end.set()
-        with tools.stepper_first():
-            assert stepper.result(10.0) == "a_stepper.o"
-        assert model.result(10.0) == "a_model.o"
-    assert tools.compile_unit(tmp_path, "a", "rhs") == "a_rhs.o"
+            waits.result(0.1)
+        with turns._changed:  # nobody gets between the two
+            another.close()
+            keeper.enter_context(turns.keeping())
+        assert waits.result(10.0)
+    with turns.taken(kept=False):
+        pass

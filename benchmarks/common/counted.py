@@ -33,11 +33,6 @@ def operations(name: str, work: Path) -> int:
         There is no C++ compiler, or the code is C that no C++ compiler takes.
     """
     model = (f'-DSOURCE="{name}.c"', f"-DMODEL={name}_model", f"-I{INCLUDE}", "-I.")
-    linked = (
-        "-no-pie",
-        "-Wl,--unresolved-symbols=ignore-all",
-        "-o",
-        "counter",
-    )  # what no right-hand side calls is not there
-    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), *linked), work)
+    not_there = ("-no-pie", "-Wl,--unresolved-symbols=ignore-all")  # what no right-hand side calls
+    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), *not_there, "-o", "counter"), work)
     return sum(map(int, run((str(work / "counter"),)).split()))

@@ -142,7 +142,7 @@ class Solution(dict[str, Any]):
 
     @property  # type: ignore[misc]
     def __class__(self) -> Any:
-        """A SciPy's OptimizeResult, to whoever has imported that: it takes much longer than most runs."""
+        """SciPy's OptimizeResult as well, to whoever has imported that: it takes much longer than most runs."""
         of_scipy = getattr(sys.modules.get("scipy.optimize"), "OptimizeResult", None)
         return _one_of(type(self), of_scipy) if isinstance(of_scipy, type) else type(self)
 
