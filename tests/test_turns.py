@@ -1,5 +1,6 @@
 """Units of one build are compiled as cores become free, and the one that takes longest does not wait for others."""
 
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from concurrent.futures import TimeoutError as Late
 from contextlib import ExitStack
@@ -8,7 +9,7 @@ import pytest
 
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.toolchain import Toolchain
-from eigenmotion.building.turns import Turns
+from eigenmotion.building.turns import Briefly, Turns
 
 
 @pytest.fixture
@@ -74,3 +75,23 @@ def test_whoever_waits_already_takes_the_turn_that_is_kept():
         assert waits.result(10.0)
     with turns.taken(kept=False):
         pass
+
+
+def test_turns_on_the_interpreter_are_short_until_the_last_has_left():
+    before, briefly = sys.getswitchinterval(), Briefly()
+    with briefly:
+        with pytest.raises(ZeroDivisionError), briefly:
+            raise ZeroDivisionError
+        assert sys.getswitchinterval() == pytest.approx(Briefly.SECONDS)
+    assert sys.getswitchinterval() == before
+
+
+def test_turns_that_are_shorter_already_stay_so():
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(Briefly.SECONDS / 10)
+    try:
+        with Briefly():
+            assert sys.getswitchinterval() == pytest.approx(Briefly.SECONDS / 10)
+        assert sys.getswitchinterval() == pytest.approx(Briefly.SECONDS / 10)
+    finally:
+        sys.setswitchinterval(before)

@@ -18,6 +18,7 @@ from .cache import LOCATION, entry, key
 from .errors import BuildError
 from .parts import methods_of, whole
 from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, OF_A_SHAPE, Toolchain
+from .turns import briefly
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -93,7 +94,7 @@ def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
         with tools.stepper_first():
             _shared_unit(text, "stepper", tools)
 
-    with ThreadPoolExecutor(max_workers=1) as pool:
+    with briefly, ThreadPoolExecutor(max_workers=1) as pool:
         pool.submit(getattr, tools, "identity")  # which compilers take a while to tell
         yield lambda text: pool.submit(make, text)
 

@@ -1,8 +1,9 @@
-"""Turns on the processor's cores, of which one may be kept for a unit that is not known yet."""
+"""Turns on the processor's cores, of which one may be kept for a unit that is not known yet; and on the interpreter."""
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from threading import Condition
+from threading import Condition, Lock
 
 from ..cores import cores
 
@@ -51,3 +52,32 @@ class Turns:
         with self._changed:
             self._free += 1
             self._changed.notify_all()
+
+
+class Briefly:
+    """Short turns on the interpreter while any thread is within this: others need not wait long for one that computes.
+
+    A thread that starts compilers waits for each file and each process, and every time would get the interpreter back
+    from one that derives equations only after the 5 ms that are Python's default.
+    """
+
+    SECONDS = 2e-4
+
+    def __init__(self) -> None:
+        self._lock, self._within, self._before = Lock(), 0, 0.0
+
+    def __enter__(self) -> None:
+        with self._lock:
+            if not self._within:
+                self._before = sys.getswitchinterval()
+                sys.setswitchinterval(min(self.SECONDS, self._before))
+            self._within += 1
+
+    def __exit__(self, *_: object) -> None:
+        with self._lock:
+            self._within -= 1
+            if not self._within:
+                sys.setswitchinterval(self._before)
+
+
+briefly = Briefly()

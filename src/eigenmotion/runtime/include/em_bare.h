@@ -5,7 +5,7 @@
 
 #include "em_blame.h"
 
-static int em_fail_weakest(em_walk *w, double size) {
+EM_RARE static int em_fail_weakest(em_walk *w, double size) {
     em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, -1, -1, size);
     return em_blame(w, w->t_new, w->y_new);
 }

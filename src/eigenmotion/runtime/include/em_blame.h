@@ -12,7 +12,7 @@ static int em_non_finite_coordinate(const double *y) {
 }
 
 /* -1 and w->reason: a state or its rate (n_state) is not finite, which names the coordinate. */
-EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
+EM_RARE EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
     int first = em_non_finite_coordinate(y);
     if (first < 0) first = em_non_finite_coordinate(rate);
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
@@ -21,7 +21,7 @@ EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
 #ifdef EM_MECHANICS_H
 /* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
  * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
-EM_COLD int em_blame(em_walk *w, double t, const double *y) {
+EM_RARE EM_COLD int em_blame(em_walk *w, double t, const double *y) {
     const int first = em_non_finite_coordinate(y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
     double M[N * N], before[N * N];
@@ -36,7 +36,7 @@ EM_COLD int em_blame(em_walk *w, double t, const double *y) {
     return -1;
 }
 #else
-static int em_blame(em_walk *w, double t, const double *y) {
+EM_RARE static int em_blame(em_walk *w, double t, const double *y) {
     const int first = em_non_finite_coordinate(y);
     (void)t;
     return first < 0 ? -1 : em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);

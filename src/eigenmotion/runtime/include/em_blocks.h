@@ -57,12 +57,12 @@ EM_INLINE void em_put_velocity(const em_block *b, const double *part, double *v)
     for (int i = 0; i < b->size; ++i) v[b->coordinate[i]] = em_scale(b, i) * part[i];
 }
 
-EM_COLD int em_fail_block(const em_block *b, int singular, double size, em_fault *fault) {
+EM_RARE EM_COLD int em_fail_block(const em_block *b, int singular, double size, em_fault *fault) {
     return em_fail(fault, EM_SINGULAR_MASS_MATRIX, b->coordinate[singular], -1, size);
 }
 
 /* c <- both factors of a constant block M (size, size) */
-EM_COLD int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
+EM_RARE EM_COLD int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
     const int singular = em_prepare_block(b->size, M, c + b->C, c + b->s, c + b->L, c + b->r);
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
@@ -158,7 +158,7 @@ EM_INLINE double em_time_of_block(const em_block *b, const double *Mdot, const d
 }
 
 /* y <- with the quasi-velocities of the other root of M (size, size), which is that of `mode`. 0, or -1 and *fault */
-EM_INLINE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
+EM_RARE EM_COLD int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
     double eta[b->size];
     if (mode && em_keep_root(b, M, memory, fault)) return -1;
     em_take(b, y + b->n, eta);
@@ -193,7 +193,7 @@ EM_INLINE int em_settle_group(const em_group *g, int m, const double *Delta, dou
 }
 
 /* The same from scratch. */
-EM_COLD int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
+EM_RARE EM_COLD int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
     double part[g->size * g->size];
     em_part_of_delta(m, g->size, g->rows, Delta, part);
     const int singular = em_eigenfactors(g->size, part, y + g->C, y + g->s);

@@ -36,7 +36,7 @@ static int em_weakest_constraint(em_walk *w, const em_root *root, double *pivot)
 }
 
 /* A fault that names the weakest constraint row. */
-EM_COLD int em_fail_weakest(em_walk *w, double size) {
+EM_RARE EM_COLD int em_fail_weakest(em_walk *w, double size) {
     em_root root;
     double pivot;
     const int row = em_look_at_constraints(w, &root) == 0 ? em_weakest_constraint(w, &root, &pivot) : -1;

@@ -24,7 +24,7 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_F
 #define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
-EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
+EM_RARE EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
     fault->status = status;
     fault->first = first;
     fault->second = second;

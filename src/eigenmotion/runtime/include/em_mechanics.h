@@ -194,7 +194,7 @@ EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least
 
 /* The same from afar. Off the constraints, rows that depend on each other on them differ, by little: first only rows
  * that clearly add to others count, which is right unless phi = 0 is not reached so. */
-EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
+EM_RARE EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
     enum { STEPS = 50 };
     static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};
     double near[N];

@@ -119,7 +119,7 @@ EM_INLINE double em_take_rates(em_walk *w) { return em_over_nodes(w, em_take_rat
 EM_COLD double em_rates_size(em_walk *w) { return em_over_nodes(w, em_weighed_rate); }
 
 /* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
-EM_COLD int em_fail_nodes(em_walk *w) {
+EM_RARE EM_COLD int em_fail_nodes(em_walk *w) {
     double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH] = {0.0};
     for (int i = 0; i < EM_NODE_COUNT; ++i) {
         for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(w->nodes.Y, k, i), dy[k] = em_number_at(w->nodes.F, k, i);
@@ -207,7 +207,7 @@ static void em_finish_nodes(em_walk *w) {
 }
 
 /* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
-EM_COLD void em_note_changes(em_walk *w) {
+EM_RARE EM_COLD void em_note_changes(em_walk *w) {
     double ev[N];
     memset(w->error, 0, sizeof w->error);
     for (int k = EM_FIRST_RATE; k < 2 * N; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];

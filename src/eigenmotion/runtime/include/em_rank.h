@@ -86,7 +86,7 @@ EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *ro
 }
 
 /* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
-EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
+EM_RARE EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
         const double *const q = Q + pass % count * n;
         double along = 0.0;
@@ -102,7 +102,7 @@ EM_COLD double em_length(int n, const double *r) {
 }
 
 /* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
-EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
+EM_RARE EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
     for (int k = 0; k < count; ++k) {
         double *const row = null + k * m;
         em_remove_rows(m, k, null, row);
@@ -115,7 +115,7 @@ EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
 /* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
  * given. Which rows depend on others is judged with all rows at length one. Returns -1, or a row that contradicts those
  * it depends on, by more than rounding of `terms` (m), the sizes of what cancels in rhs (NULL: that is not asked). */
-EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
+EM_RARE EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
     double unit[m], L[m * m], D[m], null[m * m], largest = 0.0;
     int row[m], worst = -1;
     memset(L, 0, sizeof L);
@@ -144,7 +144,7 @@ EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double 
 }
 
 /* rhs (m) <- least-norm solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
-EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
+EM_RARE EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
                                em_fault *fault) {
     for (int i = 0; i < m; ++i)
         if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);

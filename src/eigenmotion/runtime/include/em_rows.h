@@ -71,7 +71,7 @@ static void em_rows_free(em_rows *rows) {
 }
 
 /* em_model.release: frees what simulate allocated; may be called again, and after a failed run. */
-EM_ACROSS void em_release(em_run *run) {
+EM_RARE EM_ACROSS void em_release(em_run *run) {
     em_rows_free(&run->rows);
     for (int i = 0; run->events != NULL && i < N_EVENTS; ++i) em_rows_free(&run->events[i]);
     for (int i = 0; run->after != NULL && i < N_EVENTS; ++i) em_rows_free(&run->after[i]);

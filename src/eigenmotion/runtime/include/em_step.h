@@ -69,7 +69,7 @@ static int em_attempt(em_walk *w) {
 }
 
 /* No step is short enough: the fault that stood in the way, if it was not the error alone. */
-static int em_underflow(em_walk *w, double size, em_fault obstacle) {
+EM_RARE static int em_underflow(em_walk *w, double size, em_fault obstacle) {
     if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
     return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
 }

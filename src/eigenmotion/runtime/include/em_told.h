@@ -16,7 +16,7 @@ static const double EM_TOLD_NODES[EM_DENSE_COEFFICIENTS] = {
     0.58682408883346517, 0.75, 0.88302222155948902, 0.96984631039295419, 1.0};
 
 /* The barycentric formula (Berrut & Trefethen, SIAM Rev. 46 (2004) 501, section 5). */
-static void em_told_evaluate(const double *F, int degree, double theta, double *y) {
+EM_RARE static void em_told_evaluate(const double *F, int degree, double theta, double *y) {
     double sum = 0.0;
     memset(y, 0, N_STATE * sizeof *y);
     for (int j = 0; j <= degree; ++j, F += N_STATE) {
@@ -39,7 +39,7 @@ static void em_told_at(const em_walk *w, double t, double *y) {
     memcpy(y + 2 * N, w->y + 2 * N, (N_STATE - 2 * N) * sizeof *y);
 }
 
-static int em_told_step(em_walk *w) {
+EM_RARE static int em_told_step(em_walk *w) {
     if (w->run->piece == NULL) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h); /* nothing is told */
     memcpy(w->y_new, w->y, sizeof w->y_new);
     em_told_at(w, w->t_new, w->y_new);
@@ -49,12 +49,12 @@ static int em_told_step(em_walk *w) {
     return 0;
 }
 
-static int em_told_interpolate(em_walk *w) {
+EM_RARE static int em_told_interpolate(em_walk *w) {
     for (int j = 0; j <= EM_TOLD_DEGREE; ++j) em_told_at(w, w->t + EM_TOLD_NODES[j] * w->h, w->F[j]);
     return 0;
 }
 
 /* These steps are long beside what happens in them, and dear: a glance is not enough. */
-static int em_told_sketch(em_walk *w) { return (void)w, -1; }
+EM_RARE static int em_told_sketch(em_walk *w) { return (void)w, -1; }
 
 #endif

@@ -200,7 +200,7 @@ static void em_signals(em_walk *w, double t) {
 }
 
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
-static int em_blame(em_walk *w, double t, const double *y);
+EM_RARE static int em_blame(em_walk *w, double t, const double *y);
 
 /* Whether steps are the caller's, which cannot be made again (em_told.h). */
 EM_UNUSED static int em_is_told(const em_run *run) { return run->method == EM_TOLD; }
