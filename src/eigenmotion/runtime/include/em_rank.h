@@ -86,7 +86,7 @@ EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *ro
 }
 
 /* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
-EM_RARE EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
+EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
         const double *const q = Q + pass % count * n;
         double along = 0.0;
@@ -102,7 +102,7 @@ EM_COLD double em_length(int n, const double *r) {
 }
 
 /* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
-EM_RARE EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
+EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
     for (int k = 0; k < count; ++k) {
         double *const row = null + k * m;
         em_remove_rows(m, k, null, row);
