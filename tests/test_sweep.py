@@ -16,7 +16,7 @@ import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.ensembles.design import Design, Distribution
 from eigenmotion.ensembles.progress import Progress, duration
-from eigenmotion.results import stores
+from eigenmotion.results import parts as kept_parts
 
 SWEEP = ["sweep", "scene.py", "--formulation", "lagrange", "--t-end", "1", "--chunk", "7"]
 GRID = ["--sweep", "g=1,9.81,20", "--sweep", "angle'=0:2:4", "--sample", "angle=normal(0.5,0.1)", "-n", "3"]
@@ -54,7 +54,7 @@ def files(store: Path) -> dict[str, bytes]:
 
 def killed_after(parts: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let sweeps die when they have kept so many parts."""
-    keep, kept = stores.Parts.keep, []
+    keep, kept = kept_parts.Parts.keep, []
 
     def dying(self, number, arrays):
         if len(kept) == parts:
@@ -62,7 +62,7 @@ def killed_after(parts: int, monkeypatch: pytest.MonkeyPatch) -> None:
         kept.append(number)
         keep(self, number, arrays)
 
-    monkeypatch.setattr(stores.Parts, "keep", dying)
+    monkeypatch.setattr(kept_parts.Parts, "keep", dying)
 
 
 def test_a_sweep_stores_what_simulate_finds(scene, capsys):

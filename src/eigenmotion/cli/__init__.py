@@ -89,7 +89,7 @@ def _failed(error: Exception) -> int:
 
 
 def _exit_code(error: Exception) -> int:
-    if isinstance(error, click.ClickException | OSError):
+    if isinstance(error, click.ClickException | OSError | MemoryError):
         return MISTAKE
     if isinstance(error, em.BuildError):  # before ModelError: a missing compiler is both
         return FAILURE
@@ -99,6 +99,8 @@ def _exit_code(error: Exception) -> int:
 def _words(error: Exception) -> str:
     if isinstance(error, OSError) and error.filename and error.strerror:
         return f"{error.filename}: {error.strerror}"
+    if isinstance(error, MemoryError):
+        return f"memory ran out ({error}). Ask for fewer rows, runs or values at a time"
     if isinstance(error, em.BuildError | em.ModelError | OSError):
         return str(error)
     return f"{type(error).__name__}: {error} (internal; EIGENMOTION_DEBUG=1 shows where)"

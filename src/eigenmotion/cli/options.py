@@ -123,6 +123,20 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
     return {name.strip(): value.strip() for name, _, value in (text.partition("=") for text in texts)}
 
 
+def distinct_assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
+    """NAME=VALUE ... -> mapping, where none may be there twice.
+
+    Raises
+    ------
+    UsageError
+        One is; names it.
+    """
+    names = [text.partition("=")[0].strip() for text in texts]
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise click.UsageError(f"{option} {twice[0]} is given twice: give its values in one")
+    return assignments(texts, option)
+
+
 def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> dict[str, dict[str, float]]:
     """--set NAME=VALUE ... -> the arguments parameters, inputs, x0 and v0 of `simulate`, those that are given.
 
@@ -133,17 +147,21 @@ def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> di
     """
     given = {name: _number(name, text, option) for name, text in assignments(settings, option).items()}
     positions = [spelled(key) for key in model.coordinates]
+    rates = [f"{name}'" for name in positions]
     kinds = {
         "parameters": [spelled(key) for key, _ in model.parameters],
         "inputs": [spelled(key) for key, _ in model.inputs],
         "x0": positions,
-        "v0": [*(f"{name}'" for name in positions), *(spelled(y) for y, _ in model.quasi_velocities)],
+        "v0": [*rates, *(spelled(y) for y, _ in model.quasi_velocities)],
     }
     known = [name for names in kinds.values() for name in names]
     if unknown := sorted(given.keys() - set(known)):
         raise click.UsageError(f"{option} {unknown[0]}: not known to {model.name}, which has {', '.join(known)}")
+    if twice := [name for name in given if known.count(name) > 1]:
+        raise click.UsageError(f"{option} {twice[0]}: of {model.name} two things have that name. Rename one of them")
     chosen = {
-        kind: {name.removesuffix("'"): given[name] for name in names if name in given} for kind, names in kinds.items()
+        kind: {name.removesuffix("'") if name in rates else name: given[name] for name in names if name in given}
+        for kind, names in kinds.items()
     }
     return {kind: numbers for kind, numbers in chosen.items() if numbers}
 

@@ -19,13 +19,14 @@ from eigenmotion.ensembles.simulate_ensemble import chosen_method, simulate_ense
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
 from eigenmotion.results import spread
-from eigenmotion.results.stores import STORES, Parts, arrays_of, require
+from eigenmotion.results.parts import Parts
+from eigenmotion.results.stores import STORES, arrays_of, check_names, finish, is_done, require
 from eigenmotion.running.methods import AUTO, METHODS
 from eigenmotion.system.system import System
 
 from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
 from .progress import clock
-from .swept import MOST, design_of
+from .swept import MOST, check_memory, check_set, design_of
 
 _WORDS = 3  # failures of a kind that are told
 _AT_ONCE = 64  # parts that go to other machines together
@@ -83,6 +84,10 @@ def command(
     _check_targets(store, plot, workers, scheduler)
     request = Shape(**shape).request(model)
     design = design_of(request.model, sweeps, samples, n, seed)
+    swept = (*design.grid, *design.samples)
+    check_set(settings, swept)
+    check_memory(request.model, design, store, rows, chunk * (_AT_ONCE if scheduler else 1))
+    check_names(store, swept, [name for name, _ in request.model.outputs])
     times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
     with clock():
         system = system_of(request)
@@ -90,11 +95,17 @@ def command(
     given = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
     told = _told(design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
     parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
-    if resume and parts.is_done:
-        click.echo(f"{store} is complete")
-        return 0
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
-    parts.begin(resume=resume)
+    with parts.alone():
+        if resume and is_done(parts):
+            parts.forget()
+            click.echo(f"{store} is complete")
+            return 0
+        parts.begin(resume=resume)
+        return _done(work, workers, scheduler, plot)
+
+
+def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path | None) -> int:
     start = time.perf_counter()
     with _executor(scheduler) as executor:
         try:
@@ -102,13 +113,16 @@ def command(
         except KeyboardInterrupt:
             whole = False
         except ModelError:
-            parts.give_up()
+            work.parts.give_up()
             raise
     if not whole:
-        click.echo(f"interrupted; --resume goes on where {store} was left", err=True)
+        click.echo(f"interrupted; --resume goes on where {work.parts.store} was left", err=True)
         return 130
-    click.echo(_summary(parts, design.count, time.perf_counter() - start))
-    _finish(work, plot)
+    click.echo(_summary(work.parts, work.design.count, time.perf_counter() - start))
+    if plot:
+        click.echo(f"drawn to {save_figure(_picture(work.system, work.design, work.parts), plot)}")
+    finish(work.parts)
+    click.echo(f"stored in {work.parts.store}")
     return 0
 
 
@@ -118,13 +132,6 @@ def _told(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
     grid = {name: list(numbers) for name, numbers in design.grid.items()}
     options = {name: given[name] for name in ("rtol", "atol", "method")}
     return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
-
-
-def _finish(work: "_Sweep", plot: Path | None) -> None:
-    if plot:
-        click.echo(f"drawn to {save_figure(_picture(work.system, work.design, work.parts), plot)}")
-    work.parts.finish()
-    click.echo(f"stored in {work.parts.store}")
 
 
 @dataclass(frozen=True)
@@ -143,6 +150,8 @@ class _Sweep:
     def run(self, workers: int | None, executor: Any) -> bool:
         """Run what is missing; return whether all is there, which it is not after Ctrl-C."""
         missing = [number for number in range(self.parts.count) if not self.parts.has(number)]
+        if damaged := [number for number in missing if self.parts.is_damaged(number)]:
+            click.echo(f"{len(damaged)} parts are damaged, or of another sweep: their runs are made anew", err=True)
         together = _AT_ONCE if executor else 1
         total = self.design.count
         with Progress(total, total - sum(map(self._size, missing))) as progress:

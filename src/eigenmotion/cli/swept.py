@@ -1,17 +1,23 @@
 """The values that `eigenmotion sweep` is given, in words: NAME=A:B:K, NAME=V,V,..., NAME=KIND(A,B)."""
 
 import re
+from collections.abc import Collection
+from pathlib import Path
 
 import click
 import numpy as np
 
 from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.ensembles.design import KINDS, Design, Distribution
+from eigenmotion.ensembles.memory import shortage
+from eigenmotion.results.stores import JOINED
 
-from .options import assignments, values
+from .options import assignments, distinct_assignments, values
 
 MOST = 10**9
 """Runs of one sweep."""
+_STOP = 200  # [byte] how a run ended
+_POINT = 100  # [byte] a value of a list takes, and where it is said what the sweep is
 
 
 def design_of(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n: int | None, seed: int) -> Design:
@@ -26,8 +32,8 @@ def design_of(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n
         raise click.UsageError("nothing is swept: give --sweep or --sample")
     if bool(samples) != (n is not None):
         raise click.UsageError("-n says how many samples --sample draws: give both")
-    grid = {name: _values(name, text) for name, text in assignments(sweeps, "--sweep").items()}
-    drawn = {name: _distribution(name, text) for name, text in assignments(samples, "--sample").items()}
+    grid = {name: _values(name, text) for name, text in distinct_assignments(sweeps, "--sweep").items()}
+    drawn = {name: _distribution(name, text) for name, text in distinct_assignments(samples, "--sample").items()}
     if twice := sorted(grid.keys() & drawn.keys()):
         raise click.UsageError(f"{twice[0]} is swept and sampled: give one of the two")
     try:
@@ -48,13 +54,21 @@ def _values(name: str, text: str) -> list[float]:
         if len(pieces) == 1:
             found = [float(value) for value in text.split(",")]
         else:
-            low, high, count = pieces
-            found = np.linspace(float(low), float(high), int(count)).tolist()
+            low, high, number = pieces
+            _check_count(option, count := int(number))
+            found = np.linspace(float(low), float(high), count).tolist()
     except ValueError as error:
         raise click.UsageError(f"{option}: expected A:B:K, K values from A to B, or a list V,V,...") from error
     if not found or not np.isfinite(found).all():
         raise click.UsageError(f"{option}: there must be values, and finite ones")
     return found
+
+
+def _check_count(option: str, count: int) -> None:
+    if count > MOST:
+        raise click.UsageError(f"{option}: {count:.3g} values: at most {MOST:.0e} in one sweep")
+    if short := shortage(_POINT * count):
+        raise click.UsageError(f"{option}: {count} values {short}")
 
 
 def _distribution(name: str, text: str) -> Distribution:
@@ -72,3 +86,35 @@ def _distribution(name: str, text: str) -> Distribution:
         raise click.UsageError(f"{option}: {error}") from error
     except ValueError as error:
         raise click.UsageError(f"{option}: expected one of {', '.join(KINDS.values())}") from error
+
+
+def check_set(settings: tuple[str, ...], swept: Collection[str]) -> None:
+    """Refuse names that are set and swept.
+
+    Raises
+    ------
+    UsageError
+        There is one; names it.
+    """
+    if twice := sorted(assignments(settings, "--set").keys() & set(swept)):
+        raise click.UsageError(f"{twice[0]} is set and swept: give one of the two")
+
+
+def check_memory(model: Model, design: Design, store: Path, rows: int, at_once: int) -> None:
+    """Find out before the runs whether there is memory for those that are kept together, and for the store.
+
+    Raises
+    ------
+    UsageError
+        There is not; says for what, and what to do.
+    """
+    per_row = 2 * model.n + model.m + 1 + len(model.outputs)
+    each = 8 * (rows * per_row + len(design.grid) + len(design.samples)) + _STOP
+    of_part = min(at_once, design.count) * (each + 16 * rows * model.n)  # of states beside what is kept of them
+    if short := shortage(of_part):
+        words = f"{min(at_once, design.count)} runs of {rows} rows"
+        raise click.UsageError(f"--chunk: {words} {short}. Give a smaller --chunk, or fewer --rows")
+    of_store = 2 * design.count * each  # parts, and these joined
+    if store.suffix in JOINED and (short := shortage(of_store)):
+        words = f"{store.suffix} files are put together in memory, where {design.count} runs of {rows} rows"
+        raise click.UsageError(f"-o {store}: {words} {short}. Store .zarr or .csv, or give fewer --rows")

@@ -23,14 +23,21 @@ def check(asked: Asked, count: int) -> None:
     width = model.n_state + 2 * model.n * columns
     numbers = len(asked.t_eval) * width + 10 + model.n_events
     needed = 8 * numbers * count
-    there = available() if needed > _LITTLE else None
-    words = f"{count} runs with {len(asked.t_eval)} rows of {width} numbers take {needed / 1e9:.3g} GB"
-    _log.info("%s: %s", model.name, words)
-    if there is not None and needed > there:
+    words = f"{model.name}: {count} runs with {len(asked.t_eval)} rows of {width} numbers"
+    _log.info("%s take %.3g GB", words, needed / 1e9)
+    if short := shortage(needed):
         raise ModelError(
-            f"{model.name}: {words}, and {there / 1e9:.3g} GB are free. Give fewer rows in t_eval (none: the end state "
-            "only), fewer runs at a time, or let `eigenmotion sweep` write them chunk by chunk."
+            f"{words} {short}. Give fewer rows in t_eval (none: the end state only), fewer runs at a time, or let "
+            "`eigenmotion sweep` write them chunk by chunk."
         )
+
+
+def shortage(needed: float) -> str:
+    """Say that so many bytes take more than there is; nothing where they do not."""
+    there = available() if needed > _LITTLE else None
+    if there is None or needed <= there:
+        return ""
+    return f"take {needed / 1e9:.3g} GB, and {there / 1e9:.3g} GB are free"
 
 
 def available() -> int | None:

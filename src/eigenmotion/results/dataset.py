@@ -4,6 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .columns import columns
+
 if TYPE_CHECKING:
     from .ensemble import Ensemble
 
@@ -20,14 +22,8 @@ def dataset(runs: "Ensemble") -> tuple[dict[str, Any], dict[str, Any]]:
     if model.m:
         data["multipliers"] = (("run", "row", "time"), runs.multipliers)
     places: dict[str, Any] = {"time": runs.t, "coordinate": np.array(model.coordinates), "run": np.arange(len(runs))}
-    if model.outputs:
-        data |= {
-            _free(name, "output", data, places): (("run", "time"), values) for name, values in runs.outputs.items()
-        }
-    places |= {_free(name, "swept", data, places): ("run", values) for name, values in runs.swept.items()}
+    users = [*(("output", name) for name in runs.outputs), *(("swept", name) for name in runs.swept)]
+    names = iter(columns({*data, *places, "row"}, users))
+    data |= {name: (("run", "time"), values) for values, name in zip(runs.outputs.values(), names, strict=False)}
+    places |= {name: ("run", values) for values, name in zip(runs.swept.values(), names, strict=True)}
     return data, places
-
-
-def _free(name: str, kind: str, *taken: dict[str, Any]) -> str:
-    """Return a name that is not taken: of the user's names some may be those of dimensions."""
-    return f"{kind}_{name}" if any(name in names for names in (*taken, {"row": 0})) else name

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..files import write
 from ..pages.tables import as_csv
+from .columns import columns, moving
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -36,11 +37,12 @@ def _npz(system: "System", solution: Solution) -> bytes:
 
 def _csv(system: "System", solution: Solution) -> bytes:
     """Columns: t, each coordinate, each rate (marked '), each multiplier, energy, each output; full precision."""
-    names = ["t", *system.coordinates, *(f"{name}'" for name in system.coordinates)]
-    names += [*(f"lambda{k}" for k in range(system.m)), "energy", *solution.outputs]
-    columns = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
+    ours = ["t", *(f"lambda{k}" for k in range(system.m)), "energy"]
+    motion = moving(ours, system.coordinates)
+    outputs = columns({*ours, *motion, *system.coordinates}, [("output", name) for name in solution.outputs])
+    numbers = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
                          *solution.outputs.values()])  # fmt: skip
-    return as_csv(names, columns.T.tolist()).encode()
+    return as_csv(["t", *motion, *ours[1:], *outputs], numbers.T.tolist()).encode()
 
 
 SAVERS: dict[str, Callable[["System", Solution], bytes]] = {".npz": _npz, ".csv": _csv}

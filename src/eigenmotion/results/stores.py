@@ -1,30 +1,27 @@
-"""Sweeps as files: parts while they run, each there in full or not at all, and of all parts one store at the end.
+"""Sweeps as files: of all parts of a sweep one store.
 
-The parts lie in a folder beside the store. What a store holds follows from its parts alone, byte by byte: zarr, netCDF
-(both through xarray), .npz, or .csv with a line a run and time.
+What it holds follows from the parts alone, byte by byte: zarr, netCDF (both through xarray), .npz, or .csv with a line
+a run and time.
 """
 
-import io
-import json
-import shutil
+import tempfile
 import warnings
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..codegen.model.normalise import ModelError
-from ..files import write
 from ..pages.tables import as_csv
+from .columns import columns, moving
 from .ensemble import Ensemble
+from .parts import Arrays, Parts, remove
 
-Arrays = dict[str, NDArray[Any]]
 _ALONG = {"x": ("run", "coordinate", "time"), "v": ("run", "coordinate", "time"), "multipliers": ("run", "row", "time"),
           "energy": ("run", "time")}  # fmt: skip
+_OURS = frozenset({*_ALONG, "time", "coordinate", "run", "row", "t_end", "success", "stop", "nfev"})
 _SWEPT, _OUTPUT = "swept ", "output "
 
 
@@ -38,91 +35,6 @@ def arrays_of(runs: Ensemble, swept: Arrays) -> Arrays:
     return {name: np.ascontiguousarray(values) for name, values in kept.items()}
 
 
-@dataclass(frozen=True)
-class Parts:
-    """The parts of a sweep of a store.
-
-    order : what the sweep is, as JSON has it; time (nt,), coordinates (n,) : what all runs share
-    """
-
-    store: Path
-    order: dict[str, Any]
-    count: int
-    time: NDArray[np.float64]
-    coordinates: tuple[str, ...]
-
-    @property
-    def folder(self) -> Path:
-        """Where they lie."""
-        return self.store.with_name(f".{self.store.name}.parts")
-
-    def begin(self, *, resume: bool) -> None:
-        """Make the folder, or go on in the one that is there.
-
-        Raises
-        ------
-        ModelError
-            There are parts and nobody said to go on, or they are of another sweep.
-        """
-        said = json.dumps(self.order, indent=1, sort_keys=True) + "\n"
-        order = self.folder / "sweep.json"
-        if order.is_file() and not resume:
-            raise ModelError(
-                f"{self.store}: a sweep into it was not finished. --resume goes on with it; remove {self.folder} to "
-                "begin anew"
-            )
-        if order.is_file() and order.read_text(encoding="utf-8") != said:
-            raise ModelError(f"{self.store}: what was begun there is another sweep; {order} says which")
-        write(order, said.encode())
-
-    def give_up(self) -> None:
-        """Leave nothing behind of a sweep that kept no part."""
-        if not any(self.has(number) for number in range(self.count)):
-            shutil.rmtree(self.folder, ignore_errors=True)
-
-    @property
-    def is_done(self) -> bool:
-        """Whether the store is there, of this sweep as far as it says which it is of."""
-        if self.folder.is_dir() or not self.store.exists():
-            return False
-        try:
-            return bool(_ORDERS[self.store.suffix](self.store) == self._order)
-        except (OSError, ValueError, KeyError):
-            return False
-
-    @property
-    def _order(self) -> str:
-        return json.dumps(self.order, sort_keys=True)
-
-    def has(self, number: int) -> bool:
-        """Whether a part is there."""
-        return self._path(number).is_file()
-
-    def keep(self, number: int, arrays: Arrays) -> None:
-        """Write a part."""
-        write(self._path(number), _npz(arrays))
-
-    def arrays(self) -> Iterator[Arrays]:
-        """Read all parts, in order."""
-        for number in range(self.count):
-            with np.load(self._path(number)) as part:
-                yield dict(part)
-
-    def finish(self) -> None:
-        """Make the store of the parts, which go."""
-        temporary = self.folder / f"store{self.store.suffix}"
-        if temporary.is_dir():
-            shutil.rmtree(temporary)
-        STORES[self.store.suffix](self, temporary)
-        if self.store.is_dir() and self.store.suffix == ".zarr":
-            shutil.rmtree(self.store)
-        temporary.replace(self.store)
-        shutil.rmtree(self.folder)
-
-    def _path(self, number: int) -> Path:
-        return self.folder / f"{number:06}.npz"
-
-
 def require(store: Path) -> None:
     """Raise ModelError where a kind of store needs a package that is missing."""
     needs = {".zarr": ("xarray", "zarr"), ".nc": ("xarray",)}.get(store.suffix, ())
@@ -130,10 +42,57 @@ def require(store: Path) -> None:
         raise ModelError(f"{store}: needs {' and '.join(missing)}: pip install 'eigenmotion[xarray]'")
 
 
-def _npz(arrays: Arrays) -> bytes:
-    buffer = io.BytesIO()
-    np.savez(buffer, allow_pickle=False, **arrays)
-    return buffer.getvalue()
+def check_names(store: Path, swept: Collection[str], outputs: Collection[str]) -> None:
+    """Find out before the runs which names a store could not hold after them: a column of each is written, and read.
+
+    Raises
+    ------
+    ModelError
+        There is one; names it.
+    """
+    if store.suffix not in _DATASETS:
+        return
+    keys = [*(_OUTPUT + name for name in outputs), *(_SWEPT + name for name in swept)]
+    for key, column in _named(keys, _OURS).items():
+        if not _holds(store.suffix, column):
+            raise ModelError(
+                f"{store}: {store.suffix} files hold no column of the name {column!r} ({key.partition(' ')[0]}). "
+                "Rename it, or store .csv or .npz, which hold any"
+            )
+
+
+def _holds(suffix: str, column: str) -> bool:
+    import xarray  # noqa: PLC0415, an optional package
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"rehearsal{suffix}"
+        try:
+            _write(xarray.Dataset({column: ("run", np.ones(1))}, {"run": np.zeros(1)}), path)
+            with _opened(path) as found:
+                return column in found.data_vars
+        except Exception:  # whatever xarray, zarr, SciPy or the file system raise at a name
+            return False
+
+
+def finish(parts: Parts) -> None:
+    """Make the store of the parts, which go."""
+    finished = parts.folder / f"store{parts.store.suffix}"
+    remove(finished)
+    remove(parts.folder / "before")
+    STORES[parts.store.suffix](parts, finished)
+    parts.settle(finished)
+
+
+def is_done(parts: Parts) -> bool:
+    """Whether the store is there, of this sweep as far as it says which it is of."""
+    if parts.is_stored:
+        return True
+    if parts.is_begun or not parts.store.exists():
+        return False
+    try:
+        return _ORDERS[parts.store.suffix](parts.store) == parts.said
+    except Exception:  # of a store that is damaged
+        return False
 
 
 def _joined(parts: Parts) -> Arrays:
@@ -142,47 +101,66 @@ def _joined(parts: Parts) -> Arrays:
 
 
 def _save_npz(parts: Parts, path: Path) -> None:
-    shared = {"time": parts.time, "coordinates": np.array(parts.coordinates), "sweep": np.array(parts._order)}
-    path.write_bytes(_npz({**shared, **{name.replace(" ", "_"): array for name, array in _joined(parts).items()}}))
+    shared = {"time": parts.time, "coordinates": np.array(parts.coordinates), "sweep": np.array(parts.said)}
+    # the first space is ours, the others are the user's
+    with path.open("wb") as file:
+        np.savez(
+            file,
+            allow_pickle=False,
+            **shared,
+            **{name.replace(" ", "_", 1): array for name, array in _joined(parts).items()},
+        )
+
+
+def _named(keys: Collection[str], ours: Collection[str]) -> dict[str, str]:
+    """Return the column of each of `keys` that is of the user's names."""
+    theirs = [key for key in keys if key.startswith((_SWEPT, _OUTPUT))]
+    parted = [key.partition(" ") for key in theirs]
+    return dict(zip(theirs, columns(ours, [(kind, name) for kind, _, name in parted]), strict=True))
 
 
 def _dataset(parts: Parts, arrays: Arrays, first: int) -> Any:
     """Return an `xarray.Dataset` of some runs, counted from `first`."""
     import xarray  # noqa: PLC0415, an optional package
 
-    names = {name.removeprefix(_SWEPT).removeprefix(_OUTPUT) for name in arrays}
-    plain = {*_ALONG, "time", "coordinate", "run", "row", "t_end", "success", "stop", "nfev"}
-
-    def free(name: str, kind: str) -> str:
-        bare = name.removeprefix(kind)
-        return f"{kind.strip()}_{bare}" if bare in plain or len(names) < len(arrays) else bare
-
-    data = {name: (_ALONG.get(name, ("run",)), array) for name, array in arrays.items() if " " not in name}
-    data |= {
-        free(name, _OUTPUT): (("run", "time"), array) for name, array in arrays.items() if name.startswith(_OUTPUT)
-    }
-    places = {free(name, _SWEPT): ("run", array) for name, array in arrays.items() if name.startswith(_SWEPT)}
+    named = _named(arrays, _OURS)
+    data = {name: (_ALONG.get(name, ("run",)), array) for name, array in arrays.items() if name not in named}
+    data |= {column: (("run", "time"), arrays[key]) for key, column in named.items() if key.startswith(_OUTPUT)}
+    places = {column: ("run", arrays[key]) for key, column in named.items() if key.startswith(_SWEPT)}
     runs = np.arange(first, first + len(arrays["t_end"]))
     if not arrays["multipliers"].shape[1]:
         del data["multipliers"]
     shared = {"run": runs, "time": parts.time, "coordinate": np.array(parts.coordinates)}
-    return xarray.Dataset(data, shared | places, {"sweep": parts._order})
+    return xarray.Dataset(data, shared | places, {"sweep": parts.said})
 
 
 def _save_netcdf(parts: Parts, path: Path) -> None:
-    _dataset(parts, _joined(parts), 0).to_netcdf(path, engine="scipy")
+    _write(_dataset(parts, _joined(parts), 0), path)
 
 
 def _save_zarr(parts: Parts, path: Path) -> None:
     """Append part by part: no more than one is in memory."""
     first = 0
     for arrays in parts.arrays():
-        with warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message=".*does not have a Zarr V3 specification.*")
-            warnings.filterwarnings("ignore", message=".*Consolidated metadata.*")
-            some = _dataset(parts, arrays, first)
-            some.to_zarr(path, consolidated=False, **({"append_dim": "run"} if first else {"mode": "w"}))
+        _write(_dataset(parts, arrays, first), path, **({"append_dim": "run"} if first else {"mode": "w"}))
         first += len(arrays["t_end"])
+
+
+def _write(some: Any, path: Path, **how: Any) -> None:
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*has a space in its name")  # it is a data variable, then
+        if path.suffix == ".nc":
+            some.to_netcdf(path, engine="scipy")
+            return
+        warnings.filterwarnings("ignore", message=".*does not have a Zarr V3 specification.*")
+        warnings.filterwarnings("ignore", message=".*Consolidated metadata.*")
+        some.to_zarr(path, consolidated=False, **how)
+
+
+def _opened(path: Path) -> Any:
+    import xarray  # noqa: PLC0415, an optional package
+
+    return xarray.open_dataset(path, **_DATASETS[path.suffix])
 
 
 def _save_csv(parts: Parts, path: Path) -> None:
@@ -191,48 +169,49 @@ def _save_csv(parts: Parts, path: Path) -> None:
         for arrays in parts.arrays():
             head, rows = _lines(parts, arrays, first)
             text = as_csv(head, rows)
-            file.write(text if not first else text.partition("\n")[2])
+            file.write(text if not first else text[len(as_csv(head, ())) :])
             first += len(arrays["t_end"])
 
 
 def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterator[list[Any]]]:
     """Return names of columns, and a line for each run and time."""
-    swept = {name.removeprefix(_SWEPT): array for name, array in arrays.items() if name.startswith(_SWEPT)}
-    outputs = {name.removeprefix(_OUTPUT): array for name, array in arrays.items() if name.startswith(_OUTPUT)}
     reactions = [f"lambda{k}" for k in range(arrays["multipliers"].shape[1])]
-    head = ["run", *swept, "t", *parts.coordinates, *(f"{name}'" for name in parts.coordinates), *reactions, "energy",
-            *outputs, "t_end", "stop"]  # fmt: skip
+    ours = ["run", "t", *reactions, "energy", "t_end", "stop"]
+    motion = moving(ours, parts.coordinates)
+    named = _named(arrays, {*ours, *motion, *parts.coordinates})
+    swept, outputs = ({column: arrays[key] for key, column in named.items() if key.startswith(kind)}
+                      for kind in (_SWEPT, _OUTPUT))  # fmt: skip
+    head = ["run", *swept, "t", *motion, *reactions, "energy", *outputs, "t_end", "stop"]
 
     def rows() -> Iterator[list[Any]]:
         for k in range(len(arrays["t_end"])):
             for j, t in enumerate(parts.time.tolist()):
-                motion = [arrays[name][k, :, j].tolist() for name in ("x", "v", "multipliers")]
-                yield [first + k, *(column[k].item() for column in swept.values()), t, *motion[0], *motion[1],
-                       *motion[2], arrays["energy"][k, j].item(), *(column[k, j].item() for column in outputs.values()),
+                moved = [arrays[name][k, :, j].tolist() for name in ("x", "v", "multipliers")]
+                yield [first + k, *(column[k].item() for column in swept.values()), t, *moved[0], *moved[1],
+                       *moved[2], arrays["energy"][k, j].item(), *(column[k, j].item() for column in outputs.values()),
                        arrays["t_end"][k].item(), str(arrays["stop"][k])]  # fmt: skip
 
     return head, rows()
 
 
 def _order_of_npz(store: Path) -> str:
-    with np.load(store) as arrays:
+    with store.open("rb") as file, np.load(file) as arrays:
         return str(arrays["sweep"])
 
 
-def _order_of_netcdf(store: Path) -> str:
-    import xarray  # noqa: PLC0415, an optional package
-
-    with xarray.open_dataset(store, engine="scipy") as found:
+def _order_of_dataset(store: Path) -> str:
+    with _opened(store) as found:
         return str(found.attrs["sweep"])
 
 
-def _order_of_zarr(store: Path) -> str:
-    return str(json.loads((store / "zarr.json").read_text(encoding="utf-8"))["attributes"]["sweep"])
-
-
+_DATASETS: dict[str, dict[str, Any]] = {
+    ".nc": {"engine": "scipy"}, ".zarr": {"engine": "zarr", "consolidated": False},
+}  # fmt: skip
 _ORDERS: dict[str, Callable[[Path], str]] = {
-    ".zarr": _order_of_zarr, ".nc": _order_of_netcdf, ".npz": _order_of_npz, ".csv": lambda _store: "",
+    ".zarr": _order_of_dataset, ".nc": _order_of_dataset, ".npz": _order_of_npz, ".csv": lambda _store: "",
 }  # fmt: skip
 STORES: dict[str, Callable[[Parts, Path], None]] = {
     ".zarr": _save_zarr, ".nc": _save_netcdf, ".npz": _save_npz, ".csv": _save_csv,
 }  # fmt: skip
+JOINED = (".npz", ".nc")
+"""Of which all runs are in memory at the end."""
