@@ -4,7 +4,7 @@ import string
 from dataclasses import dataclass
 
 from eigenmotion.building.toolchain import INCLUDE
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import METHODS
 
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
@@ -65,8 +65,8 @@ const em_tableau *tableau(int method) {
 $main
 """)
 STATED = (INCLUDE / "em_tableaux.h").read_text(encoding="utf-8")
-RUNGE_KUTTA = tuple(name for name in COMPILED if f"EM_{name.upper()}_TABLEAU" in STATED)
-TABLEAUX = ", ".join(f"[{COMPILED[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
+RUNGE_KUTTA = tuple(name for name in METHODS if f"EM_{name.upper()}_TABLEAU" in STATED)
+TABLEAUX = ", ".join(f"[{METHODS[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,4 +89,4 @@ class Mechanism:
 
     def text(self) -> str:
         given = {name: getattr(self, name) for name in self.__slots__}
-        return SOURCE.substitute(given, methods=len(COMPILED), tableaux=TABLEAUX)
+        return SOURCE.substitute(given, methods=len(METHODS), tableaux=TABLEAUX)

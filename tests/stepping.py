@@ -20,7 +20,7 @@ from scipy.interpolate import CubicSpline, PPoly
 from scipy.special import ellipj, ellipk
 
 from eigenmotion.building.toolchain import FLAGS
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import METHODS as TABLE
 
 from .mechanism_in_c import RUNGE_KUTTA as RUNGE_KUTTA
 from .mechanism_in_c import Mechanism as Mechanism
@@ -38,8 +38,8 @@ STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
 FAST = f"-march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math {os.environ.get(FLAGS, '-O1')}".split()
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
-METHODS = tuple(COMPILED)
-EXPLICIT = tuple(name for name, method in COMPILED.items() if not method.implicit)
+METHODS = tuple(TABLE)
+EXPLICIT = tuple(name for name, method in TABLE.items() if not method.implicit)
 FINISHED, TERMINAL_EVENT, INTERRUPTED = NUMBERS["EM_FINISHED"], NUMBERS["EM_TERMINAL_EVENT"], NUMBERS["EM_INTERRUPTED"]
 STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS = NUMBERS["EM_STEP_SIZE_UNDERFLOW"], NUMBERS["EM_TOO_MANY_STEPS"]
 NON_FINITE_STATE, SINGULAR_MASS_MATRIX = NUMBERS["EM_NON_FINITE_STATE"], NUMBERS["EM_SINGULAR_MASS_MATRIX"]
@@ -154,7 +154,7 @@ def simulate(
     signals = (Signal * max(1, len(inputs)))(*(one for one, _ in inputs))
     directions, terminals = numbers(direction or [0] * n_events, np.intc), numbers(terminal or [0] * n_events, np.intc)
     callback = POLL(lambda _: poll()) if poll else POLL()
-    run = Run(t_start=t_span[0], t_end=t_span[1], method=COMPILED[method].number, rtol=rtol, max_step=math.inf)
+    run = Run(t_start=t_span[0], t_end=t_span[1], method=TABLE[method].number, rtol=rtol, max_step=math.inf)
     run.max_steps, run.stabilise = 1_000_000, 1
     run.y_start, run.atol = start.ctypes.data, tolerance.ctypes.data
     run.inputs = ct.addressof(signals)

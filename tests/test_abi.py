@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.running import start
-from eigenmotion.running.methods import AT_ONCE, COMPILED, STEPPED
-from eigenmotion.runtime import TOLD, StopReason
+from eigenmotion.running.methods import AT_ONCE, METHODS, STEPPED
+from eigenmotion.runtime import StopReason
 
 from .stepping import COMPILER, INCLUDE
 from .structures import KINDS, NUMBERS, enumerators
@@ -89,17 +89,17 @@ def test_tests_see_the_structures_that_c_has(tmp_path):
 
 def test_compiled_methods_have_the_numbers_of_the_abi():
     found = {f"EM_{name.upper()}": method.number for name, method in STEPPED.items()}
-    assert found | {"EM_TOLD": TOLD} == enumerators("em_method")
+    assert found == enumerators("em_method")
 
 
 def test_reasons_stand_in_the_order_of_the_abi():
     assert [f"EM_{reason.name}" for reason in StopReason] == list(enumerators("em_status"))
 
 
-@pytest.mark.parametrize("method", [*COMPILED, "told"])
+@pytest.mark.parametrize("method", METHODS)
 def test_every_method_has_a_case_of_its_own(method):
     """A number without one would run nothing; those that a run takes by itself are compiled with every stepper."""
-    table = "em_methods.h" if method in (*AT_ONCE, "told") else "em_further_methods.h"
+    table = "em_methods.h" if method in AT_ONCE else "em_further_methods.h"
     assert f"case EM_{method.upper()}:" in (INCLUDE / table).read_text(encoding="utf-8")
 
 

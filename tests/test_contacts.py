@@ -16,7 +16,7 @@ from eigenmotion import Contact, Friction, Model, StopReason, System, t
 from .generation import FORMULATIONS, model_of, system_for, system_of
 
 G = 9.81
-METHODS = ("dop853", "ra15", "Radau")
+METHODS = ("dop853", "ra15", "radau5")
 x, z = dynamicsymbols("x z")
 m, g, e, mu = symbols("m g e mu", positive=True)
 
@@ -41,7 +41,7 @@ def test_forty_bounces_then_rest(tolerance):
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9", "Radau"])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9", "radau5"])
 def test_rest_in_every_formulation(formulation, method):
     run = system_of("bouncing_ball", formulation).simulate((0.0, 9.0), method=method, rtol=1e-8, atol=1e-10)
     assert run.success
@@ -154,7 +154,7 @@ def test_a_box_settles_on_both_its_feet():
         assert np.diff(run.energy).max() < 1e-8
     with pytest.raises(em.ModelError, match="x0 is inside contact 'right': its gap is"):
         system.simulate((0.0, 1.0), x0={"tilt": -0.2})
-    for method in ("radau9", "Radau"):
+    for method in ("radau9", "radau5"):
         with pytest.raises(em.ModelError, match="x0 is inside contact 'left'"):
             system.simulate((0.0, 1.0), x0={"z": -1e-6}, method=method)
     assert system.simulate((0.0, 1.0), x0={"z": -1e-9}).success  # as much as a start may be off a constraint

@@ -160,9 +160,9 @@ def test_loops_of_numbers_that_nobody_knows_are_refused(x0, v0, why):
         system.project_initial_state(x, v)
 
 
-def test_a_method_of_scipy_says_what_is_not_finite():
+def test_an_implicit_method_says_what_is_not_finite():
     system = system_of("slider_crank", "lagrange")
-    run = system.simulate((0.0, 0.1), v0=[-1.7e308] * 3, method="BDF")
+    run = system.simulate((0.0, 0.1), v0=[-1.7e308] * 3, method="radau9")
     assert "not finite at coordinate 'theta'" in run.message
 
 

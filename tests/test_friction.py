@@ -13,7 +13,7 @@ from eigenmotion import Contact, Friction, Model, StopReason, System, t
 from .generation import FORMULATIONS, system_for, system_of
 
 G = 9.81
-METHODS = ("dop853", "ra15", "Radau")
+METHODS = ("dop853", "ra15", "radau5")
 x, z = dynamicsymbols("x z")
 m, g, e, mu = symbols("m g e mu", positive=True)
 
@@ -119,10 +119,11 @@ def rod(friction: float) -> Model:
 def test_slopes_where_friction_takes_part_of_multipliers(mode):
     """Of accelerations by x and v, against differences: sliding, sticking, in the air."""
     system = system_for(rod(0.3), "lagrange")
-    c, p, z = system.compiled, system.prepare(mode), np.array([0.1, 0.8, 0.6, 0.7, -0.2, 0.4])
-    J, h = c.motion_jacobian(0.0, z, p, [], False), 1e-5
-    for k, column in enumerate(J.T):
-        there, back = (c.motion_rate(0.0, z + sign * h * (np.arange(6) == k), p, [], False) for sign in (1, -1))
+    p, z = system.prepare(mode), np.array([0.1, 0.8, 0.6, 0.7, -0.2, 0.4])
+    J, h = system.compiled.motion_jacobian(0.0, z, p, [], False), 1e-5
+    for k, column in enumerate(J[3:].T):
+        beside = (z + sign * h * (np.arange(6) == k) for sign in (1, -1))
+        there, back = (system.acceleration(one[:3], one[3:], parameters=p)[0] for one in beside)
         assert column == pytest.approx((there - back) / (2 * h), rel=1e-7, abs=1e-7)
 
 

@@ -125,7 +125,7 @@ def test_the_load_and_the_drone_fall_together_without_thrust():
 
 def test_the_governor_keeps_its_angular_momentum_and_is_stiff():
     governor = system("governor")
-    run = governor.simulate((0.0, 0.2), method="Radau", rtol=1e-8, atol=1e-10)
+    run = governor.simulate((0.0, 0.2), method="radau5", rtol=1e-8, atol=1e-10)
     assert run.success, run.message
     M, J, b, l = (governor.parameters[name] for name in ("M", "J", "b", "l"))
     radius = b + 2 * l * np.sin(run.x[1:3])

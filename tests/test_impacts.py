@@ -50,7 +50,7 @@ def test_forty_bounces_then_zenos_end_by_name(tolerance):
     assert run.energy[-1] < 1e-6
 
 
-@pytest.mark.parametrize("method", ["rk34", "dopri5", "ra15", "Radau", "LSODA"])
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "ra15", "radau5", "radau9"])
 def test_every_method_goes_on_from_the_root(method):
     run = struck_ball().simulate((0.0, 3.0), method=method, rtol=1e-9, atol=1e-11, dense_output=True)
     assert run.t_events[0] == pytest.approx(bounces(5, 0.9)[:4], abs=1e-6)
@@ -269,7 +269,7 @@ def test_a_compass_gait_comes_to_the_published_fixed_point():
     assert run.y_after_events[0][-1] == pytest.approx(published, abs=1e-10)
 
 
-@pytest.mark.parametrize("method", ["dop853", "Radau"])
+@pytest.mark.parametrize("method", ["dop853", "radau5"])
 def test_newtons_cradle_hands_its_swing_on(method):
     run = system_for(model_of("newtons_cradle"), "lagrange").simulate((0.0, 1.0), method=method, rtol=1e-9, atol=1e-11)
     assert run.success
@@ -278,7 +278,7 @@ def test_newtons_cradle_hands_its_swing_on(method):
     assert run.x.min(axis=1) == pytest.approx([-0.5, 0, 0, 0], abs=1e-6)
 
 
-@pytest.mark.parametrize("method", ["dop853", "ra15", "Radau"])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau5"])
 @pytest.mark.parametrize("tolerance", [1e-7, 1e-9, 1e-11])
 def test_balls_that_touch_at_rest_are_struck_again_and_again(method, tolerance):
     """Gaps between those at rest are 1e-17 or less, of either sign; what strikes never goes through."""

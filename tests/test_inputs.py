@@ -12,7 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, ModelError, System, t
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.summary import summary
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import METHODS
 
 from .generation import FORMULATIONS, system_for, system_of
 
@@ -86,7 +86,7 @@ def test_sampled_inputs_drive_the_oscillator_in_closed_form(kind, formulation):
     np.testing.assert_allclose([found.x[0], found.v[0]], right, atol=1e-9)
 
 
-@pytest.mark.parametrize("method", [*COMPILED, "Radau", "LSODA"])
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("kind", ["hold", "linear"])
 def test_steps_end_at_samples(kind, method):
     found = oscillator().simulate((0, 3), inputs={"u": Signal(TIMES, VALUES, kind)}, method=method, rtol=1e-5)

@@ -249,7 +249,7 @@ def test_auto_takes_steps_by_nodes_where_they_pay():
         assert found.method == (expected if wide else "dop853")
         same = simulate(system, (0.0, 1.0), method=found.method, rtol=rtol)
         np.testing.assert_array_equal(found.y, same.y)
-    assert simulate(lanes, (0.0, 1.0), method="Radau").method == "Radau"
+    assert simulate(lanes, (0.0, 1.0), method="radau5").method == "radau5"
 
 
 # --- what is said of them ---------------------------------------------------------------------------------------------

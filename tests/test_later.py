@@ -87,7 +87,6 @@ def test_each_part_is_compiled_once_and_nothing_changes(own_cache, units, monkey
 ASKING = {
     "an explicit method": ("methods", lambda system: system.simulate((0.0, 1.0), method="dopri5")),
     "an implicit one": ("implicit", lambda system: system.simulate((0.0, 1.0), method="radau9")),
-    "steps made in Python": ("derivatives", lambda system: system.simulate((0.0, 1.0), method="BDF")),
     "a stepper": ("methods", lambda system: system.stepper(method="rk4", step=0.1)),
     "steppers": ("members", lambda system: system.steppers(2, method="midpoint", step=0.1)),
     "an ensemble": (

@@ -86,7 +86,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     ),
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
-    "fmu": ("codegen.model", "arguments", "running", "building", "files"),
+    "fmu": ("codegen.model", "running", "building", "files"),
     "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building", "files"),
     "report": (
         "codegen.model",

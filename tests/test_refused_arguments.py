@@ -8,7 +8,6 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, System
-from eigenmotion.results.summary import summary
 from eigenmotion.runtime import StopReason
 
 from .generation import system_for, system_of
@@ -52,7 +51,7 @@ def test_a_short_velocity_is_not_broadcast(system):
             system.eta_sensitivity(np.ones(system.n), v)
 
 
-@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "Radau", "BDF"])
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "radau5", "radau9"])
 def test_max_steps_are_accepted_steps(system, method):
     whole = system.simulate((0, 1), method=method)
     assert whole.nsteps > 5
@@ -61,17 +60,7 @@ def test_max_steps_are_accepted_steps(system, method):
     assert (short.stop, short.nsteps) == (StopReason.TOO_MANY_STEPS, whole.nsteps - 1)
 
 
-def test_rejected_steps_of_implicit_methods_are_unknown(system):
-    found = system.simulate((0, 1), method="Radau")
-    assert found.nrejected is None
-    for text in (repr(found), summary(system, found, 1.0)):
-        assert "steps" in text
-        assert "rejected" not in text
-        assert "None" not in text
-    assert "rejected" in repr(system.simulate((0, 1)))
-
-
-@pytest.mark.parametrize("method", ["rk34", "dop853", "Radau"])
+@pytest.mark.parametrize("method", ["rk34", "dop853", "radau5"])
 def test_a_force_without_bounds_is_not_blamed_on_the_mass_matrix(method):
     u = dynamicsymbols("u")
     energy = (X.diff() ** 2 * (1 + X**2) + Y.diff() ** 2 + X.diff() * Y.diff() * cos(Y)) / 2

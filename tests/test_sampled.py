@@ -9,7 +9,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion import ModelError, Sampled, Signal, StopReason
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import METHODS
 
 from .generation import system_of
 from .test_inputs import TIGHT, oscillator
@@ -31,7 +31,7 @@ def by_hand(system, end, method="dop853", delay=0):
     return stepper.y
 
 
-@pytest.mark.parametrize("method", COMPILED)
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("delay", [0, 1])
 def test_as_a_stepper_would(method, delay):
     system = oscillator("lagrange")

@@ -136,9 +136,9 @@ def lagrange_motion(name: str) -> np.ndarray:
 
 
 @FORMS
-@pytest.mark.parametrize("method", ["dop853", "rk34", "Radau", "BDF"])
+@pytest.mark.parametrize("method", ["dop853", "rk34", "radau5", "radau9"])
 def test_a_massless_coordinate_moves_as_the_reduced_model(formulation, method):
-    if method in ("Radau", "BDF") and formulation != "lagrange":
+    if method in ("radau5", "radau9") and formulation != "lagrange":
         pytest.skip("implicit methods integrate x, v whatever the formulation")
     tolerance = 1e-10 if method == "dop853" else 1e-6
     options = {"t_eval": [1.0, 2.0], "method": method, "rtol": tolerance, "atol": tolerance}

@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, Signal, StopReason
-from eigenmotion.running.methods import COMPILED, FIXED, STEPPED
+from eigenmotion.running.methods import FIXED, METHODS, STEPPED
 from eigenmotion.runtime import EvaluationError
 
 from .generation import FORMULATIONS, relative, system_for, system_of
@@ -32,7 +32,7 @@ def stepped(stepper, times, held=None):
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("method", COMPILED)
+@pytest.mark.parametrize("method", METHODS)
 def test_inputs_held_by_hand_are_those_of_one_run(formulation, method):
     """To the last bit: the same steps, with the same history. And the motion is the one on paper."""
     system = oscillator(formulation)
@@ -83,7 +83,7 @@ def test_a_step_that_does_not_fit_is_made_in_equal_parts():
     assert (stepper.t, stepper.nsteps, stepper.nfev) == (1.0, 4, 17)
 
 
-@pytest.mark.parametrize("method", [*COMPILED, *FIXED])
+@pytest.mark.parametrize("method", [*METHODS, *FIXED])
 def test_saved_and_restored_to_the_last_bit(method):
     """On the way through eigenvalues that come close, where the triangular root takes over and gives back."""
     system, times = system_of("veering"), np.linspace(0, 22, 111)[1:]
@@ -92,7 +92,7 @@ def test_saved_and_restored_to_the_last_bit(method):
     for t in times:
         saved.append(stepper.save())
         rows.append(stepped(stepper, [t])[0])
-    bounded = system.simulate((0, 22), rtol=1e-8, method=method if method in COMPILED else "dop853").n_bounded
+    bounded = system.simulate((0, 22), rtol=1e-8, method=method if method in METHODS else "dop853").n_bounded
     assert bounded > 0 or STEPPED[method].implicit  # these carry the motion, and no factors
     for k in range(0, len(times), 7):
         for other in (stepper, system.stepper(**options)):
@@ -175,7 +175,7 @@ def fragile():
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("method", [*COMPILED, *FIXED])
+@pytest.mark.parametrize("method", [*METHODS, *FIXED])
 def test_where_it_cannot_go_on_it_says_why_and_stands_where_it_came_to(method):
     step = {"step": 0.01} if method in FIXED else {}
     stepper = fragile().stepper(inputs={"u": 5.0}, method=method, **step)

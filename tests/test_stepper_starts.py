@@ -42,7 +42,7 @@ def test_what_is_no_number_is_refused(inputs):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"method": "Radau"}, "unknown method 'Radau'"),
+        ({"method": "Radau"}, "method 'Radau' is SciPy's"),
         ({"method": "rk4"}, "method 'rk4' needs step"),
         ({"step": 0.1}, "step is for methods of fixed step"),
         ({"method": "rk4", "step": 0.0}, "step is 0.0, but must be above 0"),

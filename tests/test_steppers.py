@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import DOP853, RK45
 from scipy.special import ellipk
 
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import METHODS as TABLE
 
 from .stepping import (
     CIRCLE,
@@ -50,7 +50,7 @@ def fixed_steps(compiled: Compiled, method: str, count: int, t_end: float, **opt
 
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_order_of_convergence(build: Build, method: str) -> None:
-    order, errors = COMPILED[method].order, []
+    order, errors = TABLE[method].order, []
     for count in (16, 32) if order > 5 else (80, 160):
         result = fixed_steps(build(PENDULUM), method, count, 8.0)
         assert abs(result.run.n_steps - count) <= 1
@@ -60,7 +60,7 @@ def test_order_of_convergence(build: Build, method: str) -> None:
 
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_order_of_dense_output(build: Build, method: str) -> None:
-    order, errors = COMPILED[method].order, []
+    order, errors = TABLE[method].order, []
     for count in (16, 32) if order > 5 else (80, 160):
         result = fixed_steps(build(PENDULUM), method, count, 8.0, dense=1)
         inside = [(t + q * h, result.at(i, t + q * h)[0]) for i, t, h in result.steps() for q in (0.2, 0.5, 0.9)]
@@ -151,7 +151,7 @@ def test_the_first_step_is_sized_by_the_norm_of_all_others(build: Build, method:
     compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -y[0]; dy[2] = cos(t);", n_c=1))
     options = {"rtol": 1e-6, "atol": 1e-6, "method": method}
     added, counted = (simulate(compiled, [1.0, 0.5, 0.5], (0.0, 3.0), stabilise=on, **options).t[1] for on in (1, 0))
-    assert added / counted == pytest.approx(1.5 ** (-0.5 / COMPILED[method].order), rel=1e-4)
+    assert added / counted == pytest.approx(1.5 ** (-0.5 / TABLE[method].order), rel=1e-4)
 
 
 def test_roots_of_eigenvalues_count_relative_to_themselves(build: Build) -> None:

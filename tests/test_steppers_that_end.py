@@ -120,7 +120,7 @@ REFUSED = (
     ({"inputs": {"u": ([0.0, 1.0], [1.0, 2.0])}}, "a number for each member"),
     ({"inputs": [[1.0, 2.0]], "count": 1}, "inputs has shape"),
     ({"method": "rk4"}, "needs step="),
-    ({"method": "Radau"}, "unknown method"),
+    ({"method": "Radau"}, "is SciPy's"),
     ({"workers": 0}, "workers is 0"),
     ({"tolerance": 1}, "unknown option"),
 )

@@ -1,19 +1,20 @@
 """Implicit methods and their Jacobians."""
 
+import re
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 import pytest
+import scipy
 from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.running.methods import IMPLICIT
 
-from .generation import system_for
+from .generation import system_for, system_of
 from .models_table import BY_NAME
-
-METHODS = tuple(name for name, method in IMPLICIT.items() if method.is_installed)
 
 
 def complex_like_differences(fun, y):
@@ -42,7 +43,7 @@ def test_jacobian(name, formulation):
     np.testing.assert_allclose(system.jacobian(0.3, y), expected, atol=1e-10 * abs(expected).max())
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", IMPLICIT)
 @pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
 def test_agrees_with_explicit_run(method, formulation):
     system = system_for(BY_NAME["dual_link"].model(), formulation=formulation)
@@ -57,9 +58,8 @@ def test_agrees_with_explicit_run(method, formulation):
     assert np.abs(np.einsum("ijt,ijt->it", sol.C[..., 1:], sol.C[..., :-1])).min() > 0.3
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", IMPLICIT)
 def test_another_clock_is_the_same_motion_by_the_same_steps(method):
-    """LSODA's own first step follows |t|: what began at 64 s was off by ten times as much."""
     system = system_for(BY_NAME["double_pendulum"].model(), formulation="lagrange")
     now, later = (system.simulate((start, start + 2.0), rtol=1e-7, atol=1e-9, method=method) for start in (0.0, 64.0))
     assert later.nfev == now.nfev
@@ -81,7 +81,7 @@ def damped_link():
     )
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", IMPLICIT)
 def test_heavily_damped_link(method):
     """Two periods to 1e-6 in fewer than 2000 steps; the rigid pendulum is 1e-9 away."""
     system = system_for(damped_link())
@@ -103,14 +103,30 @@ def test_a_run_that_stability_holds_back_says_so(method):
     short = system.simulate((0.0, 0.02), rtol=1e-5, method=method, max_steps=whole.nsteps // 2)
     for found in (whole, short):
         assert "The scene is stiff" in found.message
-        assert "Radau" in found.message
+        assert "radau9" in found.message
     easy = system_for(BY_NAME["dual_link"].model()).simulate((0.0, 100.0), method=method)
     assert 20 * easy.n_stiff < easy.nsteps
     assert easy.message == "The end of t_span was reached."
 
 
+SERVED = {"Radau": "radau9", "bdf": "radau9", "LSODA": "radau9", "cvode": "radau9", "RK45": "dopri5", "RK23": "rk34"}
+
+
+@pytest.mark.parametrize("given", SERVED)
+def test_solvers_of_others_are_named_with_what_serves(given):
+    """The call that is said can be made."""
+    system, t_span = system_of("pendulum"), (0.0, 1.0)
+    words = f"method '{given}' is .*'{SERVED[given]}'.*System.rhs and System.jacobian"
+    for ask in (partial(system.simulate, t_span), system.stepper, partial(em.simulate_ensemble, system, t_span)):
+        with pytest.raises(em.ModelError, match=words) as said:
+            ask(method=given)
+    call = re.search(r"scipy\.integrate\.solve_ivp\(.*\)", str(said.value))
+    found = eval(call[0], {"scipy": scipy, "system": system, "t_span": t_span})
+    assert found.y[0, -1] == pytest.approx(system.simulate(t_span).x[0, -1], abs=1e-2)
+
+
 def test_backward_and_inputs_leave_no_trace():
     system = system_for(BY_NAME["double_pendulum"].model())
-    there = system.simulate((0.0, 1.0), method="Radau", rtol=1e-9, atol=1e-9)
-    back = system.simulate((1.0, 0.0), x0=there.x[:, -1], v0=there.v[:, -1], method="Radau", rtol=1e-9, atol=1e-9)
+    there = system.simulate((0.0, 1.0), method="radau5", rtol=1e-9, atol=1e-9)
+    back = system.simulate((1.0, 0.0), x0=there.x[:, -1], v0=there.v[:, -1], method="radau5", rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(back.x[:, -1], system.initial[0], atol=1e-6)

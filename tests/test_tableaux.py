@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients
 
-from eigenmotion.running.methods import COMPILED, METHODS
+from eigenmotion.running.methods import METHODS
 
 from .stepping import INCLUDE, PENDULUM, RUNGE_KUTTA, Array, Build, Tableau, builder
 
@@ -86,7 +86,7 @@ class Coefficients:
 
 @pytest.fixture(params=RUNGE_KUTTA)
 def coefficients(request: pytest.FixtureRequest, build: Build) -> tuple[str, Coefficients]:
-    table = build(PENDULUM).library.tableau(COMPILED[request.param].number).contents
+    table = build(PENDULUM).library.tableau(METHODS[request.param].number).contents
     arrays = (np.array(getattr(table, name)) for name in "caed")
     return request.param, Coefficients(table, *arrays)
 
@@ -105,7 +105,7 @@ def test_nodes_are_row_sums(coefficients: tuple[str, Coefficients]) -> None:
 
 def test_order_conditions(coefficients: tuple[str, Coefficients]) -> None:
     method, rk = coefficients
-    order = COMPILED[method].order
+    order = METHODS[method].order
     assert order == rk.table.error_order + 1
     assert order_defect(rk.a, rk.b, order) < 1e-12
     assert order_defect(rk.a, rk.b, order + 1) > 1e-6

@@ -72,17 +72,11 @@ SCIPY_OPTIONS = {
     "jac": "nothing: implicit methods have their Jacobian",
     "y0": "x0 and v0, by name or as arrays",
 }
-SCIPY_METHODS = {"RK45": "'dopri5', the same pair", "RK23": "'rk34'"}
 """What `solve_ivp` calls things that have another name here, or another place."""
 
 
-def choice(given: object, known: Mapping[str, Any], what: str, elsewhere: Mapping[str, str] | None = None) -> Any:
-    """Return what a word stands for, whatever its case.
-
-    Parameters
-    ----------
-    elsewhere
-        Words of other tools, and what takes their place.
+def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
+    """Return what a word stands for, whatever its case; `known` are in lower case.
 
     Raises
     ------
@@ -94,8 +88,7 @@ def choice(given: object, known: Mapping[str, Any], what: str, elsewhere: Mappin
     if not isinstance(given, str):
         raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
     if given.lower() not in known:
-        spelt = [value if isinstance(value, str) else word for word, value in known.items()]
-        raise ModelError(unknown(what, [given], spelt, elsewhere))
+        raise ModelError(unknown(what, [given], list(known)))
     return known[given.lower()]
 
 

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ..running.methods import AT_ONCE, COMPILED
+from ..running.methods import AT_ONCE, METHODS
 from .toolchain import IN_PLACE_OF, UNITS
 
 PARTS: Mapping[str, tuple[str, ...]] = MappingProxyType({
@@ -52,5 +52,5 @@ def methods_of(units: tuple[str, ...]) -> tuple[str, ...]:
     first = AT_ONCE if {"stepper", "lanes", "members"}.intersection(units) else ()
     if "methods" not in units:
         return first
-    further = (name for name in COMPILED if name not in AT_ONCE)
-    return (*first, *(name for name in further if "derivatives" in units or not COMPILED[name].implicit))
+    further = (name for name in METHODS if name not in AT_ONCE)
+    return (*first, *(name for name in further if "derivatives" in units or not METHODS[name].implicit))

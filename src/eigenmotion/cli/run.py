@@ -17,7 +17,7 @@ from eigenmotion.results.plot import coordinates
 from eigenmotion.results.saving import SAVERS, save
 from eigenmotion.results.solution import Solution
 from eigenmotion.results.summary import summary
-from eigenmotion.running.methods import AUTO, COMPILED, IMPLICIT
+from eigenmotion.running.methods import AUTO, IMPLICIT, METHODS
 from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
 from eigenmotion.system.system import System
@@ -34,7 +34,7 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @click.option("--method", default="dop853", show_default=True, metavar="NAME",
-              help=f"{', '.join(name for name in COMPILED if name not in IMPLICIT)}; implicit, for stiff models: "
+              help=f"{', '.join(name for name in METHODS if name not in IMPLICIT)}; implicit, for stiff models: "
               f"{', '.join(IMPLICIT)}; {AUTO}: what suits the scene.")  # fmt: skip
 @setting
 @click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")

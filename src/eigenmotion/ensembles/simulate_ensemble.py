@@ -16,8 +16,7 @@ from ..codegen.model.normalise import ModelError, shown, truth
 from ..cores import cores
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
-from ..running.methods import AUTO, METHODS, Method
-from ..running.sensitivities import check_method
+from ..running.methods import AUTO, METHODS, Method, method_of
 from ..running.simulate import NAMES, STABILISATIONS, refused
 from ..running.start import check_direction
 from . import memory
@@ -71,8 +70,7 @@ def simulate_ensemble(
     t_eval
         (nt,) times of the rows; None: the end state only.
     method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
-        As of `simulate`; "auto" chooses once for all, as `Ensemble.method` says. Methods that are not compiled run in
-        Python, one after the other: give them an executor.
+        As of `simulate`; "auto" chooses once for all, as `Ensemble.method` says.
     workers
         Threads of this process; None: as many as there are cores.
     executor
@@ -120,7 +118,7 @@ def simulate_ensemble(
         np.array([end]) if times is None else times, times is None,
         *step_limits(first_step, max_step, max_steps, abs(end - start)),
         choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm,
-        _differentiated(system, sensitivities, v0, chosen),
+        _differentiated(system, sensitivities, v0),
     )  # fmt: skip
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
@@ -135,14 +133,13 @@ def simulate_ensemble(
 
 def chosen_method(system: "System", method: object, rtol: float, least_norm: bool = False) -> Method:
     """Return the method of that name; of "auto" the one that ensembles take on this machine."""
-    name = choice(method, NAMES, "method")
+    name = method_of(method, NAMES)
     return automatic_of_many(system.compiled, rtol, least_norm) if name == AUTO else METHODS[name]
 
 
-def _differentiated(system: "System", given: Any, v0: Any, method: Method) -> Differentiated | None:
+def _differentiated(system: "System", given: Any, v0: Any) -> Differentiated | None:
     if given is None:
         return None
-    check_method(method)
     return differentiated(system.compiled, given, v0)
 
 

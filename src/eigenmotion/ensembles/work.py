@@ -45,8 +45,8 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
 
 
 def _one_by_one(asked: Asked) -> bool:
-    """Whether each run is one of `simulate`: of a method in Python, with modes of its own, or with derivatives."""
-    return asked.method is None or bool(asked.model.switches) or in_one_run(asked)
+    """Whether each run is one of `simulate`: with modes of its own, or with derivatives."""
+    return bool(asked.model.switches) or in_one_run(asked)
 
 
 def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop, shifts: Shifts) -> None:

@@ -20,7 +20,6 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from ..arguments.options import choice
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
 from ..building.request import Request, request
@@ -28,7 +27,7 @@ from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
 from ..codegen.model.normalise import real, shown
 from ..files import write
-from ..running.methods import FIXED, STEPPED, Method
+from ..running.methods import FIXED, STEPPED, Method, method_of
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -116,7 +115,7 @@ def export_fmu(
     'pendulum.fmu'
     """
     wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
-    chosen: Method = choice(method, STEPPED, "method")
+    chosen: Method = method_of(method, STEPPED)
     target = _target(path)
     options = tuple(_positive(value, name) for value, name in ((rtol, "rtol"), (atol, "atol")))
     unit = packed(wanted, chosen, options, _step(chosen, step))
@@ -189,7 +188,7 @@ def _unit(
         outputs=tuple(places[v.name] for v in variables if v.causality == "output"),
         calculated=tuple(places[v.name] for v in variables if v.initial == "calculated"),
         velocities=tuple(map(repr, system.start()[1].tolist())),
-        method=method.number or 0,
+        method=method.number,
         rtol=rtol,
         atol=atol,
         step=repr(step),

@@ -12,7 +12,7 @@ from ..pages.figures import BLACK, FORMULATIONS, ORANGE, SKY, Picture, blank, pi
 from ..running import methods
 from .examine import Findings
 from .recommend import Curve
-from .solvers import METHODS, OURS, RADAU_ORDER
+from .solvers import METHODS, OURS
 
 _WINE = "#882255"  # our implicit methods
 _LOOKS: dict[str, tuple[str, str, Any]] = {
@@ -22,10 +22,6 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
     "inverse": (FORMULATIONS["inverse"], "D", "--"),
     "radau5": (_WINE, "X", "-."),
     "radau9": (_WINE, "d", (0, (5, 1))),
-    "Radau": (_WINE, ">", "-"),
-    "BDF": (_WINE, "p", (0, (1, 3))),
-    "LSODA": (_WINE, "<", "--"),
-    "CVODE": (_WINE, "P", ":"),
     "heyoka.py Taylor": (BLACK, "*", "--"),
     "CVODES Adams": (ORANGE, "P", ":"),
     "CVODES BDF": (ORANGE, "p", (0, (1, 3))),
@@ -36,7 +32,7 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
 _HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
 _BEST, _NODES = "dop853", "ra15"
-_FIXED = {name for name, method in methods.METHODS.items() if method.order}
+_GUIDED = methods.METHODS["radau5"].order  # of the implicit ones
 
 
 def pictures(found: Findings) -> tuple[Picture, ...]:
@@ -68,7 +64,7 @@ def _against_peers(found: Findings) -> Picture:
 
 
 def _near(curves: Sequence[Curve]) -> list[Curve]:
-    """Return our compiled ones, or else all of ours, and who never takes more than a few times as long as they do."""
+    """Return our explicit ones, or else all of ours, and who never takes more than a few times as long as they do."""
     ours = [c for c in curves if c.family == OURS]
     base = [c for c in ours if not c.is_implicit] or ours
     longest = max((max(c.seconds) for c in base), default=0.0)
@@ -91,7 +87,7 @@ def _by_method(found: Findings) -> Picture:
     _legend(figure, *panels, below=True)
     return _picture(
         figure, found, "methods", "formulations by method",
-        "The same axes for each of the compiled methods, and for the implicit ones.",
+        "The same axes for each of the explicit methods, and for the implicit ones.",
     )  # fmt: skip
 
 
@@ -108,15 +104,15 @@ def _convergence(found: Findings) -> Picture:
     _legend(figure, *panels, below=True)
     return _picture(
         figure, found, "order", "order of convergence",
-        "Error against accepted steps: a method of order p falls along a line of slope -p (grey; among the implicit "
-        "ones Radau's, the others vary theirs).",
+        "Error against accepted steps: a method of order p falls along a line of slope -p (grey; of the implicit ones "
+        "radau5's).",
     )  # fmt: skip
 
 
 def _panels(found: Findings) -> list[tuple[str, list[Curve], int]]:
-    """Return title, curves and order of each compiled method, and of the implicit ones together."""
+    """Return title, curves and order of each explicit method, and of the implicit ones together."""
     panels = [(method, _ours(found, method), order) for method, order in METHODS.items()]
-    return [*panels, ("implicit", [c for c in found.curves if c.is_implicit and c.points], RADAU_ORDER)]
+    return [*panels, ("implicit", [c for c in found.curves if c.is_implicit and c.points], _GUIDED)]
 
 
 def _ours(found: Findings, method: str) -> list[Curve]:
@@ -147,7 +143,7 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
 
 def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> bool:
     """Draw the method's slope through the middle of the points it is about, where steps follow the tolerance at all."""
-    fixed = [c for c in lines if c.method in _FIXED and c.order(floor) is not None]
+    fixed = [c for c in lines if methods.METHODS[c.method].order == order and c.order(floor) is not None]
     every = [(p.nsteps or 0, p.error_max or 0.0) for curve in fixed for p in curve.points]
     points = [(steps, error) for steps, error in every if steps and floor < error < 1e-2]
     if not points:

@@ -15,7 +15,7 @@ from ..system.system import System
 from .measure import Budget, Judge, Measurement, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
-from .solvers import OUR_TOLERANCES, Problem, Solver, compiled_solvers, implicit_solvers
+from .solvers import OUR_TOLERANCES, Problem, Solver, explicit_solvers, implicit_solvers
 from .subject import Subject, subject
 
 
@@ -46,7 +46,7 @@ class Findings:
     """All that was found out about one model.
 
     start : x, v at t = 0
-    absent : peers and methods that there are none of here, and why
+    absent : peers that there are none of here, and why
     skipped : solvers of which some tolerances were not tried, and why
     """
 
@@ -97,15 +97,14 @@ def _solvers(
     found: Subject, ask: Ask, equations: Classical, y: Vector
 ) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
     """Return ours and the peers', and what is absent."""
-    ours = [solver for system in found.systems for solver in compiled_solvers(system, ask.problem, ask.tolerances)]
-    implicit, missing = implicit_solvers(found.systems, ask.problem)
+    ours = [solver for system in found.systems for solver in explicit_solvers(system, ask.problem, ask.tolerances)]
     others = peers(equations, Start(y, ask.t_end))
-    return [*ours, *implicit, *others.solvers], (*missing, *others.absent)
+    return [*ours, *implicit_solvers(found.systems, ask.problem), *others.solvers], others.absent
 
 
 def _probe(system: System, ask: Ask) -> Solution:
     """Return a run that got to the end: of an explicit method, or where that is held up of an implicit one."""
-    for method in ("dop853", "Radau"):
+    for method in ("dop853", "radau9"):
         probe = ask.problem.simulate(system, method, 1e-8)
         if probe.status == 0:
             return probe

@@ -79,10 +79,9 @@ def _limits(found: Findings) -> str:
     return (
         f"The implicit methods {', '.join(IMPLICIT)} integrate (x, xdot) with a compiled Jacobian in every "
         f"formulation, which only says what a row holds beside them: they are measured once, on {plain}, at whole "
-        f"decades of the tolerance. A run is stopped after {MOST_STEPS[True]:,} steps of a compiled method, of "
-        f"heyoka.py or of CVODES, {MOST_STEPS[False]:,} of one of ours in Python, or {LONGEST:g} s of SciPy's; "
-        f"nothing tighter is tried then. After a run that took k times {budget.grain:g} s the next k tolerances are "
-        f"skipped. Runs of more than {SLOW:g} s are timed {SLOW_TURNS + 1} times."
+        f"decades of the tolerance. A run is stopped after {MOST_STEPS:,} steps of ours, of heyoka.py or of CVODES, "
+        f"or {LONGEST:g} s of SciPy's; nothing tighter is tried then. After a run that took k times {budget.grain:g} s "
+        f"the next k tolerances are skipped. Runs of more than {SLOW:g} s are timed {SLOW_TURNS + 1} times."
     )
 
 

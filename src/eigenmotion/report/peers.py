@@ -121,11 +121,11 @@ def _heyoka(equations: Classical, start: Start) -> list[Solver]:
 
         def run() -> Any:
             restart()
-            return integrator.propagate_until(start.t_end, max_steps=MOST_STEPS[True])
+            return integrator.propagate_until(start.t_end, max_steps=MOST_STEPS)
 
         def track(times: Vector, done: Any) -> Track:
             restart()
-            outcome, *_, rows = integrator.propagate_grid(times, max_steps=MOST_STEPS[True])
+            outcome, *_, rows = integrator.propagate_grid(times, max_steps=MOST_STEPS)
             finished = outcome == heyoka.taylor_outcome.time_limit
             return Track(rows[:, :n], rows[:, n:], nfev=None, nsteps=done[3], message="" if finished else str(outcome))
 
@@ -145,7 +145,7 @@ def _casadi(equations: Classical, start: Start) -> list[Solver]:
 
     def attempt(method: str, tolerance: float) -> Attempt:
         options: dict[str, Any] = {"abstol": tolerance, "reltol": tolerance, **_CVODES[method]}
-        options |= {"max_num_steps": MOST_STEPS[True], "disable_internal_warnings": True}
+        options |= {"max_num_steps": MOST_STEPS, "disable_internal_warnings": True}
         to_end = casadi.integrator("to_end", "cvodes", problem, 0.0, [start.t_end], options)
 
         def track(times: Vector, _: Any) -> Track:

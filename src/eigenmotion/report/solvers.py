@@ -1,6 +1,5 @@
 """What is measured: one record for ours and for peers alike."""
 
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,14 +12,13 @@ from ..running import methods
 from ..running.simulate import simulate
 from ..system.system import System
 
-METHODS = {name: method.order or 0 for name, method in methods.COMPILED.items() if not method.implicit}
+METHODS = {name: method.order for name, method in methods.METHODS.items() if not method.implicit}
 """Explicit ones, with the order that error falls with."""
 IMPLICIT = tuple(methods.IMPLICIT)
-RADAU_ORDER = methods.METHODS["Radau"].order or 0
 OURS = "eigenmotion"
 OUR_TOLERANCES = tuple(float(10.0 ** (-k / 2)) for k in range(6, 28))  # 1e-3, 3e-4, ... 3e-14
 IMPLICIT_TOLERANCES = tuple(float(10.0**-k) for k in range(3, 14))
-MOST_STEPS = {True: 1_000_000, False: 20_000}  # of a compiled method; of one in Python: seconds either way
+MOST_STEPS = 1_000_000
 _PLAIN = "lagrange"
 
 
@@ -78,31 +76,25 @@ class Problem:
 
     def simulate(self, system: System, method: str, tolerance: float, t_eval: Vector | None = None) -> Solution:
         """Run one method at one tolerance."""
-        given: dict[str, Any] = {**self.settings, "max_steps": MOST_STEPS[methods.METHODS[method].is_compiled]}
+        given: dict[str, Any] = {**self.settings, "max_steps": MOST_STEPS}
         return simulate(
             system, (0.0, self.t_end), method=method, rtol=tolerance, atol=tolerance, t_eval=t_eval, **given
         )
 
 
-def compiled_solvers(system: System, problem: Problem, tolerances: tuple[float, ...]) -> list[Solver]:
-    """Every compiled method on one formulation."""
+def explicit_solvers(system: System, problem: Problem, tolerances: tuple[float, ...]) -> list[Solver]:
+    """Every explicit method on one formulation."""
     return [_solver(system, problem, method, tolerances) for method in METHODS]
 
 
-def implicit_solvers(systems: Sequence[System], problem: Problem) -> tuple[list[Solver], list[tuple[str, str]]]:
-    """Every implicit method, once, and why one is absent: (name, reason).
+def implicit_solvers(systems: Sequence[System], problem: Problem) -> list[Solver]:
+    """Every implicit method, once.
 
     They integrate (x, v) with a compiled Jacobian whatever the formulation, which only says what a row holds beside
     them: lagrange nothing, so that its rows are the quickest.
     """
     chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
-    absent = [
-        (name, f"not installed (pip install 'eigenmotion[{method.extra}]')")
-        for name, method in methods.IMPLICIT.items()
-        if not method.is_installed
-    ]
-    names = [method for method in IMPLICIT if method not in dict(absent)]
-    return [_solver(chosen, problem, method, IMPLICIT_TOLERANCES) for method in names], absent
+    return [_solver(chosen, problem, method, IMPLICIT_TOLERANCES) for method in IMPLICIT]
 
 
 def _solver(system: System, problem: Problem, method: str, tolerances: tuple[float, ...]) -> Solver:
@@ -115,13 +107,7 @@ def _attempt(system: System, problem: Problem, method: str, tolerance: float) ->
     def run(t_eval: Vector | None = None) -> Solution:
         return problem.simulate(system, method, tolerance, t_eval)
 
-    def quietly(t_eval: Vector | None = None) -> Solution:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # what SciPy warns of is in the outcome
-            return run(t_eval)
-
-    used = quietly if method in IMPLICIT else run
-    return Attempt(used, lambda times, done: _track(system, used(times) if done.status == 0 else done, done))
+    return Attempt(run, lambda times, done: _track(system, run(times) if done.status == 0 else done, done))
 
 
 def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:

@@ -94,8 +94,8 @@ class Solution(dict[str, Any]):
     t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
     y_after_events : the states after those that act, as y_events; of the others y_events itself
     modes : since when, and a parameter name -> value of each mode that a model with contacts went through; else ()
-    nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
-    nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
+    nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (of implicit methods)
+    nsteps, nrejected : steps accepted, and rejected
     n_bounded : steps accepted that did not run the published equations
     n_stiff : about how many stability kept short, and not their error; where most were, `message` says so
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
@@ -253,8 +253,7 @@ class Solution(dict[str, Any]):
     @property
     def cost(self) -> str:
         """What the run took, in words."""
-        rejected = "" if self["nrejected"] is None else f"{self['nrejected']} rejected, "
-        return f"{self['nsteps']} steps, {rejected}{self['nfev']} right-hand sides"
+        return f"{self['nsteps']} steps, {self['nrejected']} rejected, {self['nfev']} right-hand sides"
 
     def __dir__(self) -> list[str]:
         return sorted({*object.__dir__(self), *self})

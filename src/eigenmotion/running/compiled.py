@@ -1,4 +1,4 @@
-"""Runs of compiled methods: in one go, or in parts where controllers are asked on the way."""
+"""Runs: in one go, or in parts where controllers are asked on the way."""
 
 from contextlib import suppress
 
@@ -9,7 +9,7 @@ from .methods import Method
 from .sampled import as_held, drive, opened
 
 
-def run_compiled(task: Task, method: Method, number: int) -> Solution:
+def run_compiled(task: Task, method: Method) -> Solution:
     """Run what has been checked.
 
     Raises
@@ -18,9 +18,9 @@ def run_compiled(task: Task, method: Method, number: int) -> Solution:
         What a controller raised, as it is; its `solution` is what was done up to there.
     """
     if not task.inputs.sampled:
-        return solution_of(task, method, Run(task, number))
+        return solution_of(task, method, Run(task, method.number))
     task, held = opened(task)
-    run = RunInParts(task, number)
+    run = RunInParts(task, method.number)
     try:
         drive(run, task, held)
     except BaseException as error:
@@ -32,9 +32,9 @@ def run_compiled(task: Task, method: Method, number: int) -> Solution:
     return solution_of(as_held(task, held), method, run)
 
 
-def solution_of(task: Task, method: Method, run: Run, counts: tuple[int | None, ...] | None = None) -> Solution:
-    """Return what came of a run; `counts` (as in COUNTS) where it is not the run that knows them."""
-    fields = run.fields(method.name, counts)
+def solution_of(task: Task, method: Method, run: Run) -> Solution:
+    """Return what came of a run."""
+    fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
     return Solution((task, run.legs), fields)

@@ -85,8 +85,7 @@ def with_error_estimate(task: Task, method: Method, checker: CompiledModel | Non
     checking = checker_of(method)
     if not len(solution.t) or solution.t[-1] == task.t_start:
         return _blank(solution, task)
-    across = method.is_compiled and method != checking
-    tighter = _tighter(task, solution, TIGHTER_ACROSS if across else TIGHTER)
+    tighter = _tighter(task, solution, TIGHTER if method == checking else TIGHTER_ACROSS)
     if checker is not None:
         tighter = _on(checker, tighter)
     second, seconds = _clocked(run, tighter, checking)

@@ -1,48 +1,33 @@
 """The methods there are: the one table that all others are made from.
 
-What compiled ones do stands in em_methods.h, under the same names and numbers.
+All are compiled; what they do stands in em_methods.h, under the same names and numbers.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.util import find_spec
 from types import MappingProxyType
+from typing import Any
+
+from ..arguments.options import choice
+from ..codegen.model.normalise import ModelError
 
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A way to integrate: compiled, or in Python.
+    """A way to integrate.
 
     name : as users write it, in upper or lower case
-    order : the power of the step size that the error of a run falls with; None where it varies from step to step
+    order : the power of the step size that the error of a run falls with
+    number : em_method of em_run.h
     implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
-    number : of a compiled one, em_method of em_run.h; else None
-    solver : of the others, "module:class" of what makes the steps, as `scipy.integrate.OdeSolver` does
-    needs : the package without which there is none, "" where it comes with ours
-    extra : what installs that: pip install 'eigenmotion[extra]'
-    begins : of those whose steps are made in Python, the method of the first ones of a leg after events that act, or ""
-    iterates : of a compiled one, whether its rates are found by iteration, which ends at the tolerances and no sooner
+    iterates : whether its rates are found by iteration, which ends at the tolerances and no sooner
     """
 
     name: str
-    order: int | None
+    order: int
+    number: int
     implicit: bool = False
-    number: int | None = None
-    solver: str = ""
-    needs: str = ""
-    extra: str = ""
-    begins: str = ""
     iterates: bool = False
-
-    @property
-    def is_compiled(self) -> bool:
-        """Whether all of a run is compiled code."""
-        return self.number is not None
-
-    @property
-    def is_installed(self) -> bool:
-        """Whether what it needs is there."""
-        return not self.needs or find_spec(self.needs) is not None
 
 
 def _table(*methods: Method) -> Mapping[str, Method]:
@@ -54,24 +39,44 @@ METHODS = _table(
     Method("dopri5", order=5, number=1),
     Method("dop853", order=8, number=2),
     Method("ra15", order=15, number=3, iterates=True),
-    Method("radau5", order=5, implicit=True, number=6),
-    Method("radau9", order=9, implicit=True, number=7),
-    Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau", begins="Radau"),
-    Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF", begins="Radau"),
-    Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA", begins="Radau"),
-    Method("CVODE", order=None, implicit=True, solver="eigenmotion.running.sundials:Cvode",
-           needs="sksundae", extra="stiff", begins="Radau"),
-)  # fmt: skip
+    Method("radau5", order=5, number=6, implicit=True),
+    Method("radau9", order=9, number=7, implicit=True),
+)
 AT_ONCE = ("dop853", "ra15")
-"""Those that every compiled model has at once, for a run may take them by itself; others are compiled as asked for."""
+"""Those that every model has at once, for a run may take them by itself; others are compiled as asked for."""
 AUTO = "auto"
 """The name by which users leave the choice to choosing.py."""
-COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))
 FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
 """Of steppers alone: their steps are as long as told, all alike, and nothing says how large their error is."""
-STEPPED = _table(*COMPILED.values(), *FIXED.values())
+STEPPED = _table(*METHODS.values(), *FIXED.values())
 """All that steppers have."""
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
+_ELSEWHERE = MappingProxyType({
+    **{name: ("SciPy's", "radau9", f"{name!r}, jac=system.jacobian") for name in ("Radau", "BDF", "LSODA")},
+    **dict.fromkeys(("CVODE", "CVODES"), ("SUNDIALS'", "radau9", "'BDF', jac=system.jacobian")),
+    "RK45": ("SciPy's", "dopri5", "'RK45'"),
+    "RK23": ("SciPy's", "rk34", "'RK23'"),
+})  # fmt: skip
+"""Solvers that step outside of runs: whose they are, what is compiled in their place, how they are called."""
+
+
+def method_of(given: object, known: Mapping[str, Any]) -> Any:
+    """Return what the name of a method stands for, whatever its case.
+
+    Raises
+    ------
+    ModelError
+        Not one of the known names: lists them; of SciPy's and SUNDIALS' solvers, says what serves.
+    """
+    found = [name for name in _ELSEWHERE if isinstance(given, str) and name.lower() == given.lower()]
+    if not found:
+        return choice(given, known, "method")
+    whose, instead, called = _ELSEWHERE[found[0]]
+    raise ModelError(
+        f"method {given!r} is {whose}: the compiled one in its place is {instead!r}. Solvers of SciPy and SUNDIALS are "
+        "served by System.rhs and System.jacobian, as in "
+        f"scipy.integrate.solve_ivp(system.rhs, t_span, system.state(), method={called})"
+    )
 
 
 def checker_of(method: Method) -> Method:
@@ -80,4 +85,4 @@ def checker_of(method: Method) -> Method:
     None that iterates: near rounding its errors are larger than its order says.
     """
     direct = (m for m in METHODS.values() if m.implicit == method.implicit and not m.iterates)
-    return max(direct, key=lambda m: m.order or 0)
+    return max(direct, key=lambda m: m.order)

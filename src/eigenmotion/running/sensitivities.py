@@ -7,7 +7,7 @@ import numpy as np
 
 from ..arguments.differentiated import Differentiated, rates_of
 from ..arguments.names import Vector
-from ..arguments.options import OptionError, Task
+from ..arguments.options import Task
 from ..codegen.model.normalise import ModelError
 from ..results.sensitivity import Sensitivity
 from ..results.solution import Solution
@@ -36,19 +36,6 @@ class Directions(NamedTuple):
     names: tuple[str, ...]
     S: Vector
     P: Vector
-
-
-def check_method(method: Method) -> None:
-    """Refuse methods whose rows are not the motion's to the last digit.
-
-    Raises
-    ------
-    ModelError
-        A method that is not compiled.
-    """
-    if method.number is None:
-        raise OptionError(f"sensitivities are of compiled methods, which {method.name!r} is not; for stiff scenes take "
-                          "'radau5' or 'radau9'")  # fmt: skip
 
 
 def directions(asked: Differentiated, task: Task) -> Directions:

@@ -10,23 +10,22 @@ from numpy.typing import ArrayLike
 from ..arguments import options
 from ..arguments.differentiated import differentiated
 from ..arguments.names import Vector, unknown
-from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
+from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
 from .choosing import automatic_of_run
 from .compiled import run_compiled
 from .error_estimate import with_error_estimate
-from .methods import AUTO, METHODS, Method
+from .methods import AUTO, METHODS, Method, method_of
 from .restart import given_start
-from .sensitivities import check_method, directions, sensitivity
+from .sensitivities import directions, sensitivity
 from .start import check_direction, start_state
-from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-NAMES = {name.lower(): name for name in (*METHODS, AUTO)}
+NAMES = {name: name for name in (*METHODS, AUTO)}
 STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "start", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
@@ -70,15 +69,14 @@ def simulate(
     parameters
         Mapping name -> value over the defaults, array, or what `System.prepare` returned.
     inputs
-        Mapping name -> number, (times, values) (linear interpolation), Signal, or, for compiled methods, Sampled: a
-        controller, asked every period. What it raises comes out as it is, with what was done as its `solution`.
+        Mapping name -> number, (times, values) (linear interpolation), Signal, or Sampled: a controller, asked every
+        period. What it raises comes out as it is, with what was done as its `solution`.
     method
-        "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for
-        stiff scenes, Radau IIA of orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its
-        start, else "dop853" or "ra15", by tolerance, formulation and processor, which `Solution.method` names. "Radau",
-        "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit too, with steps in Python; what they integrate is not
-        projected, so that drift adds up, but every row and event is ("project"). Upper or lower case.
+        "rk34", "dopri5", "dop853": Runge-Kutta; "ra15": eight Radau nodes side by side, order 15, often the quickest
+        where motions are smooth and tolerances tight; "radau5", "radau9": implicit, for stiff scenes, Radau IIA of
+        orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its start, else "dop853" or
+        "ra15", by tolerance, formulation and processor, which `Solution.method` names. All are compiled; upper or lower
+        case. Solvers of SciPy and SUNDIALS are served by `System.rhs` and `System.jacobian`.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).
@@ -101,7 +99,7 @@ def simulate(
     sensitivities
         Names of parameters ("K1"), constant inputs, initial positions ("theta1") and rates ("theta1'"), or
         quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows, with a
-        start that the constraints move, and through events, whose times have `dt_events`. For compiled methods.
+        start that the constraints move, and through events, whose times have `dt_events`.
 
     Returns
     -------
@@ -124,7 +122,7 @@ def simulate(
     compiled = getattr(system, "compiled", None)
     if positional or misspelt or not isinstance(compiled, CompiledModel):
         raise refused("simulate", system, positional, misspelt, _OPTIONS)
-    named = method if type(method) is str and method in METHODS else choice(method, NAMES, "method", SCIPY_METHODS)
+    named = method if type(method) is str and method in METHODS else method_of(method, NAMES)
     task = None if not (inputs is None and start is None) else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
         first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
@@ -141,12 +139,11 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
     """Run a task by the method of that name, with what was asked about its motion."""
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
-        _check_sampled(task, chosen, estimate_error)
+        _check_sampled(task, estimate_error)
     if task.t_end < task.t_start:
         check_direction(task.model, task.t_start, task.t_end)
     asked = None
     if sensitivities is not None:
-        check_method(chosen)
         asked = directions(differentiated(task.model, sensitivities, v0), task)
         dense, task = task.dense, task._replace(dense=task.dense or TO_DERIVE)
     if estimate_error is False:
@@ -218,7 +215,7 @@ def _checker(given: Any) -> CompiledModel:
 
 def run_task(task: Task, method: Method) -> Solution:
     """Run what has been checked."""
-    found = simulate_stiff(task, method) if method.number is None else run_compiled(task, method, method.number)
+    found = run_compiled(task, method)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
         found["sol"] = DenseOutput(found.t, partial(_standing, row))
@@ -230,10 +227,8 @@ def _standing(row: Vector, t: Vector) -> Vector:
     return np.repeat(row, len(t), axis=0)
 
 
-def _check_sampled(task: Task, method: Method, estimate_error: Any) -> None:
+def _check_sampled(task: Task, estimate_error: Any) -> None:
     """Refuse what controllers cannot be asked in."""
-    if method.number is None:
-        raise ModelError(f"Sampled inputs are for compiled methods, which {method.name} is not; use dop853, say")
     if task.t_end < task.t_start:
         raise ModelError("Sampled inputs are for runs forwards in time: a controller knows the past alone")
     if estimate_error is not False:

@@ -11,15 +11,14 @@ from ..arguments.names import Vector, unknown
 from ..arguments.options import OptionError, Task, choice
 from ..codegen.model.normalise import ModelError, number, real
 from ..runtime import Steps
-from .methods import FIXED, STEPPED
+from .methods import FIXED, STEPPED, method_of
 from .restart import given_start
 from .start import start_state
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items() if method.number is not None}
-_METHODS = {name.lower(): name for name in METHOD_NUMBERS}
+METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items()}
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "method", "step", "max_step", "max_steps",
             "stabilisation", "dependent_constraints")  # fmt: skip
 
@@ -178,7 +177,7 @@ def stepper(
 
 def method_named(given: str) -> str:
     """Return a method of steppers by its name, whatever its case."""
-    name: str = choice(given, _METHODS, "method")
+    name: str = method_of(given, {name: name for name in STEPPED})
     return name
 
 

@@ -7,7 +7,6 @@ from .faults import StopReason as StopReason
 from .faults import explain as explain
 from .faults import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
-from .parts import TOLD as TOLD
 from .parts import RunInParts as RunInParts
 from .plain import forgiven as forgiven
 from .point import Prepared as Prepared

@@ -41,7 +41,6 @@ cdef extern from "eigenmotion.h" nogil:
         EM_MIDPOINT
         EM_RADAU5
         EM_RADAU9
-        EM_TOLD
 
     ctypedef struct em_rows:
         size_t count
@@ -67,12 +66,6 @@ cdef extern from "eigenmotion.h" nogil:
         double t
         double count
 
-    ctypedef struct em_piece:
-        double t
-        double h
-        const double *y
-        int left
-
     ctypedef struct em_run:
         double t_start
         double t_end
@@ -94,7 +87,6 @@ cdef extern from "eigenmotion.h" nogil:
         const int *event_terminal
         int (*poll)(void *) noexcept nogil
         void *poll_argument
-        em_piece *piece
         em_fault fault
         em_rows rows
         em_rows *events

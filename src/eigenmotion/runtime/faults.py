@@ -200,7 +200,7 @@ def stiffness(held: int, steps: int, iterates: bool) -> str:
     return (
         f" The scene is stiff: about {held} of {steps} steps were kept short by "
         f"{'an iteration that converges slowly' if iterates else 'stability'}, not by their error. Use "
-        f"{'dop853, or ' if iterates else ''}a stiff method: radau9, or Radau, BDF, LSODA."
+        f"{'dop853, or ' if iterates else ''}a stiff method, radau9 or radau5."
     )
 
 

@@ -194,18 +194,6 @@ cdef class CompiledModel(PointModel):
             self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
         return J.array
 
-    def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
-        """(v, a) (2 n) at z = (x, v)."""
-        cdef em_fault fault
-        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers rate = zeros((2 * self.n,)), multipliers = zeros((self.m,))
-        cdef double *v = q.data + self.n
-        memcpy(rate.data, v, self.n * sizeof(double))
-        if self.model.acceleration(t, q.data, v, c.c, s.data, least_norm, rate.data + self.n, multipliers.data,
-                                   &fault) != 0:
-            raise self.failure(&fault)
-        return rate.array
-
     def slopes_size(self, double t, y, Prepared c not None, u, bint least_norm, atol):
         """About the root of the sum of squares of da/dx and da/dv at a state y, by differences over atol (n), which is of
         x and of v, and rounding of these; 0 where nothing moves, infinite where something beside does not."""

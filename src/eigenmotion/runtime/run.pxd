@@ -9,7 +9,6 @@ cdef class Run:
     cdef em_signal *signals
     cdef readonly PointModel model
     cdef readonly object stop
-    cdef str said      # why it ended, where the caller says so
     cdef list held     # arrays that live as long
     cdef object pending  # what a signal's handler raised
 

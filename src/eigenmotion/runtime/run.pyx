@@ -5,7 +5,7 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_RADAU9
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, unset, zeros
 from .point cimport PointModel, Prepared
@@ -132,17 +132,16 @@ cdef class Run:
             found.append((int(c[legs.width - 1]), legs.t[k], parameters))
         return tuple(found)
 
-    def fields(self, str method, tuple counts=None):
-        """What came of it, as `record` has it, but `sol`; counts as in COUNTS, where the caller knows better."""
+    def fields(self, str method):
+        """What came of it, as `record` has it, but `sol`."""
         t, y = self.table(&self.run.rows)
         t_events, y_events = self.events(self.run.events)
         after = None
         if self.model.acts:
             _, after = self.events(self.run.after)
             after = [now if acts else y for now, y, acts in zip(after, y_events, self.model.acting)]
-        if counts is None:
-            counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
-                      self.run.n_jacobians, self.run.n_factors)
+        counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
+                  self.run.n_jacobians, self.run.n_factors)
         modes = modes_of(self.model, self.legs) if self.run.legs.count > 0 else ()
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after, modes)
 
@@ -157,8 +156,7 @@ cdef class Run:
         if self.stop is _FINISHED:
             return _CAME_TO_ITS_END + stiff
         fault = self.run.fault
-        words = self.said or explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size,
-                                     self.model.events)
+        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
         return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property
@@ -203,6 +201,8 @@ cdef class Run:
 def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
           bytes steps, bytes table, bytes legs=b""):
     """A run that is over, of which there are the interpolants."""
+    if not 0 <= method <= EM_RADAU9:
+        raise ValueError(f"{prepared.model.name}: a run of another version, by a method (number {method}) that is no more")
     cdef Run made = Run.__new__(Run, None, method)
     cdef em_run *run = &made.run
     prepared.model.need_method(method)

@@ -13,7 +13,6 @@ from ..building.build import build
 from ..building.errors import BuildError
 from ..codegen.model import Model, ModelError
 from ..results.solution import Solution
-from ..running.methods import METHODS
 from ..running.simulate import simulate
 from ..runtime import EvaluationError, StopReason
 from ..system.system import System
@@ -21,7 +20,7 @@ from .case import Case, Trial
 from .expected import Expected, expected_of
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
-from .variants import IMPLICIT, Variant
+from .variants import Variant
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,12 +52,7 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
     known = planted or {}
     built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
     expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
-    chosen = [
-        (variant, method)
-        for method in case.tolerances
-        for variant in case.variants
-        if METHODS[method].is_compiled or variant in IMPLICIT
-    ]
+    chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
     cells = tuple(_cell(case, expected, built[variant], variant, method) for variant, method in chosen)
     return Examined(
         case.name, expected.trial.label, expected.how, expected.error, expected.kappa, expected.trial.periods, cells
@@ -115,7 +109,7 @@ def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str
             rtol=tolerance,
             atol=tolerance * trial.units,
             t_eval=trial.times,
-            max_steps=case.max_steps if METHODS[method].is_compiled else case.max_steps_stiff,
+            max_steps=case.max_steps,
             **options,
         )
 

@@ -151,14 +151,13 @@ _LONG_VARIANTS = (Variant("eigenfactor"), Variant("cholesky"), Variant("lagrange
 CASES = (
     Case(
         "long_free", "Many periods, no constraint",
-        "Two linear oscillators in curved coordinates, in which M is coupled and varies. SciPy's methods are left "
-        "out: their steps are made in Python.",
+        "Two linear oscillators in curved coordinates, in which M is coupled and varies.",
         "periods", _PERIODS, lambda _: bent_oscillators(), oscillators,
         variants=_LONG_VARIANTS, tolerances=_LONG, max_steps=100_000_000, weight=20.0,
     ),
     Case(
         "long_constrained", "Many periods, holonomic constraint",
-        "A pendulum in x and y. SciPy's methods are left out: their steps are made in Python.",
+        "A pendulum in x and y.",
         "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum,
         variants=(Variant("eigenfactor"), Variant("lagrange"), Variant("lagrange", stabilisation="none")),
         tolerances=_LONG, max_steps=100_000_000, weight=15.0,

@@ -34,7 +34,6 @@ class Variant(Choices):
 PLAIN = tuple(Variant(formulation) for formulation in FORMULATIONS)
 EXTRAPOLATE = Variant("eigenfactor", close_eigenvalues="extrapolate")
 UNSTABILISED = Variant("eigenfactor", stabilisation="none")
-IMPLICIT = (Variant("eigenfactor"), Variant("lagrange"))  # these methods integrate x and v in every formulation
 UNCONSTRAINED = (*PLAIN, EXTRAPOLATE, UNSTABILISED)
 CONSTRAINED = (*UNCONSTRAINED, Variant("lagrange", stabilisation="none"))
 SEVERAL_ROWS = (*CONSTRAINED, Variant("eigenfactor", schur="eigenfactor"))

@@ -9,7 +9,7 @@ import numpy as np
 from ...arguments.names import Vector
 from ...codegen.model import ModelError
 from ...results.solution import Solution
-from ...running.methods import COMPILED
+from ...running.methods import METHODS
 from ...runtime import EvaluationError, StopReason
 from ...system.system import System
 from .identities import geometric
@@ -26,7 +26,7 @@ SOUND = 1e-6
 _REASONS = (StopReason.SINGULAR_MASS_MATRIX, StopReason.DEPENDENT_CONSTRAINTS)
 
 
-def first_steps(system: System, methods: Iterable[str] = tuple(COMPILED)) -> Iterator[tuple[str, str]]:
+def first_steps(system: System, methods: Iterable[str] = tuple(METHODS)) -> Iterator[tuple[str, str]]:
     """Yield (method, what is wrong) where a run from the model's own start does not go as its accelerations say.
 
     Methods are compiled ones, explicit ones first. A start that cannot be, or a run that ends there for a reason of its
@@ -36,7 +36,7 @@ def first_steps(system: System, methods: Iterable[str] = tuple(COMPILED)) -> Ite
     end = far
     with np.errstate(all="ignore"):
         for name in methods:
-            until = end if COMPILED[name].implicit else far
+            until = end if METHODS[name].implicit else far
             try:
                 run = _run(system, name, until, atol=0.0)
             except ModelError:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...arguments.names import Vector
 from ...codegen.model import Model
-from ...running.methods import COMPILED
+from ...running.methods import METHODS
 from ...system.system import System
 from ..errors import BuildError
 from .augmented import factored
@@ -44,7 +44,7 @@ class ProofError(BuildError):
     """
 
 
-def prove(model: Model, system: System, methods: Iterable[str] = tuple(COMPILED)) -> None:
+def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
     """Hold a compiled model against what the user stated, at random places.
 
     Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;

@@ -18,6 +18,5 @@ static int em_check_drift(em_walk *w, const double *x, const double *v) { return
 static int em_check_factors(em_walk *w) { return (void)w, 0; }
 static void em_begin_chart(em_walk *w) { (void)w; }
 static int em_check_chart(em_walk *w) { return (void)w, 0; }
-static int em_check_pivots(em_walk *w) { return (void)w, 0; }
 
 #endif

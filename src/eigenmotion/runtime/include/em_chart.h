@@ -95,14 +95,6 @@ static int em_rounded(const em_walk *w, const double *pivots, const double *diag
     return -1;
 }
 
-/* Whether M at the end of a step is known to as many digits as are asked for. 0, or -1 and w->reason. */
-static int em_check_pivots(em_walk *w) {
-    double pivots[N], diagonal[N];
-    em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
-    const int lost = em_rounded(w, pivots, diagonal);
-    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
-}
-
 EM_COLD int em_look_at_chart(em_walk *w) {
     double pivots[N], diagonal[N];
     int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);

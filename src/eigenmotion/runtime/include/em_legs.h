@@ -67,13 +67,6 @@ static int em_append_after(em_walk *w) {
     return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
 }
 
-/* What the caller has told goes on otherwise than the motion does. */
-static void em_leave_piece(em_walk *w) {
-    if (!em_is_told(w->run)) return;
-    w->run->piece->left = 1;
-    w->t_goal = w->t;
-}
-
 /* The step ends at t, where events act; the next leg begins. */
 static int em_next_leg(em_walk *w, double t, int terminal) {
     double row[N_STATE], memory[EM_SOME_MEMORY];
@@ -90,7 +83,6 @@ static int em_next_leg(em_walk *w, double t, int terminal) {
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_end_with(w, w->reason);
     if (em_enter_mode(w) < 0) return em_end_with(w, w->reason);
     if (em_append_after(w)) return EM_END;
-    em_leave_piece(w);
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
     return em_begin(w);
 }

@@ -10,7 +10,6 @@
 #include "em_node_interpolant.h"
 #include "em_nodes.h"
 #include "em_runge_kutta.h"
-#include "em_told.h"
 
 static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
 
@@ -19,11 +18,6 @@ EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
 static em_scheme em_ra15(void) {
     return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 3.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
                        em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
-}
-
-static em_scheme em_told(void) {
-    return (em_scheme){EM_TOLD_ORDER, 1.0, 0.0, INFINITY, EM_TOLD_DEGREE, 0, em_told_step, NULL, em_told_interpolate,
-                       em_told_sketch, em_told_evaluate, EM_MOTION, 0, NULL, NULL};
 }
 
 #if EM_HOLDS(EM_METHODS)
@@ -36,7 +30,6 @@ static em_scheme em_scheme_of(EM_UNUSED const em_model *model, em_method method)
     switch (method) {
         case EM_DOP853: return em_dop853();
         case EM_RA15: return em_ra15();
-        case EM_TOLD: return em_told();
         default: break;
     }
 #if EM_HOLDS(EM_METHODS)

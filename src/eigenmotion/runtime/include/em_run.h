@@ -54,10 +54,9 @@ typedef struct em_signal {
     const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
 } em_signal;
 
-/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error.
- * EM_TOLD makes no steps: the caller makes them, and tells them (em_piece). */
+/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
 typedef enum em_method {
-    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9, EM_TOLD
+    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9
 } em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
@@ -79,13 +78,6 @@ typedef struct em_dense_step {
     int mode, kept; /* kept: as em_run's, within the step */
     size_t leg;     /* of em_run's legs */
 } em_dense_step;
-
-/* A step that the caller of EM_TOLD has made, from t on; the run is advanced to its end and no further. */
-typedef struct em_piece {
-    double t, h;
-    const double *y; /* (EM_DENSE_COEFFICIENTS, n_state) x and v at the nodes of em_told.h; the rest counts for nothing */
-    int left;        /* whether an event acted in it, and the motion goes on as another */
-} em_piece;
 
 struct em_model;
 
@@ -112,7 +104,6 @@ typedef struct em_run {
     const int *event_terminal;   /* (n_events) */
     int (*poll)(void *);         /* called about every 20 ms; non-zero ends the run as EM_INTERRUPTED; or NULL */
     void *poll_argument;
-    em_piece *piece;             /* of EM_TOLD */
 
     /* --- what came of it --- */
     em_fault fault;              /* fault.status says how it ended */

@@ -54,7 +54,7 @@ static int em_land(em_walk *w) {
     if (w->scheme.judge != NULL && w->scheme.judge(w)) return -1;
     if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
     if (!(w->error_norm < 1.0)) return 0;
-    if (!w->scheme.fixed && !em_is_told(w->run) && em_check_step(w)) return -1;
+    if (!w->scheme.fixed && em_check_step(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
     if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;

@@ -108,8 +108,7 @@ static int em_resume(em_walk *w) {
 /* From one piece to the next; where the run may end there, not before it goes on. */
 static int em_go_over(em_walk *w) {
 #ifdef EM_BREAKS
-    const double end = em_is_told(w->run) ? w->run->t_end : w->t_goal;
-    if (w->crosses && w->t == end) return w->stale = 1, EM_GO_ON;
+    if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_GO_ON;
 #endif
     return em_resume(w);
 }
@@ -117,7 +116,6 @@ static int em_go_over(em_walk *w) {
 /* One accepted step. */
 static int em_go_on(em_walk *w) {
     if (em_step_forward(w)) return EM_END;
-    if (em_is_told(w->run) && em_check_told(w)) return em_end_with(w, w->reason);
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0;

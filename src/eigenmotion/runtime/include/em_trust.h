@@ -40,16 +40,4 @@ static int em_check_step(em_walk *w) {
     return em_check_factors(w) || em_check_witness(w) ? -1 : 0;
 }
 
-#define EM_TOLD_BRIEF 0.1      /* the part of the longest step below which M is looked at where steps are told */
-enum { EM_TOLD_STEPS = 16 };   /* after so many the energy is */
-
-/* The same of a step that the caller has made, and cannot make again. The constraints are met up to drift by what is
- * told, though rows are settled. 0, or -1 and w->reason. */
-static int em_check_told(em_walk *w) {
-    if (fabs(w->h) < EM_TOLD_BRIEF * w->longest_step && em_check_pivots(w)) return -1;
-    if (N_POSITIONS > 0 && em_check_drift(w, w->y_raw, w->y_raw + N)) return -1;
-    const int due = (w->run->n_steps + 1) % EM_TOLD_STEPS == 0 || w->t_new == w->run->t_end;
-    return due && em_look_at_energy(w) ? -1 : 0;
-}
-
 #endif

@@ -49,7 +49,7 @@ typedef struct em_scheme {
     int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
                                        step alone does not tell; or NULL */
     int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
-    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
+    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
     int averages;                   /* whether steps cross the samples of linear signals */
@@ -201,9 +201,6 @@ static void em_signals(em_walk *w, double t) {
 
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
 EM_RARE static int em_blame(em_walk *w, double t, const double *y);
-
-/* Whether steps are the caller's, which cannot be made again (em_told.h). */
-EM_UNUSED static int em_is_told(const em_run *run) { return run->method == EM_TOLD; }
 
 /* What is asked of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
