@@ -52,7 +52,7 @@ def same(one: em.Solution, other: em.Solution) -> bool:
     return set(one) == set(other) and arrays and told and outputs and all(np.array_equal(*pair) for pair in events)
 
 
-@pytest.mark.parametrize(("method", "rtol", "count"), [("dop853", 1e-8, 13), ("ra15", 1e-8, 13), ("radau5", 1e-3, 2)])
+@pytest.mark.parametrize(("method", "rtol", "count"), [("dop853", 1e-8, 13), ("ra15", 1e-8, 13), ("radau5", 1e-5, 13)])
 def test_each_member_is_the_run_that_simulate_makes(swing, method, rtol, count):
     masses, speeds = np.linspace(1.0, 2.0, count), np.linspace(0.0, 9.0, count)
     push = Signal([0.0, 1.0, 2.0], [0.0, 1.0, 0.0])

@@ -153,7 +153,6 @@ def test_a_run_that_ends_early_asks_no_more():
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"method": "Radau"}, "Sampled inputs are for compiled methods, which Radau is not"),
         ({"t_span": (1.0, 0.0)}, "for runs forwards in time"),
         ({"estimate_error": True}, "estimate_error asks a controller twice"),
     ],

@@ -18,7 +18,7 @@ from .start import task_of
 from .vary import Shifts, in_one_run, together, vary, vary_members
 
 _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
-_OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "event_times", "events", "event_counts")
+_OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
 
 
 def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
@@ -30,7 +30,6 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
     else:
         chunk = Chunk(asked, members, stop)
         found = replace(Found.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
-        found.counts[:, : chunk.counts.shape[1]] = chunk.counts
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
             doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python
@@ -77,8 +76,7 @@ def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
     found.t_end[k] = _reached(asked, solution)
     if solution.modes:
         found.legs[k] = _legs(solution, end_only=asked.end_only)
-    counts = [solution[name] for name in COUNTS]
-    found.counts[k] = [-1 if count is None else count for count in counts]
+    found.counts[k] = [solution[name] for name in COUNTS]
     if solution.t_events is None:
         return
     place = int(found.event_counts[:k].sum())

@@ -238,7 +238,7 @@ class Ensemble:
         rows = np.ascontiguousarray(found.y[k][there])
         stop = REASONS[found.status[k]]
         t_events, y_events = self._events(k)
-        counts = tuple(None if count < 0 else count for count in found.counts[k].tolist())
+        counts = tuple(found.counts[k].tolist())
         legs = found.legs.get(k, ())
         ended = stop, self.message(k), asked.name, counts
         fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, legs))

@@ -20,7 +20,7 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 class Found:
     """What came of some members: as `Chunk` has it, and what its numbers do not tell.
 
-    counts : (K, 7), the COUNTS of a Solution; -1 where a method does not say
+    counts : (K, 7), the COUNTS of a Solution
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
     words : member -> how it ended, of those that run or are refused one by one
     legs : member -> its modes, as of `Trajectory`, of models with contacts

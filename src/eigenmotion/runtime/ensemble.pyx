@@ -48,7 +48,7 @@ cdef class Chunk:
 
     y : (count, n_rows, n_state), published meaning; NaN where a run did not come to
     t_end, status, first, second, size : (count,) where and how it ended: `em_fault`
-    counts : (count, 5): the first of `COUNTS`
+    counts : (count, 7): `COUNTS`
     events, event_times, event_counts : (k, n_state), (k,), (count, n_events): member by member, event by event
     """
 

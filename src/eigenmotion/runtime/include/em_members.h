@@ -7,7 +7,7 @@
 
 #include "em_start.h"
 
-enum { EM_COUNTS = 5 };
+enum { EM_COUNTS = 7 };
 
 /* `count` members. Of what differs from member to member each has its row; a stride of 0 is a row that all share. */
 typedef struct em_ensemble {
@@ -24,7 +24,8 @@ typedef struct em_ensemble {
     double *y;                 /* (count, n_rows, n_state), in: NaN; published meaning */
     double *t_end;             /* (count) where the run came to */
     em_fault *fault;           /* (count) how it ended */
-    long *counts;              /* (count, EM_COUNTS) right-hand sides, steps, rejected ones, those of another root, stiff ones */
+    long *counts;              /* (count, EM_COUNTS) right-hand sides, steps, rejected ones, those of another root, stiff ones,
+                                  slopes, factors */
     em_rows events;            /* of all members, in the order in which they ended */
     long *event_starts;        /* (count, n_events) where those of a member's event begin, */
     long *event_counts;        /* and how many they are */
@@ -77,7 +78,8 @@ static void em_ensemble_keep(em_ensemble *e, size_t member, const em_run *run) {
     const em_model *model = e->model;
     const size_t width = (size_t)model->n_state;
     double *const y = e->y + member * e->n_rows * width;
-    const long counts[EM_COUNTS] = {run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff};
+    const long counts[EM_COUNTS] = {run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff,
+                                    run->n_jacobians, run->n_factors};
     if (run->rows.count) memcpy(y, run->rows.y, run->rows.count * width * sizeof *y);
     if (e->end_only && run->fault.status == EM_TERMINAL_EVENT && run->rows.count == 0) {
         const double *const row = em_ensemble_last_event(model, run);
