@@ -9,102 +9,37 @@ weights.
 from __future__ import annotations
 
 import math
-import operator
-import random
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..graph.graph import Graph
-from ..graph.rewrite import Substitution
-from ..graph.store import Kind, Node
+from ..graph.store import Node
+from .samples import Numbers, Rows, Samples
+from .weighing import Weights
 
-Rows = Sequence[Sequence[Node]]
-Numbers = list[list[float]]
-
-POINTS = 12
-"""Random states, besides the start, at which ranks are looked at."""
 DEPENDENT = 1e-11
 """What is left of a diagonal entry when it is rounding."""
 ENOUGH = 0.1
 """Some rows do for all where the least pivot that they leave is this part of the one that all leave."""
 
 
-FUNCTIONS: Mapping[str, Callable[..., Any]] = {
-    "abs": abs, "min": min, "max": max, "sign": lambda a: (a > 0) - (a < 0), "step": lambda a: float(a > 0),
-    "select": lambda c, a, b: a if c else b, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
-    "==": operator.eq, "!=": operator.ne, "and": lambda a, b: bool(a) and bool(b),
-    "or": lambda a, b: bool(a) or bool(b), "not": operator.not_,
-}  # fmt: skip
-"""What the module math does not have under the same name."""
-
-
-class At:
-    """Values of nodes where symbols have the values given; not a number where they are not defined."""
-
-    def __init__(self, graph: Graph, values: Mapping[str, float]) -> None:
-        self.graph, self.values = graph, values
-        self._known: dict[Node, float] = {}
-
-    def __call__(self, root: Node) -> float:
-        """Return the value of a node."""
-        for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._guarded(node)
-        return self._known[root]
-
-    def _guarded(self, node: Node) -> float:
-        try:
-            return float(self._evaluate(node))
-        except (ArithmeticError, AttributeError, TypeError, ValueError):
-            return math.nan
-
-    def _evaluate(self, node: Node) -> Any:
-        kind, operands = self.graph.records[node]
-        known = self._known
-        if kind is Kind.NUMBER:
-            return operands[0]
-        if kind is Kind.SYMBOL:
-            return self.values[operands[0]]
-        if kind is Kind.SUM:
-            return math.fsum(float(factor) * known[child] for child, factor in operands)
-        if kind is Kind.PRODUCT:
-            return math.prod(known[child] ** float(power) for child, power in operands)
-        name, *arguments = operands
-        return (FUNCTIONS.get(name) or getattr(math, name))(*(known[child] for child in arguments))
-
-    def rows(self, rows: Rows) -> Numbers:
-        """Return the numbers of a matrix."""
-        return [[self(entry) for entry in row] for row in rows]
-
-
-def weights(graph: Graph, M: Rows, A: Rows, start: Mapping[str, float], constants: Mapping[str, float]) -> list[Node]:
+def weights(
+    graph: Graph, M: Rows, A: Rows, phi: Sequence[Node], start: Mapping[str, float], constants: Mapping[str, float]
+) -> list[Node]:
     """Return W (m,): what each row of A is weighed with in M + A^T W A; all zero where M itself is to be factored.
 
+    phi : (h,), of which the first rows of A are the gradients
     start : coordinates and time -> their first values; constants : parameters -> their default values
     """
-    places = [At(graph, values | dict(constants)) for values in _states(start)]
+    samples = Samples(graph, M, A, phi, start, constants)
+    places = [samples.at(values) for values in samples.states()]
     masses = [(place, numbers) for place in places if _finite(numbers := place.rows(M))]
     none = [graph.zero] * len(A)
     if not A or not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
         return none
-    given = _Weights(graph, M, A, places[0], At(graph, _beside(start) | dict(constants)), start).all()
+    given = Weights(samples).all()
     augmented = _Augmented([(m, place.rows(A), [place(w) for w in given]) for place, m in masses])
     rows = augmented.enough(sorted(range(len(A)), key=lambda row: sum(entry != graph.zero for entry in A[row])))
     return [given[row] if row in rows else graph.zero for row in range(len(A))]
-
-
-def _states(start: Mapping[str, float]) -> list[dict[str, float]]:
-    """The start, states about it by parts of its own numbers, and states about it by numbers of both signs."""
-    states = [dict(start)]
-    for seed in range(POINTS):
-        draw = {name: random.Random(f"{name} {seed}").uniform(-1.9, 1.9) for name in start}
-        unit = {name: value if seed % 2 else 1.0 for name, value in start.items()}
-        states.append({name: value + draw[name] * unit[name] for name, value in start.items()})
-    return states
-
-
-def _beside(start: Mapping[str, float]) -> dict[str, float]:
-    """A state near the start in which no coordinate is where it was."""
-    return {name: value + (5 + k % 3) / 8 for k, (name, value) in enumerate(start.items())}
 
 
 def _finite(rows: Iterable[Iterable[float]]) -> bool:
@@ -178,49 +113,3 @@ def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
             for j in left if pivots[-1] > DEPENDENT else ():
                 rest[i][j] -= rest[i][best] * rest[best][j] / rest[best][best]
     return pivots
-
-
-class _Weights:
-    """W of each row alone, in parameters: 1 / sum_k A_rk^2 / M_kk at the start and beside it.
-
-    So a row weighs as much as the inertia it acts on, in any units; a coordinate without inertia gets that of the rows
-    that hold it.
-    """
-
-    def __init__(self, graph: Graph, M: Rows, A: Rows, first: At, second: At, start: Mapping[str, float]) -> None:
-        self.graph, self.A = graph, A
-        beside = _beside(start)
-        self.places = [(first, self._at(start)), (second, self._at(beside))]
-        self.inertia = {k: M[k][k] for k in range(len(M)) if M[k][k] != graph.zero}
-
-    def _at(self, values: Mapping[str, float]) -> Substitution:
-        return Substitution(self.graph, {name: self.graph.number(value) for name, value in values.items()})
-
-    def all(self) -> list[Node]:
-        found: dict[int, Node] = {}
-        while len(found) < len(self.A):
-            new = {row: w for row in range(len(self.A)) if row not in found and (w := self.weight(row)) is not None}
-            if not new:
-                self.inertia = {k: self.inertia.get(k, self.graph.one) for k in range(len(self.A[0]))}
-                new = {row: self.graph.one for row in range(len(self.A))
-                       if row not in found and self.weight(row) is None}  # fmt: skip
-            found |= new
-            for row, w in new.items():
-                self.lend(row, w)
-        return [found[row] for row in range(len(self.A))]
-
-    def weight(self, row: int) -> Node | None:
-        terms = [(term, 1) for k in self.inertia for term in self._terms(row, k)]
-        return self.graph.power(self.graph.sum(terms), -1) if terms else None
-
-    def _terms(self, row: int, k: int) -> Iterable[Node]:
-        for at, there in self.places:
-            square, inertia = self.graph.power(self.A[row][k], 2), self.inertia[k]
-            if at(square) > 0 and 0 < at(inertia) < math.inf:
-                yield self.graph.mul(there(square), self.graph.power(there(inertia), -1))
-
-    def lend(self, row: int, w: Node) -> None:
-        """Coordinates without inertia in a row get the row's."""
-        for k, entry in enumerate(self.A[row]):
-            if k not in self.inertia and entry != self.graph.zero:
-                self.inertia[k] = self.graph.mul(w, self.graph.power(entry, 2))

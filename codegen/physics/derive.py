@@ -146,7 +146,7 @@ class _Derivation:
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
-            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows))),
+            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
             G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
             V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=A - taken,
@@ -167,10 +167,10 @@ class _Derivation:
         except ModelError as error:
             raise ModelError(f"Model {self.model.name!r}: {error}") from error
 
-    def weights(self, M: list[list[Node]], A: list[list[Node]]) -> list[Node]:
+    def weights(self, M: list[list[Node]], A: list[list[Node]], phi: list[Node]) -> list[Node]:
         start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
         constants = {symbol.name: value for symbol, value in self.model.parameters}
-        return weights(self.graph, M, A, start | {self.names.time.name: 0.0}, constants)
+        return weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
 
     def vanishing(self, nodes: Iterable[Node]) -> list[Node]:
         """Put what is zero, but does not look it, to zero."""

@@ -126,7 +126,7 @@ class Terms:
             for form in self._gradients_of_L()
             for kinetic in (rates, from_T)
         ]
-        return self._plus_rows(min(forms, key=self._weight), self.A, map(self.graph.negative, self.gamma))
+        return self._plus_rows(min(forms, key=self._weight), self.W, self.A, map(self.graph.negative, self.gamma))
 
     @cached_property
     def breaks(self) -> Breaks:
@@ -184,19 +184,28 @@ class Terms:
         terms = zip(gradient_of_L, self.Q, self.G, strict=True)
         return tuple(self.graph.sum([(dL, ONE), (q, ONE), (self.along(g), MINUS)]) for dL, q, g in terms)
 
-    def _plus_rows(self, forces: tuple[Node, ...], rows: Rows, factors: Iterable[Node]) -> tuple[Node, ...]:
-        """Add rows^T W factors, factors (m,)."""
-        weighted = [self.graph.mul(w, factor) for w, factor in zip(self.W, factors, strict=True)]
+    def _plus_rows(
+        self, forces: tuple[Node, ...], weights: Sequence[Node], rows: Rows, factors: Iterable[Node]
+    ) -> tuple[Node, ...]:
+        """Add rows^T W factors, W the weights, factors (m,)."""
+        weighted = [self.graph.mul(w, factor) for w, factor in zip(weights, factors, strict=True)]
         return tuple(self.graph.add(force, self.dot(weighted, (row[k] for row in rows)))
                      for k, force in enumerate(forces))  # fmt: skip
 
     def _motion(self, gradient_of_L: tuple[Node, ...]) -> Motion:
-        """With A^T W A in M, Mdot v takes in Adot^T W A v + A^T W Adot v, of which A^T W gamma makes up for a part."""
+        """With A^T W A in M, Mdot v takes in Adot^T W A v + A^T W Adot v + A^T Wdot A v.
+
+        A^T W gamma makes up for the second.
+        """
         Mdot, force = tuple(tuple(map(self.along, row)) for row in self.factored), self._force(gradient_of_L)
         if not self.mechanics.augmented:
             return Motion(Mdot, force)
-        force = self._plus_rows(force, self.Adot, [self.dot(row, self._velocities) for row in self.A])
-        return Motion(Mdot, self._plus_rows(force, self.A, (self.graph.negative(self.along(b)) for b in self.b)))
+        along_rows = [self.dot(row, self._velocities) for row in self.A]
+        force = self._plus_rows(force, self.W, self.Adot, along_rows)
+        force = self._plus_rows(force, list(map(self.along, self.W)), self.A, along_rows)
+        return Motion(
+            Mdot, self._plus_rows(force, self.W, self.A, (self.graph.negative(self.along(b)) for b in self.b))
+        )
 
 
 def _rows(nodes: Sequence[Node], width: int) -> Rows:

@@ -17,15 +17,19 @@ from .stated import Stated
 def factored(system: System, found: Found, stated: Stated) -> tuple[Stated, Iterator[Identity]]:
     """Return the statement with M + A^T W A and its rate in place of M's, and that the model factors that.
 
-    Any weights will do, of which those that fit are taken; where M itself is factored, all is as it was.
+    Any weights will do, of which those that fit are taken, and so are rates of theirs; where M itself is factored, all
+    is as it was.
     """
     difference = found.factored - found.M
     if not np.nan_to_num(difference).any():
         return stated, iter(())
-    W = _weights(stated.A, difference, 1.0 / geometric(found.factored))[:, :, None]
+    units = 1.0 / geometric(found.factored)
+    W = _weights(stated.A, difference, units)[:, :, None]
     turned, rate = stated.A.transpose(0, 2, 1), stated.A_rate.transpose(0, 2, 1)
     M = stated.M + turned @ (W * stated.A)
     M_rate = stated.M_rate + rate @ (W * stated.A) + turned @ (W * stated.A_rate)
+    W_rate = _weights(stated.A, found.factored_rate - M_rate, units)[:, :, None]
+    M_rate = M_rate + turned @ (W_rate * stated.A)
     names = [f"M + A^T W A of {one}, {two}" for one in system.coordinates for two in system.coordinates]
     same = Identity(names, [flat(found.factored), -flat(M)], flat(geometric(found.factored)))
     return replace(stated, M=M, M_rate=M_rate), iter((same,))
@@ -35,8 +39,10 @@ def _weights(A: Vector, difference: Vector, units: Vector) -> Vector:
     """(k, m): the least squares of A^T W A = difference in `units` (k, n, n); NaN where there are no numbers."""
     columns = np.moveaxis((A[:, :, :, None] * A[:, :, None, :]) * units[:, None], 1, 3).reshape(len(A), -1, A.shape[1])
     right = flat(difference * units)
+    size = np.sqrt((columns**2).sum(axis=1, keepdims=True))  # which is how rows are stated, and no matter of rank
+    columns = columns / np.where(size > 0.0, size, 1.0)
     known = np.isfinite(columns).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)
     found = np.full(A.shape[:2], np.nan)
     for k in np.flatnonzero(known):
         found[k] = np.linalg.lstsq(columns[k], right[k])[0]
-    return found
+    return found / np.where(size > 0.0, size, 1.0)[:, 0]

@@ -89,14 +89,26 @@ def _off(system: System, run: Solution) -> float:
 
 
 def _rests(system: System, run: Solution) -> bool:
-    """Whether it starts at rest where nothing pushes, then or by its end, by more than x does in its last places."""
+    """Whether it starts at rest where nothing pushes, then or by its end, by more than rounding.
+
+    Rounding is what x moved in its last places makes of accelerations, or what is left of reactions that cancel forces.
+    """
     x, v = run.x[:, 0], run.v[:, 0]
     near = x * (1 + 4 * np.finfo(float).eps)
     try:
-        pushed, moved = (np.abs([system.acceleration(at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
+        pushed, moved = (np.array([system.acceleration(at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
+        cancelled = max(_cancelled(system, x, v, t) for t in (0.0, run.t[-1]))
     except EvaluationError:
         return False
-    return not v.any() and bool(pushed.max() <= 8 * np.abs(pushed - moved).max())
+    rounding = max(np.abs(np.abs(pushed) - np.abs(moved)).max(), np.finfo(float).eps * cancelled)
+    return not v.any() and bool(np.abs(pushed).max() <= 8 * rounding)
+
+
+def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
+    """The largest acceleration that reactions alone would make."""
+    reactions = np.abs(system.pfaffian(x, t)[0].T) @ np.abs(system.acceleration(x, v, t)[1])
+    M = system.compiled.factored_matrix(t, x, system.prepare())
+    return float((np.abs(np.linalg.inv(M)) @ reactions).max(initial=0.0))
 
 
 def _error(system: System, run: Solution, substeps: int) -> float:

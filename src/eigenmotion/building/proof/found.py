@@ -13,13 +13,16 @@ from .places import Places
 
 _REACH = 1e-6
 """Half of what differences are over, relative to coordinates."""
+_STRIDE = 1e-4
+"""What differences along the motion are over, relative to how long it takes a coordinate to become another."""
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
     """Answers at k places, the places first.
 
-    M, factored (k, n, n); dM (k, n, n, n), of what is factored, by differences; A (k, m, n); b (k, m); phi (k, h);
+    M, factored (k, n, n); dM (k, n, n, n), of what is factored, and factored_rate (k, n, n), along the motion, by
+    differences; A (k, m, n); b (k, m); phi (k, h);
     energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
     C (k, n, n); s (k, n);
@@ -30,6 +33,7 @@ class Found:
     M: Vector
     factored: Vector
     dM: Vector
+    factored_rate: Vector
     A: Vector
     b: Vector
     phi: Vector
@@ -70,7 +74,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     y = c.state_rows(time, position, moving, prepared)
     return (
         c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), _slopes(c, t, x, prepared),
-        *c.pfaffian(t, x, prepared),
+        _along(c, t, x, v, prepared), *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0],
         c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
@@ -86,6 +90,21 @@ def _slopes(c: CompiledModel, t: float, x: Vector, prepared: Prepared) -> Vector
     ways = _REACH * np.maximum(1.0, np.abs(x)) * np.eye(c.n)
     both = ((c.factored_matrix(t, x + way, prepared), c.factored_matrix(t, x - way, prepared)) for way in ways)
     return np.array([(there - back) / (2.0 * way.max()) for (there, back), way in zip(both, ways, strict=True)])
+
+
+def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> Vector:
+    """(n, n) the rate of what is factored, by differences of fourth order; 0 where M itself is factored."""
+    if not c.augmented:
+        return np.zeros((c.n, c.n))
+    moving = v != 0.0
+    h = _STRIDE * float(np.min(np.abs(x[moving] / v[moving]), initial=np.inf))
+    h = h if 0.0 < h < np.inf else _STRIDE
+
+    def over(span: float) -> Vector:
+        ends = (c.factored_matrix(t + s, x + s * v, prepared) for s in (span, -span))
+        return np.asarray(next(ends) - next(ends))
+
+    return (8.0 * over(h) - over(2.0 * h)) / (12.0 * h)
 
 
 def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
@@ -107,5 +126,5 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Shapes of the fields of Found at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
-    return ((n, n), (n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
+    return ((n, n), (n, n), (n, n, n), (n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
             (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

@@ -116,10 +116,10 @@ EM_COLD int em_correct(em_root *root, double *x, double *residual, const double 
     return 0;
 }
 
-/* |phi| in units of its rounding, infinite where it is not known. */
+/* |phi| in units of its rounding, infinite where it is not known. No number below DBL_MIN has digits to round. */
 static double em_in_roundings(double phi, double terms) {
     if (phi == 0.0) return 0.0;
-    return isfinite(phi) && isfinite(terms) ? fabs(phi) / terms / DBL_EPSILON : INFINITY;
+    return isfinite(phi) && isfinite(terms) ? fabs(phi) / fmax(terms * DBL_EPSILON, DBL_MIN) : INFINITY;
 }
 
 /* residual (m) <- phi, 0 in the rows of velocities; terms (h): what phi is the sum of. */
@@ -161,12 +161,24 @@ EM_COLD void em_widen_terms(double *terms, double *before) {
     }
 }
 
+/* terms += what cancels in each row of Delta lambda, the change of phi that a correction made: of a coordinate that is 0
+ * but for the corrections of others, phi's own terms know nothing. lengths (m): the roots of Delta's diagonal. */
+EM_COLD void em_add_correction(const double *lengths, const double *lambda, double *terms) {
+    double whole = 0.0;
+    for (int row = 0; row < N_ROWS; ++row) whole += lengths[row] * fabs(lambda[row]);
+    for (int row = 0; row < N_POSITIONS; ++row) terms[row] += lengths[row] * whole;
+}
+
+EM_COLD void em_row_lengths(const em_root *root, double *lengths) {
+    for (int row = 0; row < N_ROWS; ++row) lengths[row] = sqrt(root->Delta[row * N_ROWS + row]);
+}
+
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
  * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
-    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0};
+    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0}, lengths[EM_SOME_ROWS];
     em_root root;
     for (int step = 0;; ++step) {
         int worst, rows = least_norm;
@@ -184,7 +196,9 @@ EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int le
             return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
         if (step == steps) return 1;
         if (!least_norm && em_root_at(t, x, c, &root, fault)) return -1;
+        em_row_lengths(&root, lengths);
         if (em_correct(&root, x, residual, NULL, rows, fault)) return -1;
+        em_add_correction(lengths, residual, before);
     }
 }
 
