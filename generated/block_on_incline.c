@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
-/* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
-/* body sha256:c74373513941dc01f4b1ec04a22c94b6bd2180f18aeea1201914b523a7fcb88d */
+/* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
+/* body sha256:ae2772dc4b097e6ec0448284f0b99e2ac3ca695d270a202b0219a896a48f819a */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -47,8 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
-    N_PARAMETERS = 6,
-    N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PARAMETERS = 7,
+    N_PREPARED = 23,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
 #define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
@@ -60,8 +60,8 @@ enum {
     N_IMPACTS = 0,
     N_RESETS = 0,
     N_OUTPUTS = 0,
-    N_GIVEN = 7,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_GIVEN = 8,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
     N1 = 1,               /* s */
 };
 
@@ -75,7 +75,7 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real A1[N_ROWS][N1],
                                   real gamma[N_ROWS])
 {
-    const real c_0 = c[10];
+    const real c_0 = c[11];
     f1[0] = c_0;
     const real friction_stuck = c[4];
     A1[0][0] = friction_stuck;
@@ -89,7 +89,7 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* s: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 6, *const s1 = c + 7;
+    const real *const C1 = c + 7, *const s1 = c + 8;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -104,7 +104,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* s: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 6, *const s1 = c + 7;
+    const real *const C1 = c + 7, *const s1 = c + 8;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -180,7 +180,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_0 = c[10];
+    const double c_0 = c[11];
     bias[0] = c_0;
     gamma[0] = 0.0;
 }
@@ -189,13 +189,13 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
-    const double c_1 = c[11];
+    const double c_1 = c[12];
     const double s_dot = v[0];
     e[0] = c_1*(s_dot*s_dot);
     e[1] = 0.0;
     e[2] = 0.0;
     const double s = x[0];
-    const double c_2 = c[12];
+    const double c_2 = c[13];
     e[3] = s*c_2;
 }
 
@@ -210,24 +210,24 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
 EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = 0.0;
-    const double c_4 = c[14];
+    const double c_4 = c[15];
     p[2] = c_4;
-    const double c_5 = c[15];
+    const double c_5 = c[16];
     p[3] = c_5;
-    const double c_6 = c[16];
+    const double c_6 = c[17];
     const double s = x[0];
-    const double c_7 = c[17];
+    const double c_7 = c[18];
     const double z_0 = s*c_7;
     p[4] = ((-1.0/10.0))*(c_6 - z_0);
-    const double c_8 = c[18];
-    const double c_9 = c[19];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
     const double z_1 = s*c_9;
     p[5] = ((-1.0/10.0))*(c_8 - z_1);
     p[6] = (1.0/10.0)*(c_6 + z_0);
     p[7] = (1.0/10.0)*(c_8 + z_1);
-    const double c_10 = c[20];
+    const double c_10 = c[21];
     p[8] = (1.0/10.0)*(c_10 + z_0);
-    const double c_11 = c[21];
+    const double c_11 = c[22];
     p[9] = (1.0/10.0)*(c_11 + z_1);
     p[10] = ((-1.0/10.0))*(c_11 - z_0);
     p[11] = (1.0/10.0)*(c_10 + z_1);
@@ -249,10 +249,11 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
-    const double c_3 = c[13];
+    const double c_3 = c[14];
     level[0] = c_3;
     const double s_dot = v[0];
     level[1] = s_dot;
+    level[2] = c_3;
 }
 
 #endif
@@ -304,7 +305,7 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     const double lambda_0 = lambda[0];
     D[4] = lambda_0;
     D[5] = em_greatest(0.0, z_4);
-    D[11] = s_ddot;
+    D[12] = s_ddot;
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
@@ -341,7 +342,7 @@ EM_ACROSS void blow_partials(double t, const double *restrict x, const double *r
     D[2] = s_ddot;
     const double lambda_0 = lambda[0];
     D[6] = lambda_0;
-    D[15] = s_ddot;
+    D[16] = s_ddot;
 }
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
@@ -377,7 +378,11 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
     const double sin_alpha = em_sin(alpha);
     D[4] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
     D[5] = em_select(z_3, 0.0, cos_alpha*z_0);
-    D[10] = 1.0;
+    D[11] = 1.0;
+    D[22] = em_select(z_3, 0.0, g*z_2);
+    D[23] = em_select(z_3, 0.0, m*z_2);
+    D[24] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
+    D[25] = em_select(z_3, 0.0, cos_alpha*z_0);
 }
 
 #endif
@@ -395,7 +400,7 @@ static const int block[N] = { 0 };
 EM_ACROSS const double scales[N] = { 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
-static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 7, 8, 9, 10 };
 EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
@@ -413,18 +418,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double z_2 = em_greatest(0.0, mu*cos_alpha*z_1);
     const double sin_alpha = em_sin(alpha);
     const double z_4 = sin_alpha*z_1;
-    prepared[10] = -(friction_slides*z_2 + z_4); /* c_0 */
-    prepared[11] = 0.5*m; /* c_1 */
-    prepared[12] = z_4; /* c_2 */
-    prepared[13] = z_2; /* c_3 */
-    prepared[14] = 1.5*cos_alpha; /* c_4 */
-    prepared[15] = 1.5*sin_alpha; /* c_5 */
-    prepared[16] = cos_alpha; /* c_6 */
-    prepared[17] = 10.0*cos_alpha; /* c_7 */
-    prepared[18] = sin_alpha; /* c_8 */
-    prepared[19] = 10.0*sin_alpha; /* c_9 */
-    prepared[20] = cos_alpha - sin_alpha; /* c_10 */
-    prepared[21] = cos_alpha + sin_alpha; /* c_11 */
+    prepared[11] = -(friction_slides*z_2 + z_4); /* c_0 */
+    prepared[12] = 0.5*m; /* c_1 */
+    prepared[13] = z_4; /* c_2 */
+    prepared[14] = z_2; /* c_3 */
+    prepared[15] = 1.5*cos_alpha; /* c_4 */
+    prepared[16] = 1.5*sin_alpha; /* c_5 */
+    prepared[17] = cos_alpha; /* c_6 */
+    prepared[18] = 10.0*cos_alpha; /* c_7 */
+    prepared[19] = sin_alpha; /* c_8 */
+    prepared[20] = 10.0*sin_alpha; /* c_9 */
+    prepared[21] = cos_alpha - sin_alpha; /* c_10 */
+    prepared[22] = cos_alpha + sin_alpha; /* c_11 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -478,8 +483,9 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
  * acts. */
 EM_ACROSS const em_deed deeds[] = { {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
-EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0}, {-1, -1, -1, -1, -1} };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
+ * parameter of being idle */
+EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6}, {-1, -1, -1, -1, -1, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -585,13 +591,14 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #include "block_on_incline.h"
 
 static const char *const coordinate_names[] = { "s", NULL };
-static const char *const parameter_names[] = { "m", "g", "alpha", "mu", "friction_stuck", "friction_slides", NULL };
+static const char *const parameter_names[] = { "m", "g", "alpha", "mu", "friction_stuck", "friction_slides",
+    "friction_idle", NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { "friction", NULL };
 static const int event_direction[] = { -1, 0 };
 static const int event_terminal[] = { 0, 0 };
-static const double parameter_defaults[] = { 1.0, 9.81, 0.4, 0.5, 0.0, 0.0, 0.0 };
+static const double parameter_defaults[] = { 1.0, 9.81, 0.4, 0.5, 0.0, 0.0, 0.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0 };
 static const double initial_v[N] = { 3.0 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:4aa7d6ef74336babcd63a6a21e6edecaa46ea426c3146627e2a46844a29d292b */
+/* input sha256:9d4a1129e7eb31603764cc602a3cb5ada58118f00934e86cec1ec42286d8afe6 */
+/* body sha256:5a7d708e322ec92de236e5f00a96f52b03b766757bce02e0c7bd3314484a4f9e */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -51,8 +51,8 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
-    N_PARAMETERS = 5,
-    N_PREPARED = 15,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PARAMETERS = 6,
+    N_PREPARED = 16,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
 #define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
@@ -64,8 +64,8 @@ enum {
     N_IMPACTS = 1,
     N_RESETS = 0,
     N_OUTPUTS = 0,
-    N_GIVEN = 6,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_GIVEN = 7,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 11,     /* x, v and these: what motion depends on */
     N1 = 1,               /* x */
     N2 = 1,               /* z */
 };
@@ -82,7 +82,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real f2[N
                                   real gamma[N_ROWS])
 {
     f1[0] = em_real(0.0);
-    const real c_0 = c[13];
+    const real c_0 = c[14];
     f2[0] = c_0;
     const real floor_held = c[4];
     A2[0][0] = floor_held;
@@ -96,14 +96,14 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
-    const real *const C1 = c + 5, *const s1 = c + 6;
+    const real *const C1 = c + 6, *const s1 = c + 7;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* z: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    const real *const C2 = c + 9, *const s2 = c + 10;
+    const real *const C2 = c + 10, *const s2 = c + 11;
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
@@ -118,14 +118,14 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
-    const real *const C1 = c + 5, *const s1 = c + 6;
+    const real *const C1 = c + 6, *const s1 = c + 7;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* z: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    const real *const C2 = c + 9, *const s2 = c + 10;
+    const real *const C2 = c + 10, *const s2 = c + 11;
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
@@ -207,7 +207,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            double *restrict gamma)
 {
     bias[0] = 0.0;
-    const double c_0 = c[13];
+    const double c_0 = c[14];
     bias[1] = c_0;
     gamma[0] = 0.0;
 }
@@ -223,7 +223,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     e[1] = 0.0;
     e[2] = 0.0;
     const double z = x[1];
-    const double c_1 = c[14];
+    const double c_1 = c[15];
     e[3] = z*c_1;
 }
 
@@ -272,6 +272,7 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
     level[0] = 1.0/1000.0;
     const double z = x[1];
     level[1] = z;
+    level[2] = 0.0;
 }
 
 #endif
@@ -307,12 +308,12 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     D[0] = x_ddot;
     const double g = c[1];
     const double z_ddot = a[1];
-    D[6] = g + z_ddot;
+    D[7] = g + z_ddot;
     const double m = c[0];
-    D[7] = m;
+    D[8] = m;
     const double lambda_0 = lambda[0];
-    D[10] = lambda_0;
-    D[16] = z_ddot;
+    D[11] = lambda_0;
+    D[18] = z_ddot;
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
@@ -325,9 +326,9 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
     D[1] = floor_held;
     const double z = x[1];
     D[8] = z;
-    D[13] = floor_held;
+    D[14] = floor_held;
     const double z_dot = v[1];
-    D[18] = z_dot;
+    D[19] = z_dot;
 }
 
 /* D (n_events, n_arguments) */
@@ -348,10 +349,10 @@ EM_ACROSS void blow_partials(double t, const double *restrict x, const double *r
     const double x_ddot = a[0];
     D[4] = x_ddot;
     const double z_ddot = a[1];
-    D[14] = z_ddot;
+    D[15] = z_ddot;
     const double lambda_0 = lambda[0];
-    D[18] = lambda_0;
-    D[28] = z_ddot;
+    D[19] = lambda_0;
+    D[30] = z_ddot;
 }
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
@@ -360,7 +361,7 @@ EM_ACROSS void impact_partials(double t, const double *restrict x, const double 
                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_IMPACTS * (N + 2) * N_ARGUMENTS);
-    D[36] = 1.0;
+    D[39] = 1.0;
 }
 
 /* D (n_resets 2 n, n_arguments) */
@@ -376,7 +377,7 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
-    D[11] = 1.0;
+    D[12] = 1.0;
 }
 
 #endif
@@ -394,8 +395,8 @@ static const int block[N] = { 0, 1 };
 EM_ACROSS const double scales[N] = { 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
-static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 5, 6, 7, 8 };
-static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 10, 11, 12, 13 };
 EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
@@ -407,8 +408,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M2[0][0] = m;
     const double g = parameters[1];
     const double z_0 = m*g;
-    prepared[13] = -z_0; /* c_0 */
-    prepared[14] = z_0; /* c_1 */
+    prepared[14] = -z_0; /* c_0 */
+    prepared[15] = z_0; /* c_1 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -470,8 +471,9 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
  * acts. */
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
-EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0}, {-1, -1, -1, -1, -1} };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
+ * parameter of being idle */
+EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5}, {-1, -1, -1, -1, -1, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -580,13 +582,13 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #include "bouncing_ball.h"
 
 static const char *const coordinate_names[] = { "x", "z", NULL };
-static const char *const parameter_names[] = { "m", "g", "e", "r", "floor_held", NULL };
+static const char *const parameter_names[] = { "m", "g", "e", "r", "floor_held", "floor_idle", NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { "floor", NULL };
 static const int event_direction[] = { -1, 0 };
 static const int event_terminal[] = { 0, 0 };
-static const double parameter_defaults[] = { 1.0, 9.81, 0.9, 0.05, 0.0, 0.0 };
+static const double parameter_defaults[] = { 1.0, 9.81, 0.9, 0.05, 0.0, 0.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 1.0 };
 static const double initial_v[N] = { 0.2, 0.0 };

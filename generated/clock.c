@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
-/* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:f90635ac40d6dcef088b6369cb4fe39d42069310bb57b61be2a151899d8744dd */
+/* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
+/* body sha256:e64e40857d2fbac6ca4e841e4ec17c68ae87e7019b0267d94c992e5aa2a079ed */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -47,8 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
-    N_PARAMETERS = 7,
-    N_PREPARED = 18,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PARAMETERS = 8,
+    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
 #define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
@@ -60,8 +60,8 @@ enum {
     N_IMPACTS = 0,
     N_RESETS = 1,
     N_OUTPUTS = 0,
-    N_GIVEN = 8,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_GIVEN = 9,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 11,     /* x, v and these: what motion depends on */
     N1 = 1,               /* theta */
 };
 
@@ -75,8 +75,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1],
                                   real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[11];
-    const real c_1 = c[12];
+    const real c_0 = c[12];
+    const real c_1 = c[13];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
     f1[0] = -(c_0 + c_1*sin_theta);
@@ -92,7 +92,7 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 7, *const s1 = c + 8;
+    const real *const C1 = c + 8, *const s1 = c + 9;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -107,7 +107,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 7, *const s1 = c + 8;
+    const real *const C1 = c + 8, *const s1 = c + 9;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -183,8 +183,8 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_0 = c[11];
-    const double c_1 = c[12];
+    const double c_0 = c[12];
+    const double c_1 = c[13];
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
     bias[0] = -(c_0 + c_1*sin_theta);
@@ -195,14 +195,14 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
-    const double c_3 = c[14];
+    const double c_3 = c[15];
     const double theta_dot = v[0];
     e[0] = c_3*(theta_dot*theta_dot);
     e[1] = 0.0;
     e[2] = 0.0;
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_1 = c[12];
+    const double c_1 = c[13];
     e[3] = -cos_theta*c_1;
 }
 
@@ -225,7 +225,7 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[3] = p[7] = p[17] = -l*cos_theta;
     const double z_2 = (1.0/5.0)*(5.0*theta + 6.0);
     const double sin_z_2 = em_sin(z_2);
-    const double c_5 = c[16];
+    const double c_5 = c[17];
     p[10] = sin_z_2*c_5;
     const double cos_z_2 = em_cos(z_2);
     p[11] = -cos_z_2*c_5;
@@ -234,7 +234,7 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[14] = -sin_z_5*c_5;
     const double cos_z_5 = em_cos(z_5);
     p[15] = -cos_z_5*c_5;
-    const double c_6 = c[17];
+    const double c_6 = c[18];
     p[18] = c_6;
 }
 
@@ -251,7 +251,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     const double theta = x[0];
     after[0] = theta;
     const double theta_dot = v[0];
-    const double c_4 = c[15];
+    const double c_4 = c[16];
     after[1] = em_sign(theta_dot)*sqrt(theta_dot*theta_dot + c_4);
 }
 
@@ -263,6 +263,7 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
     level[0] = tau;
     const double theta_dot = v[0];
     level[1] = theta_dot;
+    level[2] = tau;
 }
 
 #endif
@@ -317,7 +318,7 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     D[5] = lambda_0;
     const double tau = c[3];
     D[6] = tau;
-    D[13] = theta_ddot;
+    D[14] = theta_ddot;
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
@@ -340,9 +341,9 @@ EM_ACROSS void event_partials(double t, const double *restrict x, const double *
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[0] = 1.0;
     const double pivot_slides = c[6];
-    D[11] = pivot_slides;
+    D[12] = pivot_slides;
     const double theta_dot = v[0];
-    D[18] = theta_dot;
+    D[19] = theta_dot;
 }
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
@@ -358,7 +359,7 @@ EM_ACROSS void blow_partials(double t, const double *restrict x, const double *r
     D[3] = 2.0*(m*l*theta_ddot);
     const double lambda_0 = lambda[0];
     D[7] = lambda_0;
-    D[17] = theta_ddot;
+    D[18] = theta_ddot;
 }
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
@@ -384,11 +385,11 @@ EM_ACROSS void reset_partials(double t, const double *restrict x, const double *
     const double z_2 = 1.0/m;
     const double z_3 = E*z_2;
     const double z_4 = em_select(em_not_above(0.0, theta_dot), 1.0, -1.0)/sqrt(theta_dot*theta_dot + 2.0*z_1*z_3);
-    D[11] = theta_dot*z_4;
+    D[12] = theta_dot*z_4;
     const double z_5 = z_1*z_4;
-    D[12] = -E*z_5/(m*m);
-    D[13] = (-2.0)*(z_4*z_3/(l*z_0));
-    D[16] = z_2*z_5;
+    D[13] = -E*z_5/(m*m);
+    D[14] = (-2.0)*(z_4*z_3/(l*z_0));
+    D[17] = z_2*z_5;
 }
 
 /* D (n_switches 2, n_arguments) */
@@ -398,7 +399,8 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[5] = 1.0;
-    D[11] = 1.0;
+    D[12] = 1.0;
+    D[27] = 1.0;
 }
 
 #endif
@@ -416,7 +418,7 @@ static const int block[N] = { 0 };
 EM_ACROSS const double scales[N] = { 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
-static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 7, 8, 9, 10 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 8, 9, 10, 11 };
 EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
@@ -430,15 +432,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M1[0][0] = z_1;
     const double pivot_slides = parameters[6];
     const double tau = parameters[3];
-    prepared[11] = pivot_slides*tau; /* c_0 */
+    prepared[12] = pivot_slides*tau; /* c_0 */
     const double g = parameters[2];
-    prepared[12] = m*l*g; /* c_1 */
-    prepared[13] = z_1; /* c_2 */
-    prepared[14] = 0.5*z_1; /* c_3 */
+    prepared[13] = m*l*g; /* c_1 */
+    prepared[14] = z_1; /* c_2 */
+    prepared[15] = 0.5*z_1; /* c_3 */
     const double E = parameters[4];
-    prepared[15] = 2.0*(E/(m*z_0)); /* c_4 */
-    prepared[16] = 0.25*l; /* c_5 */
-    prepared[17] = (1.0/12.0)*l; /* c_6 */
+    prepared[16] = 2.0*(E/(m*z_0)); /* c_4 */
+    prepared[17] = 0.25*l; /* c_5 */
+    prepared[18] = (1.0/12.0)*l; /* c_6 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -454,7 +456,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_2 = c[13];
+    const double c_2 = c[14];
     M[0] = c_2;
 }
 
@@ -494,8 +496,9 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
  * acts. */
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
-EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0}, {-1, -1, -1, -1, -1} };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
+ * parameter of being idle */
+EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7}, {-1, -1, -1, -1, -1, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -601,13 +604,14 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #include "clock.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
-static const char *const parameter_names[] = { "m", "l", "g", "tau", "E", "pivot_stuck", "pivot_slides", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "tau", "E", "pivot_stuck", "pivot_slides", "pivot_idle",
+    NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { "tick", "pivot", NULL };
 static const int event_direction[] = { 0, -1, 0 };
 static const int event_terminal[] = { 0, 0, 0 };
-static const double parameter_defaults[] = { 1.0, 0.994, 9.81, 0.1, 0.04, 0.0, 0.0, 0.0 };
+static const double parameter_defaults[] = { 1.0, 0.994, 9.81, 0.1, 0.04, 0.0, 0.0, 0.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { -0.1 };
 static const double initial_v[N] = { 0.0 };

@@ -1,5 +1,5 @@
 /* eigenmotion generate clock.py */
-/* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
+/* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
 /* body sha256:f7760144f65f7b7c14f512044bc5c0d7af0ead6e17cacbc5711b4a21ae803326 */
 /* clock: 1 coordinates, 1 constraint rows, 2 states.
  * Link clock.c with a program of your own,

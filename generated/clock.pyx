@@ -1,5 +1,5 @@
 # eigenmotion generate clock.py
-# input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0
+# input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2
 # body sha256:34fec3cd08dbece5b0fe86d8acacc6c91ad35831a694c9ba4a28997ac79a47f2
 # cython: language_level=3
 """clock, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
-/* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:2c222e726f76419d05a60c7396612c4930717345540b20f64e83e2b6b218c954 */
+/* input sha256:743645a36ad921948b00da3bd0b071fd99a9ccc82ac01448ffc0f3b672fdbfb6 */
+/* body sha256:583acbbfead8e84c7db1916eb5f21f2fa6956e81a080b628accb15413697e3a6 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -48,8 +48,8 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
-    N_PARAMETERS = 6,
-    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PARAMETERS = 7,
+    N_PREPARED = 20,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
 #define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
@@ -61,8 +61,8 @@ enum {
     N_IMPACTS = 1,
     N_RESETS = 0,
     N_OUTPUTS = 0,
-    N_GIVEN = 7,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_GIVEN = 8,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
     N1 = 1,               /* theta */
 };
 
@@ -76,11 +76,11 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1],
                                   real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_1 = c[11];
+    const real c_1 = c[12];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
     f1[0] = -c_1*sin_theta;
-    const real c_0 = c[10];
+    const real c_0 = c[11];
     A1[0][0] = c_0;
     gamma[0] = em_real(0.0);
 }
@@ -92,7 +92,7 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 6, *const s1 = c + 7;
+    const real *const C1 = c + 7, *const s1 = c + 8;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -107,7 +107,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
-    const real *const C1 = c + 6, *const s1 = c + 7;
+    const real *const C1 = c + 7, *const s1 = c + 8;
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
@@ -183,7 +183,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
-    const double c_1 = c[11];
+    const double c_1 = c[12];
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
     bias[0] = -c_1*sin_theta;
@@ -194,14 +194,14 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
-    const double c_5 = c[15];
+    const double c_5 = c[16];
     const double theta_dot = v[0];
     e[0] = c_5*(theta_dot*theta_dot);
     e[1] = 0.0;
     e[2] = 0.0;
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_1 = c[11];
+    const double c_1 = c[12];
     e[3] = -cos_theta*c_1;
 }
 
@@ -216,9 +216,9 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
 EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[2] = p[3] = p[6] = p[7] = 0.0;
-    const double c_6 = c[16];
+    const double c_6 = c[17];
     p[4] = c_6;
-    const double c_7 = c[17];
+    const double c_7 = c[18];
     p[5] = c_7;
     const double l = c[1];
     const double theta = x[0];
@@ -226,7 +226,7 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[8] = p[10] = l*sin_theta;
     const double cos_theta = em_cos(theta);
     p[9] = p[11] = -l*cos_theta;
-    const double c_8 = c[18];
+    const double c_8 = c[19];
     p[12] = c_8;
 }
 
@@ -256,6 +256,7 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
     const double theta = x[0];
     const double stop = c[4];
     level[1] = l*(theta - stop);
+    level[2] = 0.0;
 }
 
 #endif
@@ -307,8 +308,8 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     D[1] = wall_held*lambda_0 + 2.0*theta_ddot*z_2 + m*z_1;
     D[2] = sin_theta*z_2;
     D[5] = l*lambda_0;
-    D[8] = wall_held*theta_ddot;
-    D[12] = l*theta_ddot;
+    D[9] = wall_held*theta_ddot;
+    D[13] = l*theta_ddot;
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
@@ -327,10 +328,10 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
     D[3] = wall_held*z_1;
     D[6] = -z_0;
     D[7] = l*z_1;
-    D[10] = z_0;
+    D[11] = z_0;
     const double theta_dot = v[0];
-    D[12] = theta_dot*wall_held;
-    D[16] = theta_dot*l;
+    D[13] = theta_dot*wall_held;
+    D[17] = theta_dot*l;
 }
 
 /* D (n_events, n_arguments) */
@@ -362,8 +363,8 @@ EM_ACROSS void blow_partials(double t, const double *restrict x, const double *r
     const double z_0 = l*theta_ddot;
     D[3] = wall_held*lambda_0 + 2.0*m*z_0;
     D[7] = l*lambda_0;
-    D[12] = wall_held*theta_ddot;
-    D[16] = z_0;
+    D[13] = wall_held*theta_ddot;
+    D[17] = z_0;
 }
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
@@ -373,7 +374,7 @@ EM_ACROSS void impact_partials(double t, const double *restrict x, const double 
 {
     memset(D, 0, sizeof *D * N_IMPACTS * (N + 2) * N_ARGUMENTS);
     D[3] = 1.0;
-    D[23] = 1.0;
+    D[25] = 1.0;
 }
 
 /* D (n_resets 2 n, n_arguments) */
@@ -390,11 +391,11 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     const double l = c[1];
-    D[9] = l;
+    D[10] = l;
     const double theta = x[0];
     const double stop = c[4];
-    D[12] = theta - stop;
-    D[15] = -l;
+    D[13] = theta - stop;
+    D[16] = -l;
 }
 
 #endif
@@ -412,7 +413,7 @@ static const int block[N] = { 0 };
 EM_ACROSS const double scales[N] = { 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
-static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 7, 8, 9, 10 };
 EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
@@ -425,19 +426,19 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M1[0][0] = z_0;
     const double wall_held = parameters[5];
     const double z_1 = l*wall_held;
-    prepared[10] = z_1; /* c_0 */
+    prepared[11] = z_1; /* c_0 */
     const double g = parameters[2];
-    prepared[11] = m*l*g; /* c_1 */
-    prepared[12] = z_0; /* c_2 */
+    prepared[12] = m*l*g; /* c_1 */
+    prepared[13] = z_0; /* c_2 */
     const double stop = parameters[4];
-    prepared[13] = fabs(stop); /* c_3 */
-    prepared[14] = fabs(z_1); /* c_4 */
-    prepared[15] = 0.5*z_0; /* c_5 */
+    prepared[14] = fabs(stop); /* c_3 */
+    prepared[15] = fabs(z_1); /* c_4 */
+    prepared[16] = 0.5*z_0; /* c_5 */
     const double sin_stop = em_sin(stop);
-    prepared[16] = l*sin_stop; /* c_6 */
+    prepared[17] = l*sin_stop; /* c_6 */
     const double cos_stop = em_cos(stop);
-    prepared[17] = -l*cos_stop; /* c_7 */
-    prepared[18] = (1.0/10.0)*l; /* c_8 */
+    prepared[18] = -l*cos_stop; /* c_7 */
+    prepared[19] = (1.0/10.0)*l; /* c_8 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -453,7 +454,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_2 = c[12];
+    const double c_2 = c[13];
     M[0] = c_2;
 }
 
@@ -467,7 +468,7 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
-    const double c_0 = c[10];
+    const double c_0 = c[11];
     A[0] = c_0;
     b[0] = 0.0;
 }
@@ -476,12 +477,12 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
 EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
-    const double c_0 = c[10];
+    const double c_0 = c[11];
     const double theta = x[0];
     const double stop = c[4];
     phi[0] = c_0*(theta - stop);
-    const double c_3 = c[13];
-    const double c_4 = c[14];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
     terms[0] = (fabs(theta) + c_3)*c_4;
 }
 
@@ -499,8 +500,9 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
  * acts. */
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
-EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0}, {-1, -1, -1, -1, -1} };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
+ * parameter of being idle */
+EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6}, {-1, -1, -1, -1, -1, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -515,7 +517,7 @@ EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0}, {-1, -1, -1, -1, -1}
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
 {
-    const double c_0 = c[10];
+    const double c_0 = c[11];
     A1[0][0] = c_0;
     b[0] = 0.0;
 }
@@ -607,13 +609,13 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #include "pendulum_with_stop.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
-static const char *const parameter_names[] = { "m", "l", "g", "e", "stop", "wall_held", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "e", "stop", "wall_held", "wall_idle", NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { "wall", NULL };
 static const int event_direction[] = { -1, 0 };
 static const int event_terminal[] = { 0, 0 };
-static const double parameter_defaults[] = { 1.0, 1.0, 9.81, 0.8, 0.1, 0.0, 0.0 };
+static const double parameter_defaults[] = { 1.0, 1.0, 9.81, 0.8, 0.1, 0.0, 0.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.2 };
 static const double initial_v[N] = { 0.0 };

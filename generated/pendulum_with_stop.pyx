@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum_with_stop.py
-# input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18
+# input sha256:743645a36ad921948b00da3bd0b071fd99a9ccc82ac01448ffc0f3b672fdbfb6
 # body sha256:f08ce14904e1bac0556911ffdf1e36b31008b878738231c44899013c62422711
 # cython: language_level=3
 """pendulum_with_stop, compiled: `system` is its System (eigenfactor)."""

@@ -106,7 +106,8 @@ def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
     number = {one.name: k for k, one in enumerate(defaults.switches)}
     return tuple(
         SwitchView(events[one.name], place[one.holds.name], place[one.slides.name] if one.slides else -1,
-                   number[one.over] if one.over else -1, one.row + (scene.h if one.slides else 0))
+                   number[one.over] if one.over else -1, one.row + (scene.h if one.slides else 0),
+                   place[one.idles.name])
         for one in defaults.switches
     )  # fmt: skip
 

@@ -111,6 +111,7 @@ class SwitchView:
     """What changes with a mode: the numbers of its event and constraint row, the places of its parameters.
 
     slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none
+    idles : the place of how far the row may be off where others keep it
     """
 
     event: int
@@ -118,6 +119,7 @@ class SwitchView:
     slides: int
     over: int
     row: int
+    idles: int
 
 
 @dataclass(frozen=True, slots=True)

@@ -70,6 +70,8 @@ class Friction:
         the coefficient alone. Where it is negative nothing presses: there is no friction.
     normal
         The name of a Contact before it in `contacts`, whose multiplier is the normal force; None: it is in `limit`.
+    limit_at_rest
+        Likewise, up to which force it sticks, where that is more than what holds it back as it slides; None: `limit`.
 
     Examples
     --------
@@ -82,10 +84,18 @@ class Friction:
     slip: Any
     limit: Any
     normal: str | None = None
+    limit_at_rest: Any = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slip", expression(self.slip, "The slip of a friction"))
         object.__setattr__(self, "limit", _limit(self.limit))
+        if self.limit_at_rest is not None:
+            object.__setattr__(self, "limit_at_rest", _limit(self.limit_at_rest))
+
+    @property
+    def sticking(self) -> sympy.Expr:
+        """Up to which force it sticks: no less than what holds back what slides."""
+        return self.limit if self.limit_at_rest is None else sympy.Max(self.limit, self.limit_at_rest)
 
     @property
     def measure(self) -> sympy.Expr:
@@ -100,17 +110,21 @@ class Switch:
     name : that of its event
     holds : the parameter that is 1 while its constraint row holds; slides : 1 or -1, the sign of slip, while it slides,
     else 0; None where there is no friction
+    idles : the parameter that is not 0 where other rows keep it at rest: how far it may be off then
     over : the name of the contact whose multiplier its level is counted in, or None
     row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
-    level : up to which rate of the gap it holds after an impact, or up to which force it sticks
+    level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
+    at_rest : up to which force a friction sticks; of a contact, 0
     """
 
     name: str
     holds: sympy.Symbol
     slides: sympy.Symbol | None
+    idles: sympy.Symbol
     over: str | None
     row: int
     level: sympy.Expr
+    at_rest: sympy.Expr
 
 
 def _limit(given: Any) -> sympy.Expr:
@@ -148,12 +162,12 @@ def switch_of(
     name: str, entry: Contact | Friction, holonomic: Sequence[sympy.Expr], nonholonomic: Sequence[sympy.Expr]
 ) -> Switch:
     """Return what a contact or friction was made into, of which the rows are among these."""
-    holds, slides = _parameters(name, entry)
+    holds, slides, idles = _parameters(name, entry)
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
-        return Switch(name, holds, slides, entry.normal, row, entry.limit)
-    return Switch(name, holds, slides, None, row, entry.rest)
+        return Switch(name, holds, slides, idles, entry.normal, row, entry.limit, entry.sticking)
+    return Switch(name, holds, slides, idles, None, row, entry.rest, sympy.Integer(0))
 
 
 def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sympy.Expr]) -> dict[str, Any]:
@@ -168,10 +182,11 @@ def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sy
     return made
 
 
-def _parameters(name: str, entry: Contact | Friction) -> tuple[sympy.Symbol, sympy.Symbol | None]:
+def _parameters(name: str, entry: Contact | Friction) -> tuple[sympy.Symbol, sympy.Symbol | None, sympy.Symbol]:
+    idles = sympy.Symbol(f"{name}_idle")
     if isinstance(entry, Contact):
-        return sympy.Symbol(f"{name}_held"), None
-    return sympy.Symbol(f"{name}_stuck"), _slides(name)
+        return sympy.Symbol(f"{name}_held"), None, idles
+    return sympy.Symbol(f"{name}_stuck"), _slides(name), idles
 
 
 def _slides(name: str) -> sympy.Symbol:
@@ -179,7 +194,7 @@ def _slides(name: str) -> sympy.Symbol:
 
 
 def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, Any]:
-    holds, _ = _parameters(name, contact)
+    holds = _parameters(name, contact)[0]
     return {
         "holonomic_constraints": (*made["holonomic_constraints"], holds * contact.gap),
         "events": (*made["events"], (name, Event(contact.gap, -1, impact=(contact.gap, contact.restitution)))),
@@ -189,7 +204,7 @@ def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, 
 def _friction(
     made: Mapping[str, Any], name: str, friction: Friction, in_rates: Callable[[sympy.Expr], sympy.Expr]
 ) -> dict[str, Any]:
-    (holds, _), slides = _parameters(name, friction), _slides(name)
+    holds, slides = _parameters(name, friction)[0], _slides(name)
     slip = in_rates(friction.slip)
     pushes = [-slides * _force(made, friction) * slip.diff(x.diff()) for x in made["coordinates"]]
     return {
@@ -210,5 +225,5 @@ def _force(made: Mapping[str, Any], friction: Friction) -> sympy.Expr:
 
 def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:
     """Return what a contact or friction is made of: names, expressions, and whether they may contain velocities."""
-    parts = ("gap", "restitution", "rest") if isinstance(entry, Contact) else ("slip", "limit")
+    parts = ("gap", "restitution", "rest") if isinstance(entry, Contact) else ("slip", "limit", "sticking")
     return tuple((f"{part} of contacts[{name_of(name)}]", getattr(entry, part), part != "gap") for part in parts)

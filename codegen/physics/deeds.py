@@ -86,8 +86,10 @@ class Deeds:
                 places = (*model.coordinates, *(ys if quasi else model.rates))
                 yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
 
-    def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-        """Yield, switch by switch, up to which level it holds, and the gap or slip."""
+    def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr, sympy.Expr]]:
+        """Yield, switch by switch, up to which level it holds, the gap or slip, and up to which force it sticks."""
         contacts = dict(self.model.contacts)
         for switch in self.model.switches:
-            yield self.to_sympy(self.node(switch.level)), self.to_sympy(self.node(contacts[switch.name].measure))
+            found = switch.level, contacts[switch.name].measure, switch.at_rest
+            level, measure, at_rest = (self.to_sympy(self.node(expression)) for expression in found)
+            yield level, measure, at_rest

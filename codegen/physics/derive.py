@@ -43,7 +43,7 @@ class Mechanics:
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
     impacts, resets : what events do
     P : (m, n); multipliers push with -P^T lambda: A, less what forces take of them (friction)
-    levels : (level, what it is held against: the gap, or the slip) of each switch of the model
+    levels : (level, what it is held against: the gap, or the slip, the limit at rest) of each switch of the model
     """
 
     name: str
@@ -71,7 +71,7 @@ class Mechanics:
     impacts: tuple[Impact, ...]
     resets: tuple[Reset, ...]
     P: sympy.ImmutableDenseMatrix
-    levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+    levels: tuple[tuple[sympy.Expr, sympy.Expr, sympy.Expr], ...]
 
     @property
     def pushes(self) -> bool:

@@ -61,6 +61,7 @@ cdef extern from "eigenmotion.h" nogil:
         int holds
         int slides
         int row
+        int idles
 
     ctypedef struct em_pile:
         double t

@@ -36,6 +36,7 @@ class StopReason(StrEnum):
     RESET_OFF = "reset off the constraints"
     MODEL_JUMPS = "model jumps"
     RESET_INSIDE = "reset inside an impact"
+    CONTACTS_CLASH = "contacts clash"
 
     @property
     def success(self) -> bool:
@@ -140,6 +141,11 @@ _REMEDY = {
         "The reset of event {event} puts the state to where phi of the impact of {other} is negative, from where it "
         "would never come to strike. Let it leave the state where phi is at least 0."
     ),
+    StopReason.CONTACTS_CLASH: (
+        "Contacts and frictions clash: friction jams, and no acceleration satisfies all of them (Painleve's paradox). "
+        "The choice of what holds, sticks or slides that comes closest misses the condition of {event}{other_too}. "
+        "Lower the friction coefficient, or let the bodies give way a little."
+    ),
     StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
@@ -160,9 +166,20 @@ _KICKED = (
     "stated. Let the speed be continuous in the time (a short ramp)."
 )
 
+_TOO_MANY_MODES = (
+    "Of so many contacts and frictions at once, of which {event} is one, no consistent mode was found among those "
+    "tried. Start with fewer of them closed, or leave out those that others make idle."
+)
+
+_INSIDE = "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
+
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
 
-_JAMS = -3
+_LOWERED_RESTITUTION = (
+    "The restitution of event {event} is lowered there, for with friction it would raise the energy: its derivative is "
+    "not known. Give a restitution of 0, or less friction."
+)
+
 _JAMMED = (
     "Friction jams at constraint {row}: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the "
     "friction coefficient, or let the bodies give way a little."
@@ -183,6 +200,29 @@ _SINGULAR_START = (
     "Constraint {row} depends on others at the start, and no longer beside it: the start is a singular position, at "
     "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
 )
+
+
+_VARIANTS = {
+    (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
+    (StopReason.DEPENDENT_CONSTRAINTS, -3): _JAMMED,
+    (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
+    (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
+    (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
+    (StopReason.MODEL_JUMPS, 1): _TORN,
+    (StopReason.MODEL_JUMPS, 2): _KICKED,
+    (StopReason.RESET_OFF, -1): _NO_RATES,
+}
+"""What a reason means where `second` of the fault says more (em_run.h)."""
+
+
+def _words(stop: StopReason, first: int, second: int) -> str:
+    if stop is StopReason.SINGULAR_MASS_MATRIX and second != -1:
+        return _NEAR_SINGULAR
+    if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0:
+        return _CONTRADICTION
+    if stop is StopReason.START_REFUSED and first >= 0:
+        return _INSIDE
+    return _VARIANTS.get((stop, second), _REMEDY[stop])
 
 
 def stiffness(held: int, steps: int, iterates: bool) -> str:
@@ -229,22 +269,11 @@ def explain(
     def name(k: int, names: Sequence[str] = coordinates) -> str:
         return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
-    words = _REMEDY[stop]
-    if stop is StopReason.SINGULAR_MASS_MATRIX and second != -1:
-        words = _NEAR_SINGULAR
-    if stop is StopReason.DEPENDENT_CONSTRAINTS and second != -1:
-        words = _CONTRADICTION if second >= 0 else _SINGULAR_START
-    if stop is StopReason.DEPENDENT_CONSTRAINTS and second == _JAMS:
-        words = _JAMMED
-    if stop is StopReason.IMPACT_UNDEFINED and second == 1:
-        words = _RESTITUTION
-    if stop is StopReason.MODEL_JUMPS and second > 0:
-        words = _TORN if second == 1 else _KICKED
-    if stop is StopReason.RESET_OFF and second < 0:
-        words = _NO_RATES
+    words = _words(stop, first, second)
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     number = second if stop is StopReason.RESET_OFF else first
     row = f"row {number} (counted from 0)" if number >= 0 else "(row unknown)"
     of_events = {"event": name(first, events), "other": name(second, events)}
+    of_events["other_too"] = f", the next that of {name(second, events)}" if second >= 0 else ""
     text = words.format(first=name(first), second=name(second), row=row, at=at, **of_events)
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

@@ -129,8 +129,8 @@ cdef class PointModel:
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
         self.acts = c.deeds != NULL
         self.acting = tuple([self.acts and c.deeds[k].acts != 0 for k in range(c.n_events)])
-        self.switches = tuple([(c.switches[k].event, c.switches[k].holds, c.switches[k].slides, c.switches[k].row)
-                               for k in range(c.n_switches)])
+        self.switches = tuple([(s.event, s.holds, s.slides, s.row, s.idles)
+                               for s in [c.switches[k] for k in range(c.n_switches)]])
 
     cdef read_defaults(self):
         cdef const em_model *c = self.model

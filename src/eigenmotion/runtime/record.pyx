@@ -35,11 +35,21 @@ cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple cou
     return fields
 
 
+cdef dict _mode_of(model, parameters):
+    """What holds, sticks and slides; what is idle is kept at rest by what holds."""
+    cdef dict mode = {}
+    for _, holds, slides, _, idles in model.switches:
+        idle = parameters[idles] != 0.0
+        mode[model.parameters[holds]] = 1.0 if idle else parameters[holds]
+        if slides >= 0:
+            mode[model.parameters[slides]] = 0.0 if idle else parameters[slides]
+    return mode
+
+
 cpdef tuple modes_of(model, legs):
     """For each leg, as of `Run.legs`, since when, and the parameters of the mode by name."""
     if not legs:
         return ()
-    places = [k for _, holds, slides, _ in model.switches for k in (holds, slides) if k >= 0]
-    found = [(t, {model.parameters[k]: parameters[k] for k in places}) for _, t, parameters in legs]
+    found = [(t, _mode_of(model, parameters)) for _, t, parameters in legs]
     last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
     return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])

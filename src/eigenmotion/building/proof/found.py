@@ -112,7 +112,7 @@ def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
     if not c.switches:
         return prepared
     free = p.copy()
-    free[[holds for _, holds, _, _ in c.switches]] = 0.0
+    free[[holds for _, holds, *_ in c.switches]] = 0.0
     return c.prepare(free)
 
 

@@ -62,11 +62,12 @@ def draw(system: System, attempt: int) -> Places:
     p = np.tile(c.parameter_defaults, (k, 1))
     other = [1, 1 + len(far) // 2, k - 2, k - 1]
     p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
-    modes = [parameter for _, *both, _ in c.switches for parameter in both if parameter >= 0]
-    p[:, modes] = random.integers(0, 2, (k, len(modes)))
+    modes = [parameter for _, *both, _, _ in c.switches for parameter in both if parameter >= 0]
+    idle = [idles for *_, idles in c.switches]
+    p[:, modes], p[:, idle] = random.integers(0, 2, (k, len(modes))), 0.0
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
     places = _with_copies(random, Places(t, z[:, :n], z[:, n:], u, p, np.ones((k, 1))))
-    places.p[:, modes] = np.tile(p[:, modes], (3, 1))
+    places.p[:, modes], places.p[:, idle] = np.tile(p[:, modes], (3, 1)), 0.0
     return places
 
 

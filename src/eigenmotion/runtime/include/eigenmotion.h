@@ -34,9 +34,9 @@ typedef struct em_deed {
 
 /* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
  * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
- * presses (-1: of none). */
+ * presses (-1: of none); the parameter that is how far `row` may be off where other rows keep it, else 0. */
 typedef struct em_switch {
-    int event, holds, slides, over, row;
+    int event, holds, slides, over, row, idles;
 } em_switch;
 
 /* How often an event acted at about one time: then when. */

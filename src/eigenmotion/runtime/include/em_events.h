@@ -16,6 +16,16 @@
 static int em_keeps_apart(int i) { return deeds[i].keeps_apart; }
 static int em_event_acts(int i) { return deeds[i].acts; }
 
+/* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
+static int em_watches_mode(const em_walk *w, int i) {
+    const double *const c = w->run->prepared;
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        if (s->event == i) return c[s->holds] != 0.0 || c[s->idles] != 0.0 || (s->slides >= 0 && c[s->slides] != 0.0);
+    }
+    return 0;
+}
+
 /* g (n_events) in the mode of c. 0, or -1 and w->reason. */
 static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
     const double *const c = w->run->prepared;
@@ -25,6 +35,7 @@ static int em_events_in_mode(em_walk *w, double t, const double *x, const double
 #else
 static int em_keeps_apart(int i) { return (void)i, 0; }
 static int em_event_acts(int i) { return (void)i, 0; }
+static int em_watches_mode(const em_walk *w, int i) { return (void)w, (void)i, 0; }
 
 static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
     return model_events(t, x, v, w->run->prepared, w->u, g), 0;
@@ -78,6 +89,7 @@ static void em_add_noise(em_walk *w, const double *g, double part) {
 static void em_events_noise(em_walk *w) {
     const double later = EM_LAST_PLACES * fabs(w->t);
     double z[2 * N], g[EM_SOME_EVENTS];
+    for (int i = 0; i < N_EVENTS; ++i) w->noise[i] += w->rounding[i], w->zero[i] += w->rounding[i];
     for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + w->direction * later * w->K[0][k];
     if (!em_events_of(w, w->t + w->direction * later, w->argument, g)) em_add_noise(w, g, 1.0);
     for (int k = 0; k < N; ++k) z[k] = w->y[k], z[N + k] = w->K[0][k];

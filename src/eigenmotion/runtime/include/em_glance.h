@@ -58,6 +58,12 @@ static int em_touches(const em_walk *w, int i) {
     return w->fresh != EM_FIRST_LEG && em_keeps_apart(i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
+/* A condition of the mode holds as it begins, or may be zero: what is beyond that ends the mode at once, however it goes on. */
+static void em_begin_condition(em_walk *w, int i, double zero) {
+    w->side[i] = w->g[i] > zero || w->g[i] < -zero;
+    w->quiet[i] = zero;
+}
+
 /* In the first step of a leg: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
  * number they are so no longer. Those that fired as it began are meant to be zero; others, where they are zero, keep their
  * sign. What touches counts as zero by all means: else what strikes then goes through. */
@@ -71,6 +77,7 @@ static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
         if (touches) w->side[i] = 0;
         else if (meant || side) w->side[i] = side;
         w->quiet[i] = rounding + 4.0 * fabs(w->g[i]);
+        if (em_watches_mode(w, i)) em_begin_condition(w, i, em_max(rounding, w->zero[i]));
     }
 }
 

@@ -1,108 +1,154 @@
-/* em_modes.h: what holds at times: contacts that are closed, frictions that stick or slide.
+/* em_modes.h: the mode: which contacts are closed, which frictions stick or slide; and what tells that it ends.
  *
  * A mode is the set of constraint rows that hold. It is in the prepared parameters: a switched row has its parameter in
  * front, 1 or 0, and a row that is 0 has no multiplier (em_rest_rows). A contact holds until it would pull, a friction
- * sticks until it would take more than its limit; both show in the multiplier, which is then what their event watches. */
+ * sticks until it would take more than its limit; both show in the multiplier, which is then what their event watches.
+ *
+ * A contact that touches, or a friction at its limit without slip, because rows that hold keep it so, is idle: its row
+ * depends on theirs, and needs no force. The parameter that says so is how far it may be off before it counts as moving. */
 #ifndef EM_MODES_H
 #define EM_MODES_H
 
 #include "em_impact.h"
+#include "em_complementarity.h"
 
-enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1 };
+enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 3 /* limit of sliding, gap or slip, limit at rest */ };
 
 EM_COLD int em_is_contact(const em_switch *s) { return s->slides < 0; }
 
 EM_COLD int em_holds(const em_switch *s, const double *c) { return c[s->holds] != 0.0; }
+
+EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] != 0.0; }
 
 /* Up to which force a friction sticks. */
 EM_COLD double em_limit(const em_switch *s, double level, const double *lambda) {
     return s->over < 0 ? level : level * fmax(0.0, -lambda[switches[s->over].row]);
 }
 
-/* A parameter of the mode anew, and what is prepared of it. 0, or -1 and *fault. */
-EM_COLD int em_set_mode(double *c, int parameter, double value, em_fault *fault) {
+/* What a switch is in a mode: whether its row holds, the sign of slip, and how far it is off at the most where it idles. */
+typedef struct em_state_of_switch {
+    int holds, slides;
+    double idles;
+} em_state_of_switch;
+
+/* c <- prepared anew in this mode (n_switches). 0, or -1 and *fault. */
+EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fault) {
     double parameters[N_PARAMETERS + 1];
+    int same = 1;
     memcpy(parameters, c, N_PARAMETERS * sizeof *parameters);
-    parameters[parameter] = value;
-    return prepare(parameters, c, fault);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        same &= c[s->holds] == mode[k].holds && c[s->idles] == mode[k].idles;
+        parameters[s->holds] = mode[k].holds, parameters[s->idles] = mode[k].idles;
+        if (em_is_contact(s)) continue;
+        same &= c[s->slides] == mode[k].slides;
+        parameters[s->slides] = mode[k].slides;
+    }
+    return same ? 0 : prepare(parameters, c, fault);
 }
 
-/* Holds or not; what slid rests, what rests does not slide yet. 0, or -1 and *fault. */
-EM_COLD int em_hold(const em_switch *s, double *c, int holds, em_fault *fault) {
-    if (s->slides >= 0 && em_set_mode(c, s->slides, 0.0, fault)) return -1;
-    return em_set_mode(c, s->holds, holds, fault);
+EM_COLD void em_mode_of(const double *c, em_state_of_switch *mode) {
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        mode[k] = (em_state_of_switch){em_holds(s, c), em_is_contact(s) ? 0 : (int)c[s->slides], c[s->idles]};
+    }
 }
 
-/* g (n_events) <- with what switches that hold watch: how far the multiplier is from letting go. 0, or -1 and *fault. */
+/* g (n_events) <- with what modes watch: how far a multiplier is from letting go, an idle row from moving. 0, or -1 and *fault. */
 EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
                              int least_norm, double *g, em_fault *fault) {
-    double a[N], lambda[EM_SOME_ROWS], level[2 * EM_SOME_SWITCHES];
+    double a[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     int some = 0;
-    for (int k = 0; k < N_SWITCHES; ++k) some |= em_holds(&switches[k], c);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        some |= em_holds(&switches[k], c);
+        g[switches[k].event] += c[switches[k].idles];
+    }
     if (!some) return 0;
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
     levels(t, x, v, c, u, level);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
-        if (em_holds(s, c)) g[s->event] = em_is_contact(s) ? -lambda[s->row] : em_limit(s, level[2 * k], lambda) - fabs(lambda[s->row]);
+        if (!em_holds(s, c)) continue;
+        const double limit = em_is_contact(s) ? 0.0 : em_limit(s, level[EM_LEVELS * k + 2], lambda);
+        g[s->event] = em_is_contact(s) ? -lambda[s->row] : limit - fabs(lambda[s->row]);
     }
     return 0;
 }
 
-/* Contacts that pull let go, the one that pulls most first. 0, or -1 and *fault. */
-EM_COLD int em_let_go(double t, const double *x, const double *v, double *c, const double *u, int least_norm,
-                      em_fault *fault) {
-    double a[N], lambda[EM_SOME_ROWS];
-    for (int count = 0; count < N_SWITCHES; ++count) {
-        int worst = -1;
-        if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
-        for (int k = 0; k < N_SWITCHES; ++k) {
-            const em_switch *const s = &switches[k];
-            if (!em_is_contact(s) || !em_holds(s, c) || !(lambda[s->row] > 0.0)) continue;
-            if (worst < 0 || lambda[s->row] > lambda[switches[worst].row]) worst = k;
+/* --- the rows of contacts and frictions, whatever the mode --- */
+
+/* At a state: A, b, M's root and B = A L^-T of all rows that may hold (in `c`: all of them do), gaps and rates along rows, and
+ * the sums of the sizes of their terms. */
+typedef struct em_all_rows {
+    double c[N_PREPARED + 1], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    double gap[EM_SOME_POSITIONS], gap_terms[EM_SOME_POSITIONS], rate[EM_SOME_ROWS], rate_terms[EM_SOME_ROWS];
+    em_root root;
+    int permanent[EM_SOME_ROWS]; /* whether a row holds in every mode, and does not depend on others that do */
+} em_all_rows;
+
+/* Rates A v + b. */
+EM_COLD void em_rates_along(em_all_rows *r, const double *v) {
+    for (int row = 0; row < N_ROWS; ++row) {
+        r->rate[row] = r->b[row], r->rate_terms[row] = fabs(r->b[row]);
+        for (int k = 0; k < N; ++k) {
+            r->rate[row] += r->A[row * N + k] * v[k];
+            r->rate_terms[row] += fabs(r->A[row * N + k] * v[k]);
         }
-        if (worst < 0) return 0;
-        if (em_hold(&switches[worst], c, 0, fault)) return -1;
     }
+}
+
+/* permanent <- those rows that hold in every mode and are independent. */
+EM_COLD void em_find_permanent(em_all_rows *r) {
+    double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+    int switched[EM_SOME_ROWS] = {0}, kept, any = 0;
+    memcpy(Delta, r->root.Delta, sizeof Delta);
+    for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = 1;
+    for (int i = 0; i < N_ROWS; ++i) {
+        any |= !switched[i];
+        for (int j = 0; j <= i; ++j)
+            if (switched[i] || switched[j]) Delta[i * N_ROWS + j] = 0.0;
+    }
+    const int rank = any ? em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept) : 0;
+    for (int i = 0; i < N_ROWS; ++i)
+        r->permanent[i] = !switched[i] && (rank == 0 || N_ROWS > EM_MOST_ROWS || (kept & EM_FIRST_KEPT << i));
+}
+
+EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const double *c, em_all_rows *r, em_fault *fault) {
+    em_state_of_switch all[EM_SOME_SWITCHES];
+    memcpy(r->c, c, N_PREPARED * sizeof *c);
+    for (int k = 0; k < N_SWITCHES; ++k) all[k] = (em_state_of_switch){1, 0, 0.0};
+    if (em_set_mode(r->c, all, fault) || em_root_at(t, x, r->c, &r->root, fault)) return -1;
+    pfaffian(t, x, r->c, r->A, r->b);
+    position(t, x, r->c, r->gap, r->gap_terms);
+    em_rates_along(r, v);
+    em_find_permanent(r);
     return 0;
 }
 
-/* Frictions at rest, as `rests` (n_switches) says, stick if they can; the others slide as their slip says, at rest as
- * they are pulled, and those that have just let go as they do. 0, or -1 and *fault. */
-EM_COLD int em_grip(double t, const double *x, const double *v, double *c, const double *u, int least_norm,
-                    const int *rests, const int *fired, em_fault *fault) {
-    double a[N], lambda[EM_SOME_ROWS], level[2 * EM_SOME_SWITCHES];
-    levels(t, x, v, c, u, level);
-    for (int k = 0; k < N_SWITCHES; ++k) {
-        const em_switch *const s = &switches[k];
-        if (em_is_contact(s)) continue;
-        if (s->over >= 0 && !em_holds(&switches[s->over], c)) {
-            if (em_hold(s, c, 0, fault)) return -1;
-            continue;
+/* Rows that hold in every mode, with nothing else: the rest is out. G by all rows. */
+EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
+    *s = (em_mixed){.k = EM_STRUCK_ROWS};
+    for (int i = 0; i < EM_STRUCK_ROWS; ++i) {
+        s->normal[i] = -1, s->barred[i] = EM_NO_CHOICE;
+        s->kind[i] = i < N_ROWS && r->permanent[i] ? EM_ROW_FREE : EM_ROW_OUT;
+        for (int j = 0; j < EM_STRUCK_ROWS && i < N_ROWS; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N && j < N_ROWS; ++k) sum += r->root.B[i * N + k] * r->root.B[j * N + k];
+            s->G[i * EM_STRUCK_ROWS + j] = sum;
         }
-        if (fired[s->event] == 2) continue;
-        if (em_hold(s, c, rests[k], fault)) return -1;
-        const double slip = level[2 * k + 1];
-        if (!rests[k] && em_set_mode(c, s->slides, (slip > 0.0) - (slip < 0.0), fault)) return -1;
     }
-    for (int round = 0; round < N_SWITCHES; ++round) {
-        int worst = -1;
-        double most = 1.0;
-        if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
-        levels(t, x, v, c, u, level);
-        for (int k = 0; k < N_SWITCHES; ++k) {
-            const em_switch *const s = &switches[k];
-            if (em_is_contact(s) || !em_holds(s, c)) continue;
-            const double limit = em_limit(s, level[2 * k], lambda), size = fabs(lambda[s->row]);
-            const double part = limit > 0.0 ? size / limit : INFINITY * size;
-            if (part > most) most = part, worst = k;
-        }
-        if (worst < 0) return 0;
-        const em_switch *const s = &switches[worst];
-        const double slides = lambda[s->row] > 0.0 ? 1.0 : -1.0;
-        if (em_hold(s, c, 0, fault) || em_set_mode(c, s->slides, slides, fault)) return -1;
-    }
-    return 0;
+}
+
+/* A friction's row, with what it may take. */
+EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, double side) {
+    const em_switch *const friction = &switches[k];
+    const int row = friction->row, presses = friction->over >= 0;
+    s->kind[row] = side == 0.0 ? EM_ROW_FRICTION : EM_ROW_SLIDES;
+    s->side[row] = side;
+    s->choice[row] = EM_HOLDS_ROW;
+    s->normal[row] = presses ? switches[friction->over].row : -1;
+    (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
+    (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
 }
 
 #endif

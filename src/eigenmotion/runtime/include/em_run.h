@@ -34,8 +34,10 @@ typedef enum em_status {
                                      names quasi-velocities where P is singular */
     EM_MODEL_JUMPS,               /* at a time that the model names: fault.second = 0, the momentum of coordinate
                                      fault.first; 1, phi of row fault.first; 2, the row of a contact that holds */
-    EM_RESET_INSIDE               /* a reset puts the state where an impact's phi is negative; fault.first: the event,
+    EM_RESET_INSIDE,              /* a reset puts the state where an impact's phi is negative; fault.first: the event,
                                      fault.second: that of the impact, fault.size: phi */
+    EM_CONTACTS_CLASH             /* no mode of contacts and frictions is consistent; fault.first, fault.second: the events
+                                     of conditions that clash, -1: of a constraint; second = -2: too many modes to try */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */

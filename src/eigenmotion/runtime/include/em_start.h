@@ -7,14 +7,7 @@
 
 #include "em_breaks.h"
 #include "em_linear.h"
-
-#define EM_START_STEPS 10      /* how many times the tolerances of a run its start may be off the constraints; */
-#define EM_START_TIGHTEST 1e-9 /* rounding in what the user computed is forgiven up to this, relative to the terms that */
-#define EM_START_LOOSEST 1e-4  /* cancel in them, and more than this never is */
-
-EM_INLINE double em_start_tolerance(double rtol) {
-    return fmin(fmax(EM_START_STEPS * rtol, EM_START_TIGHTEST), EM_START_LOOSEST);
-}
+#include "em_start_tolerance.h"
 
 /* M (n, n) <- what is factored: the mass matrix, or what the model puts in its place. */
 static void em_factored_matrix(const em_model *model, double t, const double *x, const double *c, double *M) {

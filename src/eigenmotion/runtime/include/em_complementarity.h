@@ -1,0 +1,258 @@
+/* em_complementarity.h: the mixed linear complementarity problem of contacts and frictions, solved by enumeration or pivoting.
+ *
+ *     w = q + G p      G (k, k) = B B^T; p what rows push with, w the acceleration (or the velocity after an impact) along them
+ *
+ *     free row        w = 0
+ *     contact         p >= 0, w >= 0, p w = 0
+ *     friction        |p| <= L; p = -L where w > 0, p = L where w < 0
+ *     sliding         p = -side L
+ *
+ * with L = level + coefficient p_normal. A mode says of every row which of these conditions holds as an equation. Each mode is
+ * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
+ * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent.
+ *
+ * Where several modes are consistent (Painleve), the one is taken that changes the fewest of the choices given; of those the
+ * first in the order of rows. None: `clash` says which conditions are in the way. */
+#ifndef EM_COMPLEMENTARITY_H
+#define EM_COMPLEMENTARITY_H
+
+#include "em_linear.h"
+
+#ifndef EM_MIXED_ROWS
+#define EM_MIXED_ROWS EM_STRUCK_ROWS
+#endif
+
+#define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows depend on each other */
+#define EM_MODE_VERIFIED 1e-10 /* the part of the terms by which a condition may be missed */
+
+enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* rows without pivoting first; modes before giving up */
+
+typedef enum em_row_kind { EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_SLIDES } em_row_kind;
+
+/* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
+typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
+
+typedef struct em_mixed {
+    int k;
+    em_row_kind kind[EM_MIXED_ROWS];
+    em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
+    int normal[EM_MIXED_ROWS];        /* the row whose p the limit is in proportion to; -1: none */
+    double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
+    double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
+    double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
+    double size[EM_MIXED_ROWS];       /* the sum of the sizes of what is added in q */
+    double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
+    double unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
+    int clash[2], tried;              /* rows whose conditions are missed in the modes that come closest */
+} em_mixed;
+
+EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
+    return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION;
+}
+
+/* A friction whose contact is open has no force and no condition. */
+EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
+    const int normal = s->normal[i];
+    return (s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_SLIDES) && normal >= 0 &&
+           (s->kind[normal] == EM_ROW_OUT || (s->kind[normal] == EM_ROW_CONTACT && s->choice[normal] == EM_OPENS)) &&
+           s->level[i] == 0.0;
+}
+
+EM_COLD int em_row_holds(const em_mixed *s, int i) {
+    if (s->kind[i] == EM_ROW_FREE) return 1;
+    return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
+}
+
+/* The sign of p / L of a row that is at its limit: -1 forward, 1 back, 0: it is not. */
+EM_COLD double em_limit_sign(const em_mixed *s, int i) {
+    if (em_is_unloaded(s, i)) return 0.0;
+    if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
+    if (s->kind[i] != EM_ROW_FRICTION) return 0.0;
+    return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
+}
+
+EM_COLD double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
+    const double normal = s->normal[i] >= 0 ? fmax(s->p[s->normal[i]], 0.0) : 0.0;
+    return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
+}
+
+/* x (count) <- A^-1 x by elimination with the largest pivot of what is left. 0, or -1: the rows depend on each other. */
+EM_COLD int em_solve_mode(int count, double *A, double *x) {
+    int column[EM_MIXED_ROWS];
+    double y[EM_MIXED_ROWS];
+    for (int k = 0; k < count; ++k) column[k] = k;
+    for (int k = 0; k < count; ++k) {
+        int row = k, best = k;
+        for (int i = k; i < count; ++i)
+            for (int j = k; j < count; ++j)
+                if (fabs(A[i * count + j]) > fabs(A[row * count + best])) row = i, best = j;
+        const double pivot = A[row * count + best];
+        if (!(fabs(pivot) > EM_MODE_RANK)) return -1;
+        for (int j = 0; j < count; ++j) {
+            const double kept = A[k * count + j];
+            A[k * count + j] = A[row * count + j], A[row * count + j] = kept;
+        }
+        for (int i = 0; i < count; ++i) {
+            const double kept = A[i * count + k];
+            A[i * count + k] = A[i * count + best], A[i * count + best] = kept;
+        }
+        const double right = x[k];
+        const int place = column[k];
+        x[k] = x[row], x[row] = right, column[k] = column[best], column[best] = place;
+        for (int i = k + 1; i < count; ++i) {
+            const double part = A[i * count + k] / A[k * count + k];
+            for (int j = k; j < count; ++j) A[i * count + j] -= part * A[k * count + j];
+            x[i] -= part * x[k];
+        }
+    }
+    for (int k = count - 1; k >= 0; --k) {
+        for (int j = k + 1; j < count; ++j) x[k] -= A[k * count + j] * y[j];
+        y[k] = x[k] / A[k * count + k];
+    }
+    for (int k = 0; k < count; ++k) x[column[k]] = y[k];
+    return 0;
+}
+
+/* p <- of the mode. 0, or -1: its rows depend on each other. */
+EM_COLD int em_forces_of_mode(em_mixed *s) {
+    const int k = s->k;
+    int rows[EM_MIXED_ROWS], count = 0;
+    double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
+    for (int i = 0; i < k; ++i) {
+        s->p[i] = 0.0;
+        if (em_row_holds(s, i)) rows[count++] = i;
+    }
+    for (int i = 0; i < count; ++i) {
+        x[i] = -s->q[rows[i]];
+        for (int j = 0; j < count; ++j) A[i * count + j] = s->G[rows[i] * k + rows[j]];
+        for (int f = 0; f < k; ++f) {
+            const double sign = em_limit_sign(s, f);
+            if (sign == 0.0) continue;
+            x[i] -= sign * s->level[f] * s->G[rows[i] * k + f];
+            for (int j = 0; j < count; ++j)
+                if (rows[j] == s->normal[f]) A[i * count + j] += sign * s->coefficient[f] * s->G[rows[i] * k + f];
+        }
+    }
+    if (em_solve_mode(count, A, x)) return -1;
+    for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
+    for (int f = 0; f < k; ++f) {
+        const double sign = em_limit_sign(s, f), normal = s->normal[f] >= 0 ? s->p[s->normal[f]] : 0.0;
+        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * normal);
+    }
+    return 0;
+}
+
+/* w <- q + G p, and the largest of the sums of sizes in it. */
+EM_COLD double em_rates_of_mode(em_mixed *s) {
+    double largest = 0.0;
+    for (int i = 0; i < s->k; ++i) {
+        double terms = s->size[i];
+        s->w[i] = s->q[i];
+        for (int j = 0; j < s->k && s->kind[i] != EM_ROW_OUT; ++j) {
+            const double part = s->G[i * s->k + j] * s->p[j];
+            s->w[i] += part, terms += fabs(part);
+        }
+        if (s->kind[i] != EM_ROW_OUT) largest = fmax(largest, terms);
+    }
+    return largest;
+}
+
+/* By how much row i misses the inequality of its mode. */
+EM_COLD double em_violation(const em_mixed *s, int i) {
+    if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) return 0.0;
+    if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
+    if (s->choice[i] == EM_HOLDS_ROW) return fabs(s->p[i]) - em_limit_of_row(s, i, 1);
+    return s->choice[i] == EM_FORWARD ? -s->w[i] : s->w[i];
+}
+
+/* Whether the mode chosen has a solution that satisfies all conditions. */
+EM_COLD int em_is_consistent(em_mixed *s) {
+    ++s->tried;
+    if (em_forces_of_mode(s)) return 0;
+    const double terms = em_rates_of_mode(s);
+    double most = 0.0;
+    int worst = -1;
+    for (int i = 0; i < s->k; ++i) {
+        const double off = em_violation(s, i);
+        if (!(off <= most)) most = off, worst = i;
+    }
+    if (worst < 0 || most <= EM_MODE_VERIFIED * terms) return 1;
+    if (most < s->least || s->clash[0] < 0) {
+        s->least = most;
+        if (worst != s->clash[0]) s->clash[1] = s->clash[0], s->clash[0] = worst;
+    } else if (s->clash[1] < 0 && worst != s->clash[0]) {
+        s->clash[1] = worst;
+    }
+    return 0;
+}
+
+/* Whether a mode is consistent that differs from the one given in `left` of the rows from `from` on. */
+EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
+    if (s->tried > EM_MOST_TRIED) return 0;
+    if (left == 0) {
+        for (int i = 0; bars && i < s->k; ++i)
+            if (em_is_choice_row(s, i) && s->choice[i] == s->barred[i]) return 0;
+        return em_is_consistent(s);
+    }
+    for (int i = from; i + left <= s->k; ++i) {
+        const em_choice given = s->choice[i];
+        if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) continue;
+        const em_choice contact[] = {EM_HOLDS_ROW, EM_OPENS, EM_NO_CHOICE}, friction[] = {EM_HOLDS_ROW, EM_FORWARD, EM_BACK};
+        for (int way = 0; way < 3; ++way) {
+            s->choice[i] = s->kind[i] == EM_ROW_CONTACT ? contact[way] : friction[way];
+            if (s->choice[i] == EM_NO_CHOICE || s->choice[i] == given) continue;
+            if (em_try_changes(s, i + 1, left - 1, bars)) return 1;
+        }
+        s->choice[i] = given;
+    }
+    return 0;
+}
+
+/* Lengths one: p and w of all rows have one unit, that of the root of an energy. `back`: as they were. */
+EM_COLD void em_scale_mixed(em_mixed *s, int back) {
+    double by[EM_MIXED_ROWS];
+    for (int i = 0; i < s->k; ++i) {
+        const double square = s->G[i * s->k + i];
+        if (!back) s->unit[i] = square > 0.0 && s->kind[i] != EM_ROW_OUT ? 1.0 / sqrt(square) : 1.0;
+        by[i] = back ? 1.0 / s->unit[i] : s->unit[i];
+    }
+    for (int i = 0; i < s->k; ++i) {
+        const double of_normal = s->normal[i] >= 0 ? by[s->normal[i]] : 1.0;
+        for (int j = 0; j < s->k; ++j) s->G[i * s->k + j] *= by[i] * by[j];
+        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i];
+        s->level[i] /= by[i], s->at_rest[i] /= by[i];
+        s->coefficient[i] *= of_normal / by[i], s->coefficient_at_rest[i] *= of_normal / by[i];
+    }
+}
+
+EM_COLD int em_enumerate_modes(em_mixed *s, int bars) {
+    int most = 0;
+    for (int i = 0; i < s->k; ++i) most += em_is_choice_row(s, i);
+    for (int changes = 0; changes <= most; ++changes)
+        if (em_try_changes(s, 0, changes, bars)) return 1;
+    return 0;
+}
+
+#include "em_pivoting.h"
+
+/* The mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to try. */
+EM_COLD int em_solve_mixed(em_mixed *s) {
+    em_choice given[EM_MIXED_ROWS];
+    int found = 0, choices = 0;
+    memcpy(given, s->choice, sizeof given);
+    s->clash[0] = s->clash[1] = -1, s->least = INFINITY, s->tried = 0;
+    em_scale_mixed(s, 0);
+    for (int i = 0; i < s->k; ++i) choices += em_is_choice_row(s, i);
+    for (int bars = 1; bars >= 0 && !found; --bars) {
+        memcpy(s->choice, given, sizeof given);
+        if (choices > EM_ENUMERATED && em_pivot_modes(s, bars)) {
+            found = em_is_consistent(s);
+            if (found) break;
+        }
+        found = em_enumerate_modes(s, bars);
+    }
+    em_scale_mixed(s, 1);
+    return found ? 1 : s->tried > EM_MOST_TRIED ? -1 : 0;
+}
+
+#endif

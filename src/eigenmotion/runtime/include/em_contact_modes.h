@@ -1,0 +1,164 @@
+/* em_contact_modes.h: the mode that a state calls for: complementarity of accelerations and forces of what is at rest.
+ *
+ * At gap = 0 and without speed a contact's acceleration w and force p satisfy w >= 0, p >= 0, w p = 0; a friction at rest takes
+ * at most its limit, and less only where it does not start to slip. Together with the constraints, and with the frictions
+ * that slide, that is the problem of em_complementarity.h with w = A a + gamma. */
+#ifndef EM_CONTACT_MODES_H
+#define EM_CONTACT_MODES_H
+
+#include "em_reset.h"
+#include "em_start_tolerance.h"
+
+#define EM_AT_ONCE 4096.0        /* times the spacing of t: what follows sooner happens at the same time */
+#define EM_RESTS 1e-12           /* the part of the terms of a speed below which nothing moves */
+#define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it is closed */
+#define EM_MODE_AGREES 1e-8       /* the part of the terms by which the rate of a dependent row may be off */
+#define EM_ROUNDS (8.0 * DBL_EPSILON) /* the part of its terms that rounding may leave of a gap */
+#define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
+
+/* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
+ * rtol, atol (n): of the run, or NULL; starts: whether it starts here. */
+typedef struct em_acting {
+    double t, *x, *v, *c;
+    const double *u;
+    int least_norm, *fired;
+    em_fault *fault;
+    const em_directions *along;
+    double rtol;
+    const double *atol;
+    int starts;
+    double *rounding;                  /* (n_events) <- what rounding may leave of gaps, or NULL */
+    int moved;                         /* whether velocities have jumped, or places */
+    int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
+    int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
+    double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
+} em_acting;
+
+/* What a change of x (or of v: the same units apart) within tolerances makes of a row. */
+EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
+    double sum = 0.0;
+    for (int k = 0; k < N; ++k) sum += fabs(row[k]) * (times * a->atol[k] + rtol * fabs(z[k]));
+    return sum;
+}
+
+/* still <- what counts as no speed: rounding of the terms of the rates, now or before; at the start of a run a part of its
+ * tolerances, too, within which it is meant. */
+EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
+    for (int row = 0; row < N_ROWS; ++row) {
+        a->still[row] = fmax(a->still[row], EM_RESTS * r->rate_terms[row]);
+        if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
+    }
+}
+
+/* closed <- contacts that touch: those that held, whose gap has just closed, or closes at the same time. */
+EM_COLD void em_find_closed(em_acting *a, const em_all_rows *r) {
+    const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        if (!em_is_contact(s)) continue;
+        const double *const A = r->A + s->row * N;
+        double within = EM_TOUCHES * r->gap_terms[s->row] + soon * fabs(r->rate[s->row]);
+        if (a->starts && a->atol) within = fmax(within, em_reach(a, A, a->x, EM_IDLE, 0.0));
+        a->closed[k] = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event] || r->gap[s->row] <= within;
+    }
+}
+
+/* Whether a friction had no slip before, and nothing has moved it since. */
+EM_COLD int em_was_at_rest(const em_acting *a, const em_switch *s) {
+    return !a->moved && (em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event]);
+}
+
+/* The problem of what may hold at rest. rate_of_none: the accelerations where nothing pushes. 0, or -1 and *fault. */
+EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+    double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
+    em_begin_mixed(r, s);
+    motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    em_forward(N, r->root.L, r->root.r, free_a);
+    for (int row = 0; row < N_ROWS; ++row) {
+        s->q[row] = gamma[row], s->size[row] = fabs(gamma[row]);
+        for (int k = 0; k < N; ++k) {
+            s->q[row] += r->root.B[row * N + k] * free_a[k];
+            s->size[row] += fabs(r->root.B[row * N + k] * free_a[k]);
+        }
+        if (!isfinite(s->q[row])) return em_fail(a->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    }
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const one = &switches[k];
+        const double rate = r->rate[one->row];
+        if (em_is_contact(one)) {
+            const int at_rest = fabs(rate) <= a->still[one->row] || (!a->moved && (em_holds(one, a->c) || em_is_idle(one, a->c)));
+            if (!a->closed[k] || !at_rest) continue;
+            s->kind[one->row] = EM_ROW_CONTACT;
+            s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
+        } else {
+            const int at_rest = em_was_at_rest(a, one) || fabs(rate) <= a->still[one->row];
+            em_friction_row(s, k, level, at_rest ? 0.0 : rate > 0.0 ? 1.0 : -1.0);
+            if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
+                s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;
+        }
+        if (a->lets_go[k] && !a->moved) s->barred[one->row] = EM_HOLDS_ROW;
+    }
+    return 0;
+}
+
+/* Whether row B_row is a combination of the rows of the mode that hold. */
+EM_COLD int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row) {
+    double Q[EM_SOME_ROWS * N], rest[N];
+    int count = 0;
+    for (int i = 0; i < N_ROWS; ++i) {
+        if (!em_row_holds(s, i)) continue;
+        memcpy(rest, r->root.B + i * N, sizeof rest);
+        em_remove_rows(N, count, Q, rest);
+        const double left = em_length(N, rest);
+        for (int k = 0; k < N; ++k) Q[count * N + k] = rest[k] / left;
+        ++count;
+    }
+    memcpy(rest, r->root.B + row * N, sizeof rest);
+    const double length = em_length(N, rest);
+    em_remove_rows(N, count, Q, rest);
+    const double left = em_length(N, rest);
+    return left * left <= EM_DEPENDENT * length * length;
+}
+
+/* How far an idle row may be off; 0: it is not idle. */
+EM_COLD double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
+    double terms = s->size[row];
+    for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
+    if (fabs(s->w[row]) > EM_MODE_AGREES * terms || !em_depends_on_mode(r, s, row)) return 0.0;
+    const double slack = EM_RESTS * (contact ? r->gap_terms[row] : r->rate_terms[row]);
+    if (a->atol == NULL) return fmax(slack, DBL_MIN);
+    return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
+}
+
+/* What the solution makes of a switch. */
+EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
+    const em_switch *const one = &switches[k];
+    const int row = one->row, contact = em_is_contact(one);
+    em_state_of_switch after = {em_row_holds(s, row), 0, 0.0};
+    if (s->kind[row] == EM_ROW_OUT || after.holds || em_is_unloaded(s, row)) return after;
+    if (!contact) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
+    if (em_is_choice_row(s, row)) after.idles = em_idle_slack(a, r, s, row, contact);
+    return after;
+}
+
+/* The event of the switch whose row this is; -1: of none. */
+EM_COLD int em_event_of_row(int row) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (switches[k].row == row) return switches[k].event;
+    return -1;
+}
+
+/* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
+EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
+    em_state_of_switch mode[EM_SOME_SWITCHES];
+    em_mixed s;
+    if (em_mode_problem(a, r, &s)) return -1;
+    const int found = em_solve_mixed(&s);
+    if (found < 1)
+        return em_fail(a->fault, EM_CONTACTS_CLASH, em_event_of_row(s.clash[0]), found < 0 ? -2 : em_event_of_row(s.clash[1]), NAN);
+    for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
+    return em_set_mode(a->c, mode, a->fault);
+}
+
+#endif
