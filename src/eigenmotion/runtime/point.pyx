@@ -129,8 +129,8 @@ cdef class PointModel:
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
         self.acts = c.deeds != NULL
         self.acting = tuple([self.acts and c.deeds[k].acts != 0 for k in range(c.n_events)])
-        self.switches = tuple([(s.event, s.holds, s.slides, s.row, s.idles)
-                               for s in [c.switches[k] for k in range(c.n_switches)]])
+        self.switches = tuple([(one["event"], one["holds"], one["slides"], one["row"], one["idles"])
+                               for one in [c.switches[k] for k in range(c.n_switches)]])
 
     cdef read_defaults(self):
         cdef const em_model *c = self.model
