@@ -41,12 +41,16 @@ EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, 
     return sum;
 }
 
-/* still <- what counts as no speed: rounding of the terms of the rates, now or before; at the start of a run a part of its
- * tolerances, too, within which it is meant. */
+/* still <- what counts as no speed: rounding of the terms of the rates, now or before; what rows that hold have, as long as
+ * nothing has moved them; at the start of a run a part of its tolerances, too, within which it is meant. */
 EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
     for (int row = 0; row < N_ROWS; ++row) {
         a->still[row] = fmax(a->still[row], EM_RESTS * r->rate_terms[row]);
         if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
+    }
+    for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {
+        const int row = switches[k].row;
+        if (em_holds(&switches[k], a->c) || em_is_idle(&switches[k], a->c)) a->still[row] = fmax(a->still[row], 2.0 * fabs(r->rate[row]));
     }
 }
 
