@@ -7,7 +7,7 @@
  *     friction        |p| <= L; p = -L where w > 0, p = L where w < 0
  *     sliding         p = -side L
  *
- * with L = level + coefficient p_normal. A mode says of every row which of these conditions holds as an equation. Each mode is
+ * with L = level + coefficient (over . p), over (k) of the rows that press. A mode says of every row which of these conditions holds as an equation. Each mode is
  * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
  * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent.
  *
@@ -36,7 +36,7 @@ typedef struct em_mixed {
     int k;
     em_row_kind kind[EM_MIXED_ROWS];
     em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
-    int normal[EM_MIXED_ROWS];        /* the row whose p the limit is in proportion to; -1: none */
+    double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: what of p its limit is in proportion to */
     double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
@@ -50,12 +50,16 @@ EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
     return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION;
 }
 
-/* A friction whose contact is open has no force and no condition. */
+/* A friction whose contacts are open has no force and no condition. */
 EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
-    const int normal = s->normal[i];
-    return (s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_SLIDES) && normal >= 0 &&
-           (s->kind[normal] == EM_ROW_OUT || (s->kind[normal] == EM_ROW_CONTACT && s->choice[normal] == EM_OPENS)) &&
-           s->level[i] == 0.0;
+    int presses = 0;
+    if ((s->kind[i] != EM_ROW_FRICTION && s->kind[i] != EM_ROW_SLIDES) || s->level[i] != 0.0) return 0;
+    for (int j = 0; j < s->k; ++j) {
+        if (s->over[i * s->k + j] == 0.0) continue;
+        presses = 1;
+        if (s->kind[j] != EM_ROW_OUT && (s->kind[j] != EM_ROW_CONTACT || s->choice[j] != EM_OPENS)) return 0;
+    }
+    return presses;
 }
 
 EM_COLD int em_row_holds(const em_mixed *s, int i) {
@@ -71,8 +75,15 @@ EM_COLD double em_limit_sign(const em_mixed *s, int i) {
     return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
 }
 
+/* over . p of row i */
+EM_COLD double em_normal_force(const em_mixed *s, int i) {
+    double sum = 0.0;
+    for (int j = 0; j < s->k; ++j) sum += s->over[i * s->k + j] * s->p[j];
+    return sum;
+}
+
 EM_COLD double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
-    const double normal = s->normal[i] >= 0 ? fmax(s->p[s->normal[i]], 0.0) : 0.0;
+    const double normal = fmax(em_normal_force(s, i), 0.0);
     return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
 }
 
@@ -130,14 +141,14 @@ EM_COLD int em_forces_of_mode(em_mixed *s) {
             if (sign == 0.0) continue;
             x[i] -= sign * s->level[f] * s->G[rows[i] * k + f];
             for (int j = 0; j < count; ++j)
-                if (rows[j] == s->normal[f]) A[i * count + j] += sign * s->coefficient[f] * s->G[rows[i] * k + f];
+                A[i * count + j] += sign * s->coefficient[f] * s->over[f * k + rows[j]] * s->G[rows[i] * k + f];
         }
     }
     if (em_solve_mode(count, A, x)) return -1;
     for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
     for (int f = 0; f < k; ++f) {
-        const double sign = em_limit_sign(s, f), normal = s->normal[f] >= 0 ? s->p[s->normal[f]] : 0.0;
-        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * normal);
+        const double sign = em_limit_sign(s, f);
+        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * em_normal_force(s, f));
     }
     return 0;
 }
@@ -217,11 +228,10 @@ EM_COLD void em_scale_mixed(em_mixed *s, int back) {
         by[i] = back ? 1.0 / s->unit[i] : s->unit[i];
     }
     for (int i = 0; i < s->k; ++i) {
-        const double of_normal = s->normal[i] >= 0 ? by[s->normal[i]] : 1.0;
-        for (int j = 0; j < s->k; ++j) s->G[i * s->k + j] *= by[i] * by[j];
+        for (int j = 0; j < s->k; ++j) s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j];
         s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i];
         s->level[i] /= by[i], s->at_rest[i] /= by[i];
-        s->coefficient[i] *= of_normal / by[i], s->coefficient_at_rest[i] *= of_normal / by[i];
+        s->coefficient[i] /= by[i], s->coefficient_at_rest[i] /= by[i];
     }
 }
 

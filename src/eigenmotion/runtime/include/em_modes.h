@@ -129,7 +129,7 @@ EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const dou
 EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     *s = (em_mixed){.k = EM_STRUCK_ROWS};
     for (int i = 0; i < EM_STRUCK_ROWS; ++i) {
-        s->normal[i] = -1, s->barred[i] = EM_NO_CHOICE;
+        s->barred[i] = EM_NO_CHOICE;
         s->kind[i] = i < N_ROWS && r->permanent[i] ? EM_ROW_FREE : EM_ROW_OUT;
         for (int j = 0; j < EM_STRUCK_ROWS && i < N_ROWS; ++j) {
             double sum = 0.0;
@@ -146,7 +146,7 @@ EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, double sid
     s->kind[row] = side == 0.0 ? EM_ROW_FRICTION : EM_ROW_SLIDES;
     s->side[row] = side;
     s->choice[row] = EM_HOLDS_ROW;
-    s->normal[row] = presses ? switches[friction->over].row : -1;
+    if (presses) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
     (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
     (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
 }

@@ -124,7 +124,7 @@ EM_COLD int em_pivot_modes(em_mixed *s, int bars) {
             if (sign == 0.0) continue;
             b[r] += sign * s->level[f] * G[row * k + f];
             for (int c = 0; c < nc; ++c)
-                if (contact[c] == s->normal[f]) A[r * n + c] += sign * s->coefficient[f] * G[row * k + f];
+                A[r * n + c] += sign * s->coefficient[f] * s->over[f * k + contact[c]] * G[row * k + f];
         }
     }
     for (int f = 0; f < nf; ++f) {
@@ -133,7 +133,7 @@ EM_COLD int em_pivot_modes(em_mixed *s, int bars) {
         A[slack * n + nc + f] = -1.0;
         b[slack] = 2.0 * s->level[friction[f]];
         for (int c = 0; c < nc; ++c)
-            if (contact[c] == s->normal[friction[f]]) A[slack * n + c] = 2.0 * s->coefficient[friction[f]];
+            A[slack * n + c] = 2.0 * s->coefficient[friction[f]] * s->over[friction[f] * k + contact[c]];
     }
     if (!em_lemke_solve(&l, A, b)) return 0;
     int basic[2 * EM_PIVOTED + 1] = {0};

@@ -18,8 +18,8 @@ EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, d
     memcpy(Q, b->B, sizeof Q);
     for (int f = 0; f < EM_STRUCK_ROWS; ++f) {
         const double sign = em_limit_sign(&b->s, f);
-        for (int k = 0; k < N && sign != 0.0; ++k)
-            Q[b->s.normal[f] * N + k] += sign * b->s.coefficient[f] * b->B[f * N + k];
+        for (int k = 0; k < EM_STRUCK_ROWS * N && sign != 0.0; ++k)
+            Q[k] += sign * b->s.coefficient[f] * b->s.over[f * EM_STRUCK_ROWS + k / N] * b->B[f * N + k % N];
         if (em_row_holds(&b->s, f)) rows[count++] = f;
     }
     em_forward_rows(N, columns, r->root.L, r->root.r, F);
@@ -88,7 +88,7 @@ EM_COLD int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, 
             for (int f = 0; f < N_SWITCHES; ++f) {
                 const int row = switches[f].row;
                 const double sign = em_limit_sign(&b->s, row);
-                if (sign != 0.0) sum += r->A[row * N + k] * sign * b->s.p[b->s.normal[row]] * level[EM_LEVELS * f * columns + j];
+                if (sign != 0.0) sum += r->A[row * N + k] * sign * em_normal_force(&b->s, row) * level[EM_LEVELS * f * columns + j];
             }
             F[k * columns + j] = sum;
         }
