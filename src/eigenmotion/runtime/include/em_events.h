@@ -15,6 +15,7 @@
 #ifdef EM_ACTS
 static int em_keeps_apart(int i) { return deeds[i].keeps_apart; }
 static int em_event_acts(int i) { return deeds[i].acts; }
+static int em_lets_go(int i) { return deeds[i].held >= 0; }
 
 /* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
 static int em_watches_mode(const em_walk *w, int i) {
@@ -35,6 +36,7 @@ static int em_events_in_mode(em_walk *w, double t, const double *x, const double
 #else
 static int em_keeps_apart(int i) { return (void)i, 0; }
 static int em_event_acts(int i) { return (void)i, 0; }
+static int em_lets_go(int i) { return (void)i, 0; }
 static int em_watches_mode(const em_walk *w, int i) { return (void)w, (void)i, 0; }
 
 static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {

@@ -10,6 +10,7 @@
 static int em_glance(em_walk *w, double (*g)[EM_SOME_EVENTS]) {
     static const double at[EM_GLANCES] = {0.14644660940672624, 0.5, 0.85355339059327376};
     const int terms = w->scheme.sketch(w);
+    if (terms < 0) return 0;
     for (int j = 0; j < EM_GLANCES; ++j) {
         w->scheme.evaluate(w->F[0], terms, at[j], w->argument);
         if (em_events_of(w, w->t + at[j] * w->h, w->argument, g[j])) return 0;

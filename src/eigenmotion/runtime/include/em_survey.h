@@ -138,6 +138,12 @@ static int em_enters(const em_walk *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
+/* Whether a leg begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
+static int em_is_rash(const em_walk *w, int i, double g) {
+    enum { RETRIES = 10 };
+    return w->fresh == EM_NEXT_LEG && em_lets_go(i) && w->retries < RETRIES && em_enters(w, i, g);
+}
+
 /* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
 static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
     const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
@@ -182,6 +188,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     for (int k = 0; k < s->count; ++k) {
         const em_point here = {s->t[k], s->g[k][i]};
         if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
+        if (em_is_rash(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
         em_pass(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
     }

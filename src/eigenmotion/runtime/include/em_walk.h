@@ -49,7 +49,7 @@ typedef struct em_scheme {
     int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
                                        step alone does not tell; or NULL */
     int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
-    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms */
+    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
     int averages;                   /* whether steps cross the samples of linear signals */
