@@ -9,7 +9,8 @@
 #include "em_norm.h"
 
 #define EM_NEAR_START 300.0 /* so many tolerances from the start M is to be resolved, or every step is looked at */
-#define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; */
+#define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; implicit
+                              ones, which need no short ones there, always; */
 #define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
 
@@ -124,7 +125,7 @@ static void em_begin_chart(em_walk *w) {
 EM_INLINE int em_check_chart(em_walk *w) {
     if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
         return em_look_at_chart(w);
-    return w->rtol > EM_LOOSE ? em_look_across(w) : 0;
+    return w->rtol > EM_LOOSE || w->scheme.radau_iia != NULL ? em_look_across(w) : 0;
 }
 
 #endif
