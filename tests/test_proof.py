@@ -25,7 +25,7 @@ from eigenmotion import t
 from eigenmotion.building.build import compiled
 from eigenmotion.building.proof import ProofError, prove
 from eigenmotion.building.proof.evaluate import Evaluation
-from eigenmotion.building.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
+from eigenmotion.building.proof.hyperdual import FUNCTIONS, RELATIONS, given
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 from eigenmotion.stability.degenerate_models import quaternion_body
 
@@ -270,8 +270,8 @@ EXPRESSIONS = [
 def test_hyper_dual_numbers_know_two_derivatives(expression, at):
     """Along v = (1, 2) and w = (3, 5), against SymPy's derivatives in thirty digits."""
     other, v, w = 0.9, (1.0, 2.0), (3.0, 5.0)
-    values = {x: HyperDual(np.array(at), v[0], w[0]), y: HyperDual(np.array(other), v[1], w[1])}
-    found = Evaluation(values, 1.0)(expression)
+    values = {x: given(np.array(at), v[0], w[0]), y: given(np.array(other), v[1], w[1])}
+    found = Evaluation(values)(expression)
     along = [lambda e, u=u: u[0] * sympy.diff(e, x) + u[1] * sympy.diff(e, y) for u in (v, w)]
     right = [expression, along[0](expression), along[1](expression), along[1](along[0](expression))]
     here = {x: sympy.Float(at, 30), y: sympy.Float(other, 30)}
@@ -279,7 +279,7 @@ def test_hyper_dual_numbers_know_two_derivatives(expression, at):
     wanted = [
         float(value.replace(lambda e: isinstance(e, steady), lambda *_: 0).subs(here).evalf(30)) for value in right
     ]
-    parts = [0.0 if part is None else float(part) for part in (found.a, found.b, found.c, found.f)]
+    parts = [0.0 if part is None else float(part.value) for part in (found.a, found.b, found.c, found.f)]
     assert parts == pytest.approx(wanted, rel=1e-14, abs=1e-14)
 
 

@@ -3,7 +3,11 @@
 import pytest
 import sympy
 from eigenmotion.codegen.graph.zeros import Zeros
+from eigenmotion.codegen.physics.derive import derive
 from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
 
 from .expressions import p, x, y, z
 
@@ -74,3 +78,29 @@ def test_parameters_declared_positive_count_as_such(bench):
     assert not Zeros(bench.graph)(root)
     assert not Zeros(bench.graph, {"u": 1})(root)
     assert Zeros(bench.graph, {"u": 1, "w": 1})(root)
+
+
+A, B = dynamicsymbols("A B")
+l, r = symbols("l r")
+
+
+def inertia(factor, at):
+    """M_BB of T = 1/2 factor B'^2 + 1/2 A'^2, where A, B, l and r are these."""
+    T = (factor * B.diff() ** 2 + A.diff() ** 2) / 2
+    M = derive(em.Model(name="one", coordinates=[A, B], kinetic_energy=T, parameters={l: 0.5, r: 0.3})).M
+    return float(M[1, 1].subs({symbol: at[symbol.name] for symbol in M.free_symbols}))
+
+
+@pytest.mark.parametrize("zero", [
+    (l * sin(A) + r * sin(A) * sin(B)) * cos(A) - (l * cos(A) + r * sin(B) * cos(A)) * sin(A),
+    (l + r * cos(A)) ** 2 + (r * sin(A)) ** 2 - l**2 - 2 * l * r * cos(A) - r**2,
+], ids=str)  # fmt: skip
+def test_beside_a_root_of_rounding_nothing_counts_as_rounding(zero):
+    """Half of the digits of such a root are rounding; all of 2 + root was taken for it, and M was 0."""
+    assert inertia(2 + sqrt(zero**2), {"A": 0.3, "B": 0.4, "l": 0.5, "r": 0.3}) == pytest.approx(2)
+
+
+def test_what_turns_within_a_millionth_varies():
+    """M was taken for constant, with the value it has far off."""
+    factor = (1 + sympy.Float(1.01e12) * A**2) / (1 + sympy.Float(1e12) * A**2)
+    assert inertia(factor, {"A": 0.0}) == pytest.approx(1)

@@ -20,8 +20,10 @@ from .graph import Graph
 from .numbers import Number, is_whole
 from .store import Kind, Node
 
-NEAR, FAR = 3, 2
-"""Random points at which an expression must vanish to count as zero: with values about 1, and of 1e-3 to 1e3."""
+NEAR, FAR, TINY = 3, 2, 1
+"""Random points at which an expression must vanish to count as zero: with values about 1, of 1e-3 to 1e3, and tiny.
+
+What turns within 1e-6, such as atan(1e6 q), does not vary elsewhere by more than rounding."""
 ROUNDING = 1e-13
 """What counts as cancelled, relative to the sum of the absolute values of the terms."""
 MOST_BRANCHES = 64
@@ -89,7 +91,10 @@ class Point:
 
     def _symbol(self, name: str) -> float:
         chance = random.Random(f"{name} {self._sample}")
-        size = chance.uniform(0.4, 1.9) if self._sample < NEAR else 10.0 ** chance.uniform(-3, 3)
+        if self._sample < NEAR:
+            size = chance.uniform(0.4, 1.9)
+        else:
+            size = 10.0 ** chance.uniform(*((-3, 3) if self._sample < NEAR + FAR else (-9, -6)))
         return size * (self._signs.get(name) or chance.choice((-1, 1)))
 
     def _power(self, base: Node, power: Number) -> tuple[Value, float]:
@@ -121,8 +126,12 @@ class Point:
 
 
 def _size(value: Value, magnitude: float, power: float, result: Value) -> float:
-    """How large value^power may be for a value known to magnitude x rounding."""
-    return float(magnitude**power) if power >= 1 else abs(result) * max(1.0, magnitude / abs(value))
+    """How large value^power may be for a value known to magnitude x rounding; not a number where nobody knows."""
+    if power >= 1:
+        return float(magnitude**power)
+    if abs(value) > ROUNDING * magnitude:
+        return abs(result) * max(1.0, magnitude / abs(value))
+    return float((ROUNDING * magnitude) ** power) / ROUNDING if power > 0 else math.nan
 
 
 def degree_of(power: Number) -> int:
@@ -142,7 +151,7 @@ class Zeros:
     def __init__(self, graph: Graph, signs: Mapping[str, int] | None = None) -> None:
         self.graph = graph
         self._signs = signs or {}
-        self._points = [Point(graph, sample, self._signs) for sample in range(NEAR + FAR)]
+        self._points = [Point(graph, sample, self._signs) for sample in range(NEAR + FAR + TINY)]
 
     def __call__(self, node: Node) -> bool:
         """Whether a node is zero wherever it is defined, on all its branches; what can not be told counts as not."""

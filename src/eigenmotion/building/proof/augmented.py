@@ -10,7 +10,8 @@ import numpy as np
 from ...arguments.names import Vector
 from ...system.system import System
 from .found import Found
-from .identities import Identity, flat, geometric
+from .identities import Identity, flat
+from .rounded import EPS, geometric, rounded
 from .stated import Stated
 
 
@@ -24,21 +25,26 @@ def factored(system: System, found: Found, stated: Stated) -> tuple[Stated, Iter
     if not np.nan_to_num(difference).any():
         return stated, iter(())
     units = 1.0 / geometric(found.factored)
-    W = _weights(stated.A, difference, units)[:, :, None]
-    turned, rate = stated.A.transpose(0, 2, 1), stated.A_rate.transpose(0, 2, 1)
-    M = stated.M + turned @ (W * stated.A)
+    W = rounded(_weights(stated.A.value, difference, units)[:, :, None])
+    turned, rate = stated.A.turned, stated.A_rate.turned
+    M = (stated.M + turned @ (W * stated.A)).off(_spread(EPS / units, units))
     M_rate = stated.M_rate + rate @ (W * stated.A) + turned @ (W * stated.A_rate)
-    W_rate = _weights(stated.A, found.factored_rate - M_rate, units)[:, :, None]
-    M_rate = M_rate + turned @ (W_rate * stated.A)
+    W_rate = rounded(_weights(stated.A.value, found.factored_rate - M_rate.value, units)[:, :, None])
+    M_rate = (M_rate + turned @ (W_rate * stated.A)).off(_spread(found.rate_off + M_rate.bound, units))
     names = [f"M + A^T W A of {one}, {two}" for one in system.coordinates for two in system.coordinates]
-    same = Identity(names, [flat(found.factored), -flat(M)], flat(geometric(found.factored)))
+    same = Identity(names, [flat(rounded(found.factored)), -flat(M)], scale=(1.0 / units).reshape(len(units), -1))
     return replace(stated, M=M, M_rate=M_rate), iter((same,))
+
+
+def _spread(off: Vector, units: Vector) -> Vector:
+    """(k, n, n): how far what the weights make is off where that which they are fitted to is."""
+    return np.asarray(np.sqrt(((off * units) ** 2).sum(axis=(1, 2), keepdims=True)) / units)
 
 
 def _weights(A: Vector, difference: Vector, units: Vector) -> Vector:
     """(k, m): the least squares of A^T W A = difference in `units` (k, n, n); NaN where there are no numbers."""
     columns = np.moveaxis((A[:, :, :, None] * A[:, :, None, :]) * units[:, None], 1, 3).reshape(len(A), -1, A.shape[1])
-    right = flat(difference * units)
+    right = (difference * units).reshape(len(A), -1)
     size = np.sqrt((columns**2).sum(axis=1, keepdims=True))  # which is how rows are stated, and no matter of rank
     columns = columns / np.where(size > 0.0, size, 1.0)
     known = np.isfinite(columns).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)

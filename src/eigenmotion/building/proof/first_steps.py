@@ -12,7 +12,7 @@ from ...results.solution import Solution
 from ...running.methods import METHODS
 from ...runtime import EvaluationError, StopReason
 from ...system.system import System
-from .identities import geometric
+from .rounded import geometric
 
 FAR = 1e9
 STEPS = 2

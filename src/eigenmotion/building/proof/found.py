@@ -10,9 +10,8 @@ from ...arguments.names import Vector
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ...system.system import System
 from .places import Places
+from .rounded import EPS
 
-_REACH = 1e-6
-"""Half of what differences are over, relative to coordinates."""
 _STRIDE = 1e-4
 """What differences along the motion are over, relative to how long it takes a coordinate to become another."""
 
@@ -21,9 +20,8 @@ _STRIDE = 1e-4
 class Found:
     """Answers at k places, the places first.
 
-    M, factored (k, n, n); dM (k, n, n, n), of what is factored, and factored_rate (k, n, n), along the motion, by
-    differences; A (k, m, n); b (k, m); phi (k, h);
-    energies (k, 4); quasi (k, n or 0);
+    M, factored (k, n, n); factored_rate, rate_off (k, n, n), along the motion, by differences, and their bounds;
+    A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
     C (k, n, n); s (k, n);
     y, dy (k, n_state); velocity (k, n) of y;
@@ -32,8 +30,8 @@ class Found:
 
     M: Vector
     factored: Vector
-    dM: Vector
     factored_rate: Vector
+    rate_off: Vector
     A: Vector
     b: Vector
     phi: Vector
@@ -73,9 +71,8 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     C, s = c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
-        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), _slopes(c, t, x, prepared),
-        _along(c, t, x, v, prepared), *c.pfaffian(t, x, prepared),
-        c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
+        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), *_along(c, t, x, v, prepared),
+        *c.pfaffian(t, x, prepared), c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0],
         c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
         c.drawn_rows(time, position, prepared)[0],
@@ -85,26 +82,17 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     )  # fmt: skip
 
 
-def _slopes(c: CompiledModel, t: float, x: Vector, prepared: Prepared) -> Vector:
-    """(n, n, n) dM_ij / dx_k of what is factored as [k, i, j], by differences: sizes come of it, and no more."""
-    ways = _REACH * np.maximum(1.0, np.abs(x)) * np.eye(c.n)
-    both = ((c.factored_matrix(t, x + way, prepared), c.factored_matrix(t, x - way, prepared)) for way in ways)
-    return np.array([(there - back) / (2.0 * way.max()) for (there, back), way in zip(both, ways, strict=True)])
-
-
-def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> Vector:
-    """(n, n) the rate of what is factored, by differences of fourth order; 0 where M itself is factored."""
+def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> tuple[Vector, Vector]:
+    """(n, n) the rate of what is factored, by differences of fourth order, and what it is off by; 0 where that is M."""
     if not c.augmented:
-        return np.zeros((c.n, c.n))
+        return np.zeros((c.n, c.n)), np.zeros((c.n, c.n))
     moving = v != 0.0
     h = _STRIDE * float(np.min(np.abs(x[moving] / v[moving]), initial=np.inf))
     h = h if 0.0 < h < np.inf else _STRIDE
-
-    def over(span: float) -> Vector:
-        ends = (c.factored_matrix(t + s, x + s * v, prepared) for s in (span, -span))
-        return np.asarray(next(ends) - next(ends))
-
-    return (8.0 * over(h) - over(2.0 * h)) / (12.0 * h)
+    ends = [[c.factored_matrix(t + s, x + s * v, prepared) for s in (span, -span)] for span in (h / 2, h, 2 * h)]
+    half, one, two = (there - back for there, back in ends)
+    fine, coarse = (8.0 * half - one) / (6.0 * h), (8.0 * one - two) / (12.0 * h)
+    return fine, np.abs(fine - coarse) + 16.0 * EPS / h * np.abs(ends).max(axis=(0, 1))
 
 
 def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
@@ -126,5 +114,5 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Shapes of the fields of Found at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
-    return ((n, n), (n, n), (n, n, n), (n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
+    return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
             (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

@@ -10,22 +10,26 @@ import numpy as np
 from ...arguments.names import Vector
 from ...codegen.model import Model
 from ...codegen.model.normalise import name_of
+from .errors import Errors
 from .found import Found
+from .rounded import EPS, Rounded, applied, geometric, rounded
 from .stated import Stated
 
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """Terms, each (k, r), whose sum is zero.
+    """Terms, each (k, r), whose sum is zero to their rounding.
 
     names : (r,) what each sum is about
-    size : (k, r) what rounding of the answers is relative to, beside the terms themselves
+    more : (k, r) what the answers are off by besides: that of the solves they came from
+    scale : (k, r) what matters beside these terms, by which is said whether anything is known of them
     always : whether the compiled model has to have an answer wherever the expression has a value
     """
 
     names: Sequence[str]
-    terms: Sequence[Vector]
-    size: Vector | float = 0.0
+    terms: Sequence[Rounded]
+    more: Vector | float = 0.0
+    scale: Vector | float = 0.0
     always: bool = False
 
 
@@ -34,15 +38,19 @@ def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterat
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
     second = [f"d2T / d{one} d{two} of kinetic_energy" for one in rates for two in rates]
-    yield _equal(second, found.M, stated.M, geometric(stated.M))
-    squares, products = 0.5 * v[:, :, None] * stated.M * v[:, None, :], stated.G * v
+    size, pace = geometric(found.factored), rounded(v)
+    yield _equal(second, found.M, stated.M, size)
+    squares, products = 0.5 * pace[:, :, None] * stated.M * pace[:, None, :], stated.G * pace
     T2, T1, T0, V = found.energies.T[:, :, None]
-    yield Identity(["T2 of kinetic_energy"], [T2, *_split(-flat(squares))], always=True)
-    yield Identity(["T1 of kinetic_energy"], [T1, *_split(-products)], always=True)
-    yield _equal(["T0 of kinetic_energy"], T0, stated.T0)
-    yield _equal(["potential_energy"], V, stated.V)
-    yield _equal([f"the factor of {rate} in {row}" for row in rows for rate in rates], found.A, stated.A)
-    yield Identity(rows, [found.b, -stated.row, *_slices(found.A * v[:, None, :], 2)], always=True)
+    yield Identity(["T2 of kinetic_energy"], [rounded(T2), -_summed(flat(squares))], always=True)
+    yield Identity(["T1 of kinetic_energy"], [rounded(T1), -_summed(products)], scale=np.abs(T2), always=True)
+    yield _equal(["T0 of kinetic_energy"], T0, stated.T0[:, None])
+    yield _equal(["potential_energy"], V, stated.V[:, None])
+    unit = np.sqrt(np.abs(np.einsum("kii->ki", found.factored)))[:, None, :]
+    heavy = unit * np.abs(found.A / unit).max(axis=2, keepdims=True, initial=0.0)
+    yield _equal([f"the factor of {rate} in {row}" for row in rows for rate in rates], found.A, stated.A, heavy)
+    moving = _summed(rounded(found.A) * pace[:, None, :])
+    yield Identity(rows, [rounded(found.b), -stated.row, moving], always=True)
     yield _equal(rows[: model.h], found.phi, stated.phi)
     yield _equal([f"quasi_velocities[{name_of(y)}]" for y, _ in model.quasi_velocities], found.quasi, stated.quasi)
     yield _equal([f"events[{name}]" for name, _ in model.events], found.events, stated.events)
@@ -50,15 +58,20 @@ def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterat
     yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], found.drawn, stated.drawn)
 
 
-def motion(model: Model, v: Vector, found: Found, stated: Stated) -> Iterator[Identity]:
-    """Lagrange's equations (7), the constraints differentiated, and the outputs, which are made of their solution."""
-    push = stated.A * found.multipliers[:, :, None]
-    size = np.einsum("kij,kj->ki", geometric(found.factored), np.abs(found.a))  # of what gave the multipliers
+def motion(model: Model, v: Vector, found: Found, stated: Stated, errors: Errors) -> Iterator[Identity]:
+    """Lagrange's equations (7), constraints differentiated, and outputs, which are made of their solution; v (k, n)."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
-    yield Identity(names, [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, *_slices(push, 1)], size)
-    yield Identity([f"{row}, differentiated," for row in row_names(model)], [stated.row_rate],
-                   _row_sizes(v, found, stated))  # fmt: skip
-    yield Identity([f"outputs[{name}]" for name, _ in model.outputs], [found.outputs, -stated.outputs])
+    yield Identity(names, equations(found, stated), errors.solved, errors.solved / EPS)
+    size = np.einsum("kri,ki->kr", np.abs(stated.A.value), np.abs(found.a))
+    size += np.einsum("kri,ki->kr", np.abs(stated.A_rate.value), np.abs(v))
+    yield Identity([f"{row}, differentiated," for row in row_names(model)], [stated.row_rate], errors.rows, size)
+    yield Identity([f"outputs[{name}]" for name, _ in model.outputs], [rounded(found.outputs), -stated.outputs])
+
+
+def equations(found: Found, stated: Stated) -> list[Rounded]:
+    """The terms of d/dt dT/dxdot - dT/dx + dV/dx - Q + A^T lambda, (k, n) each."""
+    push = applied(stated.A.turned, rounded(found.multipliers))
+    return [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, push]
 
 
 def row_names(model: Model) -> list[str]:
@@ -67,44 +80,17 @@ def row_names(model: Model) -> list[str]:
     return [f"{kind}[{k}]" for kind, count in kinds.items() for k in range(count)]
 
 
-def geometric(M: Vector) -> Vector:
-    """sqrt(M_ii M_jj), (k, n, n): the size of an entry that no choice of units changes."""
-    root = np.sqrt(np.abs(np.einsum("kii->ki", M)))
-    return np.asarray(root[:, :, None] * root[:, None, :])
-
-
-def flat(values: Vector) -> Vector:
+def flat(values: Rounded) -> Rounded:
     """(k, ...) as (k, r)."""
-    return values.reshape(len(values), -1)
+    return Rounded(*(part.reshape(len(part), -1) for part in (values.value, values.bound)))
 
 
-def inverse(M: Vector) -> Vector:
-    """M^-1 (k, n, n), of least norm where M is singular; NaN where it is not finite."""
-    size = geometric(M)
-    size = np.where(size > 0.0, size, 1.0)
-    fine = np.asarray(np.isfinite(M).all(axis=(1, 2)))[:, None, None]
-    inverted = np.linalg.pinv(np.where(fine, M / size, 0.0), hermitian=True)
-    return np.asarray(np.where(fine, inverted / size, np.nan))
+def _equal(names: Sequence[str], found: Vector, stated: Rounded, scale: Vector | float = 0.0) -> Identity:
+    wide = np.broadcast_to(scale, found.shape).reshape(len(found), -1)
+    return Identity(names, [flat(rounded(found)), -flat(stated)], scale=wide, always=True)
 
 
-def _row_sizes(v: Vector, found: Found, stated: Stated) -> Vector:
-    """What Adot v + A a is rounded relative to: its terms, and those of A M^-1 A^T lambda."""
-    terms = np.einsum("kri,ki->kr", np.abs(stated.A), np.abs(found.a))
-    terms += np.einsum("kri,ki->kr", np.abs(stated.A_rate), np.abs(v))
-    delta = stated.A @ inverse(stated.M) @ stated.A.transpose(0, 2, 1)
-    terms[found.least_norm != 0.0] = np.nan  # dependent rows may contradict each other off the constraints
-    return np.asarray(terms + np.einsum("krs,ks->kr", geometric(delta), np.abs(found.multipliers)))
-
-
-def _equal(names: Sequence[str], found: Vector, stated: Vector, size: Vector | float = 0.0) -> Identity:
-    wide = flat(size) if isinstance(size, np.ndarray) else size
-    return Identity(names, [flat(found), -flat(stated)], wide, always=True)
-
-
-def _slices(values: Vector, axis: int) -> list[Vector]:
-    """The terms of a sum over one of the axes 1, 2."""
-    return [part.squeeze(axis) for part in np.split(values, values.shape[axis], axis)] if values.shape[axis] else []
-
-
-def _split(values: Vector) -> list[Vector]:
-    return np.split(values, values.shape[1], axis=1)
+def _summed(terms: Rounded) -> Rounded:
+    """Sums over the last axis; (k, 1) of (k, r)."""
+    value, bound = (part.sum(axis=-1, keepdims=terms.value.ndim == 2) for part in (terms.value, terms.bound))
+    return Rounded(value, bound)

@@ -1,4 +1,4 @@
-"""Where a build is looked at: states, times, inputs and parameters, and copies of each a hair beside it."""
+"""Where a build is looked at: states, times, inputs and parameters."""
 
 from __future__ import annotations
 
@@ -9,32 +9,19 @@ import numpy as np
 from ...arguments.names import Vector
 from ...system.system import System
 
-HAIR = 1e-12
-"""How far the copies are off, relative to each number: far more than rounding, far less than anything meant."""
-NEXT_TO_ZERO = 1e-70
-"""Where a copy of 0 lies: on one side of a kink there, and otherwise still 0."""
 SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
 """How large x and v are about; each state has an opposite, for chance alone leaves out signs."""
 
 
 @dataclass(frozen=True, slots=True)
 class Places:
-    """k places: t (k,), x and v (k, n), u (k, n_inputs), p (k, n_parameters); rounding (k, 1), see `Evaluation`.
-
-    The first third is what was drawn; the second and the last third are copies a hair to either side.
-    """
+    """k places: t (k,), x and v (k, n), u (k, n_inputs), p (k, n_parameters)."""
 
     t: Vector
     x: Vector
     v: Vector
     u: Vector
     p: Vector
-    rounding: Vector
-
-    @property
-    def drawn(self) -> int:
-        """How many of them were drawn."""
-        return len(self.t) // 3
 
     def described(self, number: int, system: System) -> str:
         """Say where one of them is, in the model's names."""
@@ -66,9 +53,7 @@ def draw(system: System, attempt: int) -> Places:
     idle = [idles for *_, idles in c.switches]
     p[:, modes], p[:, idle] = random.integers(0, 2, (k, len(modes))), 0.0
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
-    places = _with_copies(random, Places(t, z[:, :n], z[:, n:], u, p, np.ones((k, 1))))
-    places.p[:, modes], places.p[:, idle] = np.tile(p[:, modes], (3, 1)), 0.0
-    return places
+    return Places(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
 
 
 def _both_signs(random: np.random.Generator, sizes: Vector) -> Vector:
@@ -81,14 +66,3 @@ def _nearby(random: np.random.Generator, numbers: Vector, distance: float, count
     """Numbers off by up to `distance` times their size; by `distance` itself where they are 0."""
     size = np.where(numbers == 0.0, 1.0, np.abs(numbers))
     return np.asarray(numbers + distance * size * random.uniform(-1.0, 1.0, (count, len(numbers))))
-
-
-def _with_copies(random: np.random.Generator, places: Places) -> Places:
-    parts = [places.t, places.x, places.v, places.u, places.p, places.rounding]
-    return Places(*(_copied(random, part) for part in parts))
-
-
-def _copied(random: np.random.Generator, part: Vector) -> Vector:
-    off = random.uniform(0.5, 1.0, part.shape) * random.choice([-1.0, 1.0], part.shape)
-    step = off * np.where(part == 0.0, NEXT_TO_ZERO, HAIR * np.abs(part))
-    return np.ascontiguousarray(np.concatenate([part, part + step, part - step]))

@@ -9,8 +9,10 @@ import numpy as np
 
 from ...arguments.names import Vector
 from ...system.system import System
+from .errors import Errors
 from .found import Found
-from .identities import Identity, flat, geometric, inverse
+from .identities import Identity, flat
+from .rounded import EPS, Rounded, applied, geometric, inverse, root, rounded
 from .stated import Stated
 
 
@@ -24,76 +26,69 @@ class Factors:
     s_rate: Vector
 
 
-def rates(system: System, v: Vector, found: Found, stated: Stated) -> Iterator[Identity]:
+def rates(system: System, v: Vector, found: Found, stated: Stated, errors: Errors) -> Iterator[Identity]:
     """Identities of y and dy, for v (k, n)."""
     n, layout, names = system.n, system.layout, system.coordinates
-    W = inverse(stated.M)
-    each = np.sqrt(np.abs(np.einsum("kii->ki", W)))
-    fast, pushed = _length(stated.M, v), _length(stated.M, found.a)
-    pushed = pushed + _length(stated.A @ W @ stated.A.transpose(0, 2, 1), found.multipliers)
-    yield Identity([f"{name}' of the right-hand side" for name in names], [found.dy[:, :n], -v], each * fast)
-    yield Identity([f"{name}' of the state" for name in names], [found.velocity, -v], each * fast)
+    back = rounded(v).off(EPS * recovered(system, v, found))
+    yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(found.dy[:, :n]), -back])
+    yield Identity([f"{name}' of the state" for name in names], [rounded(found.velocity), -back])
+    a = rounded(found.a).off(errors.a)
     if "v" in layout:
-        what = [f"the rate of {name}'" for name in names]
-        yield Identity(what, [found.dy[:, layout["v"]], -found.a], each * pushed)
+        yield Identity([f"the rate of {name}'" for name in names], [rounded(found.dy[:, layout["v"]]), -a],
+                       scale=speeds(found.a, found))  # fmt: skip
     elif system.formulation == "cholesky":
-        pace = _pace(found, stated, each * fast)
-        yield _of_root(names, found.dy[:, layout["eta"]], v, pushed + pace * fast, found.a, stated)
+        yield _of_root(names, rounded(found.dy[:, layout["eta"]]), back, a, stated)
     else:
-        yield from _of_eigenfactors(system, v, pushed, _pace(found, stated, each * fast), found, stated)
+        yield from _of_eigenfactors(system, back, a, found, stated)
     if "s_delta" in layout:
         yield from _of_delta(system, found, stated)
 
 
-def _length(M: Vector, v: Vector) -> Vector:
-    """sqrt(v^T M v), (k, 1)."""
-    return np.asarray(np.sqrt(np.abs(np.einsum("ki,kij,kj->k", v, M, v)))[:, None])
+def recovered(system: System, v: Vector, found: Found) -> Vector:
+    """(k, n): eps of it is what velocities are off by that come back from the state: from eta, a root of M times v."""
+    return np.abs(v) if "v" in system.layout else speeds(v, found)
 
 
-def _pace(found: Found, stated: Stated, v: Vector) -> Vector:
-    """How fast M changes relative to itself, (k, 1) [1 / s], where the velocities are known to rounding of v (k, n)."""
-    rates = np.abs(stated.M_rate) + np.einsum("klij,kl->kij", np.abs(found.dM), np.abs(v))
-    return _largest(rates / geometric(stated.M))
+def speeds(v: Vector, found: Found) -> Vector:
+    """(k, n): how large each could be, alone, with the kinetic energy of v (k, n)."""
+    W = np.einsum("kii->ki", inverse(rounded(found.factored)).value)
+    energy = np.einsum("ki,kij,kj->k", v, found.factored, v)
+    return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
 
 
-def _largest(W: Vector) -> Vector:
-    """The largest entry of each matrix, (k, 1)."""
-    return np.asarray(np.nan_to_num(W).max(axis=(1, 2), initial=0.0)[:, None])
-
-
-def _of_root(names: Sequence[str], eta_rate: Vector, v: Vector, pushed: Vector, a: Vector, stated: Stated) -> Identity:
+def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: Stated) -> Identity:
     """eta = L^T v, M = L L^T: the rate of L by that of M."""
-    sound = _positive(stated.M)
-    L = np.linalg.cholesky(np.where(sound, stated.M, np.eye(v.shape[1])))
-    W = np.linalg.inv(L)
-    inner = np.tril(W @ stated.M_rate @ W.transpose(0, 2, 1))
-    inner -= 0.5 * inner * np.eye(v.shape[1])
-    turning = np.einsum("kji,kj->ki", L @ inner, v)
-    terms = [eta_rate, -turning, -np.einsum("kji,kj->ki", L, a)]
-    size = np.einsum("kji,kj->ki", np.abs(L), np.abs(a)) + np.einsum("kji,kj->ki", np.abs(L) @ np.abs(inner), np.abs(v))
-    unsound = np.where(sound, 0.0, np.nan)[:, 0]
-    return Identity([f"the rate of eta for {name}'" for name in names], terms, size + pushed + unsound)
+    L = root(stated.M)
+    back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
+    W = Rounded(back, np.abs(back) @ L.bound @ np.abs(back))
+    inner = W @ stated.M_rate @ W.turned
+    half = np.tril(np.ones(back.shape[1:])) - 0.5 * np.eye(back.shape[1])
+    turning = applied((L @ (half * inner)).turned, v)
+    terms = [eta_rate, -turning, -applied(L.turned, a)]
+    return Identity([f"the rate of eta for {name}'" for name in names], terms, scale=_all(terms))
 
 
-def _of_eigenfactors(
-    system: System, v: Vector, pushed: Vector, pace: Vector, found: Found, stated: Stated
-) -> Iterator[Identity]:
+def _all(terms: Sequence[Rounded]) -> Vector:
+    """(k, 1): the size of terms that share a unit."""
+    return np.asarray(sum(np.abs(term.value) for term in terms).max(axis=1, keepdims=True))
+
+
+def _of_eigenfactors(system: System, v: Rounded, a: Rounded, found: Found, stated: Stated) -> Iterator[Identity]:
     """eta = S C v (17), M = C^T S^2 C, in units of `scales`."""
-    units, names = system.scales, system.coordinates
-    both = units[:, None] * units
-    M, M_rate = np.where(_positive(stated.M), stated.M, np.nan) * both, stated.M_rate * both
-    factors = _factors_of(system, found, M_rate)
-    yield from _factored([f"M of {one}, {two}" for one in names for two in names], factors, M, M_rate, pace)
-    C, s, eta_rate = factors.C, factors.s, found.dy[:, system.layout["eta"]]
-    Cv, Ca, turn = (np.einsum("kij,kj->ki", *pair) for pair in ((C, v / units), (C, found.a / units),
-                                                                  (factors.C_rate, v / units)))  # fmt: skip
-    sizes = [np.einsum("kij,kj->ki", np.abs(W), np.abs(w / units)) for W, w in ((C, found.a), (factors.C_rate, v))]
-    terms = [eta_rate, -factors.s_rate * Cv, -s * turn, -s * Ca]
-    yield Identity(
-        [f"the rate of eta number {k}" for k in range(system.n)],
-        terms,
-        (s * (sizes[0] + sizes[1])).max(axis=1, keepdims=True) + pushed,
-    )
+    unit, names = rounded(1.0 / system.scales), system.coordinates
+    both = system.scales[:, None] * system.scales
+    M, M_rate = both * stated.M, both * stated.M_rate
+    factors = _factors_of(system, found, M_rate.value)
+    size = _largest(factors, system.blocks)
+    yield from _factored([f"M of {one}, {two}" for one in names for two in names], factors, M, M_rate, size)
+    C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
+    Cv, Ca, turn = applied(C, v * unit), applied(C, a * unit), applied(C_rate, v * unit)
+    terms = [rounded(found.dy[:, system.layout["eta"]]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
+    wide = np.abs(factors.C)
+    off = wide @ M_rate.bound @ wide.swapaxes(1, 2)  # of C Mdot C^T, by which C and s turn and stretch
+    off = off + EPS * size * np.abs(factors.C_rate).max(axis=2, keepdims=True, initial=0.0)
+    more = np.einsum("kij,kj->ki", off, np.abs(Cv.value)) / factors.s
+    yield Identity([f"the rate of eta number {k}" for k in range(system.n)], terms, more, _all(terms))
 
 
 def _factors_of(system: System, found: Found, M_rate: Vector) -> Factors:
@@ -118,46 +113,64 @@ def _places(system: System, C: str, s: str, blocks: Sequence[Sequence[int]]) -> 
         at, root = at + size**2, root + size
 
 
-def _factored(names: Sequence[str], factors: Factors, W: Vector, W_rate: Vector, pace: Vector) -> Iterator[Identity]:
-    """W = C^T S^2 C with C orthonormal, and the same differentiated (30), (35); pace (k, 1) of W."""
-    C, s, C_rate, s_rate = factors.C, factors.s, factors.C_rate, factors.s_rate
-    turned, squares = C.transpose(0, 2, 1), s[:, :, None] ** 2
-    largest = np.broadcast_to(squares.max(axis=(1, 2), initial=0.0)[:, None, None], C.shape)
-    yield Identity([f"C^T S^2 C = {name}" for name in names], [flat(turned @ (squares * C)), -flat(W)], flat(largest))
-    unit = np.broadcast_to(np.eye(C.shape[1]), C.shape)
-    yield Identity([f"C C^T = 1, beside {name}" for name in names], [flat(C @ turned), -flat(unit)], 1.0)
-    along = C_rate.transpose(0, 2, 1) @ (squares * C)
-    stretch = turned @ (2.0 * (s * s_rate)[:, :, None] * C)
-    fast = (np.abs(C_rate).max(axis=(1, 2), initial=0.0)[:, None] + pace)[:, :, None] * largest
-    terms = [flat(along), flat(along.transpose(0, 2, 1)), flat(stretch), -flat(W_rate)]
-    yield Identity([f"the rate of C, s, beside {name}" for name in names], terms, flat(fast))
-    gauge = C @ C_rate.transpose(0, 2, 1)
-    yield Identity([f"the rate of C C^T, beside {name}" for name in names],
-                   [flat(gauge), flat(gauge.transpose(0, 2, 1))], flat(fast / largest))  # fmt: skip
+def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
+    """(k, n, n): the largest s^2 of the block of both, which is what its factors are rounded relative to."""
+    size = np.zeros_like(factors.C)
+    for block in map(list, blocks):
+        size[np.ix_(range(len(size)), block, block)] = (factors.s[:, block] ** 2).max(axis=1)[:, None, None]
+    return size
+
+
+def _factored(
+    names: Sequence[str], factors: Factors, W: Rounded, W_rate: Rounded, size: Vector, turning: Vector | float = 0.0
+) -> Iterator[Identity]:
+    """W = C^T S^2 C with C orthonormal, and the same differentiated (30), (35); what made C_rate is turning, too."""
+    C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
+    squares, unit = (s * s)[:, :, None], Rounded(np.broadcast_to(np.eye(C.value.shape[1]), C.value.shape), 0.0 * size)
+    wide = np.abs(factors.C.swapaxes(1, 2)) @ np.abs(factors.C)
+    fast = np.abs(factors.C_rate).max(axis=(1, 2), keepdims=True, initial=0.0) + turning
+    of_W = [flat(C.turned @ (squares * C)), -flat(W)]
+    yield Identity([f"C^T S^2 C = {name}" for name in names], of_W, _wide(EPS * size),
+                   _wide(geometric(W.value)))  # fmt: skip
+    yield Identity([f"C C^T = 1, beside {name}" for name in names], [flat(C @ C.turned), -flat(unit)], EPS, 1.0)
+    like = geometric(W.value)
+    pace = fast + np.abs(W_rate.value / like).max(axis=(1, 2), keepdims=True, initial=0.0)
+    along, stretch = C_rate.turned @ (squares * C), C.turned @ ((2.0 * (s * s_rate))[:, :, None] * C)
+    terms = [flat(along), flat(along.turned), flat(stretch), -flat(W_rate)]
+    more = wide @ W_rate.bound @ wide + EPS * fast * size
+    yield Identity([f"the rate of C, s, beside {name}" for name in names], terms, _wide(more),
+                   _wide(pace * like))  # fmt: skip
+    gauge = C @ C_rate.turned
+    yield Identity([f"the rate of C C^T, beside {name}" for name in names], [flat(gauge), flat(gauge.turned)],
+                   _wide(EPS * fast + 0.0 * size), _wide(pace + 0.0 * size))  # fmt: skip
+
+
+def _wide(size: Vector) -> Vector:
+    return size.reshape(len(size), -1)
 
 
 def _of_delta(system: System, found: Found, stated: Stated) -> Iterator[Identity]:
     """Delta = A M^-1 A^T (47) and the eigenfactors of its parts."""
-    A, W = stated.A, inverse(np.where(_positive(stated.M), stated.M, np.nan))
+    A, W = stated.A, inverse(stated.M)
     P = A @ W
-    half = stated.A_rate @ P.transpose(0, 2, 1)
-    delta = P @ A.transpose(0, 2, 1)
-    delta_rate = half + half.transpose(0, 2, 1) - P @ stated.M_rate @ P.transpose(0, 2, 1)
-    pace = _largest(np.abs(delta_rate) / geometric(delta)) + _pace(found, stated, found.velocity)
+    half = stated.A_rate @ P.turned
+    delta, delta_rate = P @ A.turned, half + half.turned - P @ stated.M_rate @ P.turned
+    turning = np.abs(_factors_of(system, found, stated.M_rate.value).C_rate).max(axis=(1, 2), keepdims=True)
     groups = [group for group in _coupled(delta) if len(group) > 1]
     if sum(map(len, groups)) != system.layout["s_delta"].stop - system.layout["s_delta"].start:
         return  # rows coupled in form only
-    for group, (at, root) in zip(groups, _places(system, "C_delta", "s_delta", groups), strict=True):
-        shape, square = (len(delta), len(group), len(group)), np.ix_(range(len(delta)), group, group)
-        factors = Factors(found.y[:, at].reshape(shape), found.y[:, root],
-                          found.dy[:, at].reshape(shape), found.dy[:, root])  # fmt: skip
+    for group, (at, root_at) in zip(groups, _places(system, "C_delta", "s_delta", groups), strict=True):
+        shape, square = (len(found.y), len(group), len(group)), np.ix_(range(len(found.y)), group, group)
+        factors = Factors(found.y[:, at].reshape(shape), found.y[:, root_at],
+                          found.dy[:, at].reshape(shape), found.dy[:, root_at])  # fmt: skip
         names = [f"Delta of rows {one}, {two}" for one in group for two in group]
-        yield from _factored(names, factors, delta[square], delta_rate[square], pace)
+        size = _largest(factors, [range(len(group))])
+        yield from _factored(names, factors, delta[square], delta_rate[square], size, turning)
 
 
-def _coupled(delta: Vector) -> list[list[int]]:
+def _coupled(delta: Rounded) -> list[list[int]]:
     """Groups of rows of Delta between which there is something other than zero."""
-    coupled = np.asarray((np.nan_to_num(np.abs(delta)) > 1e-13 * np.nan_to_num(geometric(delta))).any(axis=0))
+    coupled = np.asarray((~delta.near() & np.isfinite(delta.value)).any(axis=0))
     groups: list[list[int]] = []
     for row in range(len(coupled)):
         joined = [group for group in groups if coupled[row, group].any()]
@@ -165,10 +178,3 @@ def _coupled(delta: Vector) -> list[list[int]]:
             sorted([row, *(other for group in joined for other in group)])
         ]
     return sorted(groups)
-
-
-def _positive(M: Vector) -> Vector:
-    """(k, 1, 1) whether M is positive definite, with a margin: elsewhere its factors are no evidence."""
-    size = geometric(M)
-    scaled = np.where(np.isfinite(M / size), M / size, 0.0)
-    return np.asarray(np.linalg.eigvalsh(scaled)[:, :1, None] > 1e-12)

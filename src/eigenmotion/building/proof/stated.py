@@ -13,9 +13,11 @@ from ...arguments.names import Vector
 from ...codegen.model import Model, multiplier, t
 from .evaluate import Evaluation
 from .found import Found
-from .hyperdual import HyperDual, Part
+from .hyperdual import HyperDual, given
 from .places import Places
+from .rounded import EPS, Rounded, joined, rounded
 
+_ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
 _AT_ONCE = 30_000
 """Numbers in one array: enough to make Python's share small, few enough for the processor's cache."""
 
@@ -30,35 +32,35 @@ class Stated:
     drawn (k, n_drawn); unknown: functions that could not be evaluated
     """
 
-    M: Vector
-    M_rate: Vector
-    G: Vector
-    T0: Vector
-    V: Vector
-    momentum_rate: Vector
-    T_x: Vector
-    V_x: Vector
-    Q: Vector
-    A: Vector
-    A_rate: Vector
-    row: Vector
-    row_rate: Vector
-    phi: Vector
-    quasi: Vector
-    outputs: Vector
-    events: Vector
-    drawn: Vector
+    M: Rounded
+    M_rate: Rounded
+    G: Rounded
+    T0: Rounded
+    V: Rounded
+    momentum_rate: Rounded
+    T_x: Rounded
+    V_x: Rounded
+    Q: Rounded
+    A: Rounded
+    A_rate: Rounded
+    row: Rounded
+    row_rate: Rounded
+    phi: Rounded
+    quasi: Rounded
+    outputs: Rounded
+    events: Rounded
+    drawn: Rounded
     unknown: frozenset[str]
 
 
-def evaluate(model: Model, places: Places, found: Found) -> Stated:
-    """Evaluate everything a model states."""
-    statement = _Statement(model, places, found)
+def evaluate(model: Model, places: Places, found: Found, speed: Vector) -> Stated:
+    """Evaluate everything a model states; velocities are off by eps of `speed` (k, n)."""
+    statement = _Statement(model, places, found, speed)
     with np.errstate(all="ignore"):
         energies, along = statement.energies(), statement.along()
         across, twice = statement.across(), statement.twice()
-    holonomic = {name: np.concatenate([across[name], along[name]], axis=1) for name in ("A", "A_rate", "row")}
-    row_rate = np.concatenate([twice, along.pop("row_rate")], axis=1)
+        holonomic = {name: joined([across[name], along[name]], axis=1) for name in ("A", "A_rate", "row")}
+        row_rate = joined([twice, along.pop("row_rate")], axis=1)
     parts = energies | across | along | holonomic
     return Stated(**parts, row_rate=row_rate, unknown=statement.unknown)
 
@@ -66,11 +68,13 @@ def evaluate(model: Model, places: Places, found: Found) -> Stated:
 class _Statement:
     """Evaluations of one model at the same places, with different parts varied."""
 
-    def __init__(self, model: Model, places: Places, found: Found) -> None:
+    def __init__(self, model: Model, places: Places, found: Found, speed: Vector) -> None:
         self.model, self.places, self.found = model, places, found
         self.k, self.n = places.x.shape
-        self.x, self.v = _columns(places.x), _columns(places.v)
-        self.a, self.each = _columns(found.a), _columns(np.eye(self.n), axis=0)
+        self.x = _columns(rounded(places.x))
+        self.v = _columns(Rounded(places.v, EPS * np.maximum(np.abs(places.v), speed)))
+        self.a, self.each = _columns(rounded(found.a)), _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0)
+        self.time = rounded(places.t[:, None])
         self._evaluations: list[Evaluation] = []
 
     @property
@@ -78,7 +82,7 @@ class _Statement:
         """Functions met that have no counterpart in hyper-dual numbers."""
         return frozenset().union(*(value.unknown for value in self._evaluations))
 
-    def energies(self) -> dict[str, Vector]:
+    def energies(self) -> dict[str, Rounded]:
         """M, G, T0 and the rate of M: T at rest, along each velocity and each two of them, with x and t moving."""
         pairs = list(combinations(range(self.n), 2))
         one, none = np.eye(self.n), np.zeros((1, self.n))
@@ -86,26 +90,25 @@ class _Statement:
         size = max(1, _AT_ONCE // len(patterns))
         parts = [self._energies(slice(i, i + size), patterns) for i in range(0, self.k, size)]
         unit = _units(self.found)
-        (T, T_rate) = (np.concatenate(part) for part in zip(*parts, strict=True))
+        (T, T_rate) = (joined(part, axis=0) for part in zip(*parts, strict=True))
         M, G, T0 = _quadratic(T, unit, pairs)
         return {"M": M, "G": G, "T0": T0, "M_rate": _quadratic(T_rate, unit, pairs)[0]}
 
-    def _energies(self, rows: slice, patterns: Vector) -> tuple[Vector, Vector]:
-        unit, x, v = _units(self.found)[rows], self.places.x[rows], self.places.v[rows]
-        moving = [HyperDual(*pair) for pair in zip(_columns(x), _columns(v), strict=True)]
-        velocities = [HyperDual(patterns[:, i] * unit[:, i : i + 1]) for i in range(self.n)]
-        rounding = 1.0 + (self.places.rounding[rows] - 1.0) * np.cos(np.arange(len(patterns)))  # each by itself
-        value = self._evaluation(moving, velocities, HyperDual(self.places.t[rows, None], 1.0), rows, rounding)
+    def _energies(self, rows: slice, patterns: Vector) -> tuple[Rounded, Rounded]:
+        unit = _units(self.found)[rows]
+        moving = [HyperDual(x[rows], v[rows]) for x, v in zip(self.x, self.v, strict=True)]
+        velocities = [given(patterns[:, i] * unit[:, i : i + 1]) for i in range(self.n)]
+        value = self._evaluation(moving, velocities, HyperDual(self.time[rows], _ONE), rows)
         T = value(self.model.kinetic_energy)
-        shape = (len(x), len(patterns))
+        shape = (len(unit), len(patterns))
         return _filled(T.a, shape), _filled(T.b, shape)
 
-    def along(self) -> dict[str, Vector]:
+    def along(self) -> dict[str, Rounded]:
         """What is differentiated along the motion and by velocities, and what is not differentiated."""
         model = self.model
         x = [HyperDual(*pair) for pair in zip(self.x, self.v, strict=True)]
         v = [HyperDual(*parts) for parts in zip(self.v, self.a, self.each, strict=True)]
-        value = self._evaluation(x, v, HyperDual(self.places.t[:, None], 1.0))
+        value = self._evaluation(x, v, HyperDual(self.time, _ONE))
         rows = [value(row) for row in model.nonholonomic_constraints]
         return {
             "momentum_rate": _filled(value(model.kinetic_energy).f, (self.k, self.n)),
@@ -118,11 +121,11 @@ class _Statement:
             "drawn": self._table(value(number).a for shape in model.drawing for number in shape.numbers),
         }  # fmt: skip
 
-    def across(self) -> dict[str, Vector]:
+    def across(self) -> dict[str, Rounded]:
         """What is differentiated by coordinates, and of that the rate at rest."""
         model = self.model
         x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
-        value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.places.t[:, None], 1.0))
+        value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.time, _ONE))
         T, V = value(model.kinetic_energy), value(model.potential_energy)
         phi = [value(row) for row in model.holonomic_constraints]
         return {
@@ -132,10 +135,10 @@ class _Statement:
             "row": self._table(row.b for row in phi),
         }  # fmt: skip
 
-    def twice(self) -> Vector:
+    def twice(self) -> Rounded:
         """d2 phi / dt2 (k, h) along the motion."""
         x = [HyperDual(x, v, v, a) for x, v, a in zip(self.x, self.v, self.a, strict=True)]
-        value = self._evaluation(x, [], HyperDual(self.places.t[:, None], 1.0, 1.0))
+        value = self._evaluation(x, [], HyperDual(self.time, _ONE, _ONE))
         return self._table(value(row).f for row in self.model.holonomic_constraints)
 
     def _evaluation(
@@ -144,7 +147,6 @@ class _Statement:
         v: Sequence[HyperDual],
         time: HyperDual,
         rows: slice = slice(None),
-        rounding: Vector | None = None,
     ) -> Evaluation:
         """Return an evaluation in which coordinates, rates and the time have these values."""
         model, places = self.model, self.places
@@ -152,34 +154,43 @@ class _Statement:
         values |= zip(model.coordinates, x, strict=True)
         values |= zip(model.rates, v, strict=False)
         values |= zip((rate.diff(t) for rate in model.rates), map(HyperDual, self.a), strict=True)
-        values |= zip((p for p, _ in model.parameters), map(HyperDual, _columns(places.p[rows])), strict=True)
-        values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(places.u[rows])), strict=True)
-        values |= {multiplier(row): HyperDual(self.found.multipliers[:, row, None]) for row in range(model.m)}
-        value = Evaluation(values, places.rounding if rounding is None else rounding)
+        values |= zip((p for p, _ in model.parameters), map(HyperDual, self._parameters(rows)), strict=True)
+        values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(places.u[rows]))), strict=True)
+        values |= {multiplier(row): given(self.found.multipliers[:, row, None]) for row in range(model.m)}
+        value = Evaluation(values)
         for y, P_xdot in model.quasi_velocities if v else ():
             value.define(y, value(P_xdot))
-            value.define(y.diff(t), HyperDual(np.nan if (rate := value(y).b) is None else rate))
+            value.define(y.diff(t), given(np.nan) if (rate := value(y).b) is None else HyperDual(rate))
         self._evaluations.append(value)
         return value
 
-    def _table(self, values: Iterable[Part]) -> Vector:
+    def _parameters(self, rows: slice) -> list[Rounded]:
+        """Return their values; whole ones are exact, such as those that say which contacts hold."""
+        p = self.places.p[rows]
+        return _columns(Rounded(p, np.where(p == np.round(p), 0.0, EPS * np.abs(p))))
+
+    def _table(self, values: Iterable[Rounded | None]) -> Rounded:
         """(k, how many values)."""
         columns = [_filled(value, (self.k, 1)) for value in values]
-        return np.concatenate([np.empty((self.k, 0)), *columns], axis=1)
+        return joined([rounded(np.empty((self.k, 0))), *columns], axis=1)
 
-    def _matrix(self, values: Iterable[Part]) -> Vector:
+    def _matrix(self, values: Iterable[Rounded | None]) -> Rounded:
         """(k, how many values, n)."""
         rows = [_filled(value, (self.k, self.n))[:, None] for value in values]
-        return np.concatenate([np.empty((self.k, 0, self.n)), *rows], axis=1)
+        return joined([rounded(np.empty((self.k, 0, self.n))), *rows], axis=1)
 
 
-def _columns(table: Vector, axis: int = 1) -> list[Vector]:
+def _columns(table: Rounded, axis: int = 1) -> list[Rounded]:
     """Return the columns (k, 1), or the rows (1, n), of a table."""
-    return np.split(table, table.shape[axis], axis) if table.shape[axis] else []
+    values, bounds = (np.broadcast_to(part, table.value.shape) for part in (table.value, table.bound))
+    cut = (
+        np.split(part, table.value.shape[axis], axis) if table.value.shape[axis] else [] for part in (values, bounds)
+    )
+    return list(map(Rounded, *cut))
 
 
-def _filled(part: Part, shape: tuple[int, int]) -> Vector:
-    return np.array(np.broadcast_to(0.0 if part is None else part, shape), dtype=float)
+def _filled(part: Rounded | None, shape: tuple[int, int]) -> Rounded:
+    return (part or _ZERO).filled(shape)
 
 
 def _units(found: Found) -> Vector:
@@ -189,12 +200,15 @@ def _units(found: Found) -> Vector:
     return np.where(np.isfinite(unit) & (unit > 0.0), unit, 1.0)
 
 
-def _quadratic(T: Vector, unit: Vector, pairs: list[tuple[int, int]]) -> tuple[Vector, Vector, Vector]:
+def _quadratic(T: Rounded, unit: Vector, pairs: list[tuple[int, int]]) -> tuple[Rounded, Rounded, Rounded]:
     """M (k, n, n), G (k, n), T0 (k,) of T at rest, at plus and minus each velocity, and at each two of them."""
     n = unit.shape[1]
-    rest, plus, minus, both = np.split(T, [1, n + 1, 2 * n + 1], axis=1)
-    M = np.zeros((*unit.shape, n))
-    M[:, range(n), range(n)] = plus + minus - 2.0 * rest
-    for column, (i, j) in enumerate(pairs):
-        M[:, i, j] = M[:, j, i] = both[:, column] - plus[:, i] - plus[:, j] + rest[:, 0]
-    return M / unit[:, :, None] / unit[:, None, :], (plus - minus) / 2.0 / unit, rest[:, 0]
+    rest, plus, minus, both = T[:, :1], T[:, 1 : n + 1], T[:, n + 1 : 2 * n + 1], T[:, 2 * n + 1 :]
+    squares, (i, j) = plus + minus - 2.0 * rest, np.array(pairs, dtype=int).reshape(-1, 2).T
+    mixed = both - plus[:, i] - plus[:, j] + rest
+    M = Rounded(*(np.zeros((*unit.shape, n)) for _ in range(2)))
+    for table, diagonal, off in zip(*((one.value, one.bound) for one in (M, squares, mixed)), strict=True):
+        table[:, range(n), range(n)] = diagonal
+        table[:, i, j] = table[:, j, i] = off
+    one = rounded(1.0 / unit)
+    return M * one[:, :, None] * one[:, None, :], 0.5 * (plus - minus) * one, rest[:, 0]

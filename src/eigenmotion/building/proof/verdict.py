@@ -13,17 +13,17 @@ from ...running.methods import METHODS
 from ...system.system import System
 from ..errors import BuildError
 from .augmented import factored
+from .errors import errors
 from .first_steps import first_steps
 from .found import Found, ask
-from .identities import Identity, expressions, motion
-from .places import HAIR, Places, draw
-from .rates import rates
+from .identities import Identity, equations, expressions, motion
+from .places import Places, draw
+from .rates import rates, recovered
+from .rounded import FACTOR
 from .stated import Stated, evaluate
 
-TOLERANCE = 1e-6
-"""A sum of terms that vanishes is off by this part of the terms at the most: rounding is far below, faults above."""
-_DOUBT = 1e-3 / HAIR
-"""How much of what a hair's change does to the terms counts as their size: an ill-conditioned place proves less."""
+KNOWN = 1e-3
+"""What rounding leaves less of than this part of the terms says nothing of them."""
 _ATTEMPTS = 3
 _log = logging.getLogger("eigenmotion")
 
@@ -82,56 +82,58 @@ def _prove_identities(model: Model, system: System) -> None:
     if silent:
         _log.warning("%s: not proved: no state was found at which the model has an acceleration", model.name)
     for name in unproved:
-        _log.info("%s: not proved: %s has no value at the states tried", model.name, name)
+        _log.info("%s: not proved: %s has no value, or is all rounding, at the states tried", model.name, name)
 
 
 def _compare(model: Model, system: System, places: Places) -> tuple[list[str], bool]:
     """Return what the places say nothing about, by the first names, and whether nothing moves at any of them."""
     found = ask(system, places)
-    stated = evaluate(model, places, found)
+    stated = evaluate(model, places, found, recovered(system, places.v, found))
     if stated.unknown:
         _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(stated.unknown)))
     unproved: list[str] = []
     with np.errstate(all="ignore"):
         for identity in _identities(model, system, places, found, stated):
-            error = _error(identity, places.drawn)
-            _refuse(model, system, places, identity, error)
-            blind = np.isnan(error).all(axis=0)
+            left, bound, size = _judged(identity)
+            _refuse(model, system, places, identity, left, bound)
+            blind = ~(FACTOR * bound <= KNOWN * size).any(axis=0)
             unproved += np.array(identity.names)[blind][:1].tolist()
     return unproved, bool(np.isnan(found.a).all())
 
 
 def _identities(model: Model, system: System, places: Places, found: Found, stated: Stated) -> Iterator[Identity]:
     yield from expressions(model, places.v, found, stated)
-    yield from motion(model, places.v, found, stated)
-    stated, added = factored(system, found, stated)
+    whole, added = factored(system, found, stated)
     yield from added
-    yield from rates(system, places.v, found, stated)
+    off = errors(found, whole, equations(found, stated))
+    yield from motion(model, places.v, found, stated, off)
+    yield from rates(system, places.v, found, whole, off)
 
 
-def _error(identity: Identity, drawn: int) -> Vector:
-    """(drawn, r): what is left of each sum, relative to its terms; NaN where that says nothing."""
-    terms = np.array([np.array(term).reshape(3, drawn, -1) for term in identity.terms])
-    noise = np.abs(terms[:, 1:] - terms[:, :1]).max(axis=1).sum(axis=0)
-    size = np.abs(terms[:, 0]).sum(axis=0) + _DOUBT * noise
-    size += np.broadcast_to(identity.size, (3 * drawn, size.shape[1]))[:drawn]
-    left = np.abs(terms[:, 0].sum(axis=0))
-    error = np.where(left == 0.0, 0.0 * size, left / size)
+def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
+    """(k, r) each: what is left of each sum, what rounding may leave, how large its terms are; NaN where unknown."""
+    values, bounds = (np.array([getattr(term, part) for term in identity.terms]) for part in ("value", "bound"))
+    left, bound = np.abs(values.sum(axis=0)), bounds.sum(axis=0) + identity.more
+    size = np.maximum(np.abs(values).sum(axis=0), identity.scale)
+    if len(values) > 1:  # zero, says the one everywhere; and so does the other, to its rounding
+        size = np.where((np.count_nonzero(values, axis=0) <= 1).all(axis=0), np.inf, size)
     if identity.always:
-        answered, valued = np.isfinite(terms[0]), np.isfinite(terms[1:])
-        error[(valued.all(axis=(0, 1)) & ~answered[0])] = np.inf
-    return np.asarray(error)
+        unanswered = ~np.isfinite(values[0]) & np.isfinite(values[1:]).all(axis=0)
+        others = bounds[1:].sum(axis=0) + identity.more
+        silent = unanswered & (FACTOR * others <= KNOWN * np.abs(values[1:]).sum(axis=0))
+        left, bound = np.where(silent, np.inf, left), np.where(silent, others, bound)
+    return left, bound, size
 
 
-def _refuse(model: Model, system: System, places: Places, identity: Identity, error: Vector) -> None:
-    """Raise ProofError where an error is larger than rounding makes it."""
-    wrong = np.argwhere(error > TOLERANCE)
+def _refuse(model: Model, system: System, places: Places, identity: Identity, left: Vector, bound: Vector) -> None:
+    """Raise ProofError where more is left than rounding leaves."""
+    wrong = np.argwhere(left > FACTOR * bound)
     if len(wrong) == 0:
         return
-    place, row = max(wrong.tolist(), key=lambda at: (-at[0], error[tuple(at)]))
+    place, row = max(wrong.tolist(), key=lambda at: (-at[0], left[tuple(at)] / bound[tuple(at)]))
     raise ProofError(
-        f"{model.name}: what was compiled is not the model: {identity.names[row]} is off by {error[place, row]:.1e} of "
-        f"its terms at {places.described(place, system)} {_rest(system)}"
+        f"{model.name}: what was compiled is not the model: {identity.names[row]} is off by {left[place, row]:.1e}, "
+        f"where rounding makes {bound[place, row]:.1e}, at {places.described(place, system)} {_rest(system)}"
     )
 
 
