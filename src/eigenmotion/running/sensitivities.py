@@ -11,20 +11,17 @@ from ..arguments.options import Task
 from ..codegen.model.normalise import ModelError
 from ..results.sensitivity import Sensitivity
 from ..results.solution import Solution
-from ..runtime import EvaluationError, StopReason
+from ..runtime import EvaluationError, Run
 from ..runtime.variations import quasi_partials, tangent, vary
-from .mesh import A2, NODES, PLACE, A, Mesh, mesh_of, weights
+from .mesh import A2, PLACE, SERIES, A, mesh_of
 from .methods import Method
-from .path import Path, path_of, rows_of_motion
+from .path import Path, path_of
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
-"""How many steps of a run make one of the equations of variation, whose polynomials are of higher degree. Those of ra15
-are as high, and less exact within a step than at its end: its steps stay what they are, and directions as exact."""
-_WORTH = 1e3
-"""By how much, in relative tolerances of a run, the rate of its motion may be off what these equations make of it."""
-_JUMP = 1e-3
-"""By how much it is where a force has jumped."""
-_HALVINGS = 6
+"""How many steps of a run make one of the equations of variation at first, whose polynomials are of higher degree. Then
+the error of these equations says how long it is (em_variation_error.h)."""
+_LEAST = 1e-13
+"""The least tolerance of that error, relative."""
 
 
 class Directions(NamedTuple):
@@ -128,40 +125,27 @@ def _varied(
         S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, asked.S, asked.P)
     except EvaluationError as error:
         return np.full((len(path.t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan), error
-    sol = solution.get("sol")
     kinks = np.empty(0)
     if c.n_inputs:
         kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
-    kinks = np.union1d(kinks, _breaks(task, path))
-    mesh = mesh_of(path, sol.ts if sol is not None else np.empty(0), kinks, together)
+    mesh = mesh_of(path, np.union1d(kinks, _breaks(task, path)))
     marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
-    sign = 1.0 if task.t_end >= task.t_start else -1.0
-    limit = min(max(_WORTH * task.rtol, 1e-9), 1e-4)
+    rows = path.t if len(mesh.stops) < len(path.t) else np.empty(0)
+    at_stops, shifts, at_rows, _, fault = vary(
+        c, path.prepared, _kept(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
+        max(task.rtol, _LEAST), together, (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after),
+        (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, asked.P, task.stabilise, task.least_norm,
+    )  # fmt: skip
+    if not len(rows):
+        return at_stops, shifts, fault
+    at_rows[mesh.stops] = at_stops
+    return at_rows, shifts, fault
 
-    def state(t: Vector) -> Vector:
-        return rows_of_motion(task, t, sol.rows(np.minimum(np.maximum(t, sol.t_min), sol.t_max)))
 
-    for halving in range(_HALVINGS + 1):
-        nodes = mesh.at_nodes(state) if len(mesh.start) else np.empty((0, NODES, 2 * n))
-        stops = path.t[mesh.stops], path.z[mesh.stops], mesh.steps_after
-        at_stops, shifts, at_steps, K, apart, fault = vary(
-            c, path.prepared, task.inputs.compiled, sign, stops, (mesh.start, mesh.end, nodes), marks, (PLACE, A, A2),
-            S, asked.P, task.stabilise, task.least_norm, len(mesh.stops) < len(path.t),
-        )  # fmt: skip
-        off = apart > limit
-        if not off.any() or halving == _HALVINGS:
-            break
-        mesh = mesh.halved(off)
-    found = at_stops
-    if len(mesh.stops) < len(path.t):
-        found = _within(path.t, mesh, at_steps, K)
-        found[mesh.stops] = at_stops
-    if off.any() and (apart > _JUMP).any():
-        first = int(np.argmax(apart > _JUMP))
-        found[sign * path.t > sign * mesh.start[first]] = np.nan
-        words = f"{c.name}: a force jumps at about t = {mesh.end[first]:.9g}"
-        fault = EvaluationError(words, StopReason.NON_FINITE_STATE)
-    return found, shifts, fault
+def _kept(solution: Solution) -> Run | None:
+    """Return the run that keeps what is between its rows; None where it has no steps."""
+    run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
+    return run if isinstance(run, Run) else None
 
 
 def _breaks(task: Task, path: Path) -> Vector:
@@ -171,18 +155,3 @@ def _breaks(task: Task, path: Path) -> Vector:
     while sign * (t := task.model.piece(t, sign, path.prepared)[0]) < sign * end:
         found.append(t)
     return np.array(found)
-
-
-def _within(t: Vector, mesh: Mesh, S: Vector, K: Vector) -> Vector:
-    """Return directions (k, 2 n, columns) at times within steps that begin with S, by their polynomials."""
-    n = S.shape[1] // 2
-    if not len(S):
-        return np.full((len(t), *S.shape[1:]), np.nan)
-    sign = 1.0 if mesh.end[-1] >= mesh.start[0] else -1.0
-    step = np.clip(np.searchsorted(sign * mesh.start, sign * t, "right") - 1, 0, len(S) - 1)
-    h = (mesh.end - mesh.start)[step]
-    x = np.clip((t - mesh.start[step]) / h, 0.0, 1.0)
-    once, twice = weights(x)
-    v = S[step, n:] + h[:, None, None] * np.einsum("kj,kjic->kic", once, K[step])
-    moved = (x * h)[:, None, None] * S[step, n:] + (h**2)[:, None, None] * np.einsum("kj,kjic->kic", twice, K[step])
-    return np.concatenate([S[step, :n] + moved, v], axis=1)

@@ -4,6 +4,7 @@ from numpy.typing import ArrayLike
 
 from .faults import EvaluationError
 from .point import PointModel, Prepared, Vector
+from .run import Run
 
 def motion_derivatives(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool
@@ -38,15 +39,18 @@ def act_along(
 def vary(
     model: PointModel,
     c: Prepared,
+    run: Run | None,
     inputs: tuple[Any, ...],
     direction: float,
+    tolerance: float,
+    together: float,
     stops: tuple[ArrayLike, ArrayLike, ArrayLike],
-    steps: tuple[ArrayLike, ArrayLike, ArrayLike],
+    spans: tuple[ArrayLike, ArrayLike],
     marks: tuple[ArrayLike, ArrayLike],
-    nodes: tuple[ArrayLike, ArrayLike, ArrayLike],
+    nodes: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
+    rows: ArrayLike,
     S: Vector,
     P: Vector,
     stabilise: bool,
     least_norm: bool,
-    inside: bool,
-) -> tuple[Vector, Vector, Vector, Vector, Vector, EvaluationError | None]: ...
+) -> tuple[Vector, Vector, Vector, tuple[int, int, int], EvaluationError | None]: ...

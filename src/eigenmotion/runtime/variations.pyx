@@ -7,9 +7,10 @@ from libc.math cimport NAN
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport em_fault, em_model, em_pile, em_signal, em_signal_kind
+from .abi cimport em_fault, em_model, em_pile, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, given, zeros
 from .point cimport PointModel, Prepared
+from .run cimport Run
 
 import numpy as np
 
@@ -21,6 +22,7 @@ cdef extern from "em_variations.h" nogil:
 
     ctypedef struct em_variations:
         const em_model *model
+        const em_run *run
         const double *c
         const em_signal *inputs
         int columns
@@ -28,27 +30,32 @@ cdef extern from "em_variations.h" nogil:
         int stabilise
         int n_given
         double direction
+        double tolerance
+        double together
         size_t n_stops
         size_t n_marks
-        size_t n_steps
+        size_t n_spans
+        size_t n_rows
         const double *t
         const double *z
         const double *P
-        const long *steps
+        const long *spans
         const long *mark_stop
         const int *mark_event
         # "from" is a word of Python's
         const double *start "from"
         const double *to
-        const double *nodes
         const double *place
         const double *A
         const double *A2
+        const double *series
+        const double *t_rows
         double *S
         double *dt
-        double *S_from
-        double *K
-        double *apart
+        double *rows
+        size_t n_steps
+        size_t n_refused
+        size_t n_mended
         int (*poll)(void *) noexcept nogil
         void *poll_argument
         em_fault fault
@@ -67,6 +74,8 @@ _ENDS = (
     "with what is varied",
     "constraint rows jump",
     "a force jumps where {} and {} happen at once, whose times change apart: with which of them it does not show",
+    "a force jumps",
+    "forces change faster than steps can follow",
 )  # of em_variation_pass.h
 
 
@@ -165,29 +174,28 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
     return q.array, w.array, after, made.array
 
 
-def vary(PointModel model not None, Prepared c not None, tuple inputs, double direction, stops, steps, marks, nodes, S, P,
-         bint stabilise, bint least_norm, bint inside):
-    """How directions S (2 n, columns) at the first of `stops` go along a motion (em_variation_steps.h).
+def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction, double tolerance,
+         double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, bint least_norm):
+    """How directions S (2 n, columns) at the first of `stops` go along a run that keeps what is between its rows
+    (em_variations.h); None: there is nothing between its stops.
 
-    stops : t (stops,), z (stops, 2 n), how many steps follow each (stops,); steps : from, to (steps,), z at their nodes
-    (steps, nodes, 2 n); marks : stop, event (marks,); nodes : place (nodes,), A, A^2 (nodes, nodes)
+    tolerance : of their error in a step, relative; together : how many steps of the run make one, at first
+    stops : t (stops,), z (stops, 2 n), how many spans follow each (stops,); spans : from, to (spans,); marks : stop, event
+    (marks,); nodes : place (nodes,), A, A^2, series (nodes, nodes); rows : (k,) times
 
-    Returns S (stops, 2 n, columns), dt (marks, columns), and of the steps S (steps, 2 n, columns) where they begin, K (steps,
-    nodes, n, columns), both empty but where what is `inside` them is asked for, and how far the witness is off (steps,);
-    NaN where a pass did not get; and what ended it, or None.
+    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at rows that are within spans; NaN where a pass did
+    not get; how many steps were made, refused, and had a motion of their own; and what ended it, or None.
     """
     cdef em_variations pass_
-    cdef Py_ssize_t k = len(stops[0]), made = len(steps[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
+    cdef Py_ssize_t k = len(stops[0]), made = len(spans[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
     cdef int columns = S.shape[1], status
     cdef Numbers T = given(stops[0], (k,), "t"), Z = given(stops[1], (k, 2 * n), "z")
-    cdef Numbers start = given(steps[0], (made,), "from"), to = given(steps[1], (made,), "to")
-    cdef Numbers within = given(steps[2], (made, nodes_of, 2 * n), "nodes")
-    cdef Numbers place = given(nodes[0], (nodes_of,), "place")
+    cdef Numbers start = given(spans[0], (made,), "from"), to = given(spans[1], (made,), "to")
+    cdef Numbers place = given(nodes[0], (nodes_of,), "place"), series = given(nodes[3], (nodes_of, nodes_of), "series")
     cdef Numbers A = given(nodes[1], (nodes_of, nodes_of), "A"), A2 = given(nodes[2], (nodes_of, nodes_of), "A2")
-    cdef Numbers rest = given(P, (model.n_arguments - 2 * n, columns), "P")
+    cdef Numbers rest = given(P, (model.n_arguments - 2 * n, columns), "P"), t_rows = given(rows, (len(rows),), "rows")
     cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(happened, columns)
-    cdef Py_ssize_t kept = made if inside else 0
-    cdef Numbers at_steps = _unknown(kept, 2 * n, columns), K = _unknown(kept, nodes_of, n, columns), apart = _unknown(made)
+    cdef Numbers at_rows = _unknown(len(rows), 2 * n, columns)
     cdef long[::1] follow = _whole(stops[2], np.int_), at = _whole(marks[0], np.int_)
     cdef int[::1] happens = _whole(marks[1], np.intc)
     cdef em_signal *signals
@@ -203,14 +211,16 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
             signals[j].kind, signals[j].count = <em_signal_kind> (<int> kind), len(times)
             signals[j].times, signals[j].values = (<Numbers> held[j][0]).data, (<Numbers> held[j][1]).data
         pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
+        pass_.run = NULL if run is None else &run.run
+        pass_.tolerance, pass_.together = tolerance, together
         pass_.least_norm, pass_.stabilise, pass_.direction = least_norm, stabilise, direction
         pass_.n_given = model.n_arguments - 2 * n
-        pass_.n_stops, pass_.t, pass_.z, pass_.steps = k, T.data, Z.data, &follow[0]
-        pass_.n_steps, pass_.start, pass_.to, pass_.nodes = made, start.data, to.data, within.data
+        pass_.n_stops, pass_.t, pass_.z, pass_.spans = k, T.data, Z.data, &follow[0]
+        pass_.n_spans, pass_.start, pass_.to = made, start.data, to.data
         pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = happened, &at[0], &happens[0], shifts.data
-        pass_.place, pass_.A, pass_.A2, pass_.P = place.data, A.data, A2.data, rest.data
-        pass_.S, pass_.apart = at_stops.data, apart.data
-        pass_.S_from, pass_.K = at_steps.data if kept else NULL, K.data if kept else NULL
+        pass_.place, pass_.A, pass_.A2, pass_.series, pass_.P = place.data, A.data, A2.data, series.data, rest.data
+        pass_.S, pass_.n_rows, pass_.t_rows, pass_.rows = at_stops.data, len(rows), t_rows.data, at_rows.data
+        pass_.n_steps = pass_.n_refused = pass_.n_mended = 0
         pass_.poll, pass_.poll_argument, pass_.t_reached = poll, NULL, T.data[0]
         with nogil:
             status = em_vary(&pass_)
@@ -222,7 +232,7 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
     if status != 0 and pass_.why:
         words = _ENDS[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
         said = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    return at_stops.array, shifts.array, at_steps.array, K.array, apart.array, said
+    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_mended), said
 
 
 def _unknown(*shape):

@@ -105,7 +105,7 @@ static int em_break_at(em_pass *p, size_t stop, double near, double *dtau, doubl
     return jumps;
 }
 
-/* The conditions that hold in a step. Where its start is a break: directions beyond it, and the witness. 0, or -1. */
+/* The conditions that hold in a step. Where its start is a break: directions beyond it. 0, or -1. */
 static int em_pass_breaks(em_pass *p, double from, double to, int first) {
     const em_model *const model = p->of->model;
     const double direction = p->of->direction;
@@ -120,7 +120,6 @@ static int em_pass_breaks(em_pass *p, double from, double to, int first) {
     if (em_motion_rate(p, from, p->z, after)) return -1;
     if (p->m > 0 && !first && em_rows_jump(p, from, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
     if (em_cross_directions(p, at, from, first, before, after)) return -1;
-    em_set_witness(p, after);
     return 0;
 }
 

@@ -9,7 +9,7 @@
 #ifndef EM_VARIATION_EVENTS_H
 #define EM_VARIATION_EVENTS_H
 
-#include "em_variation_steps.h"
+#include "em_variation_advance.h"
 
 #define EM_BESIDE 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
 #define EM_SAME_RATE 1e-6 /* relative: rates on one side of a jump, at it and beside it */
@@ -49,7 +49,7 @@ static int em_move_beside(em_pass *p, double t, double ahead) {
     return 0;
 }
 
-/* dt (columns) <- how the time of an event changes; the witness's is -1. */
+/* dt (columns) <- how the time of an event changes; that of the motion itself is -1. */
 static void em_event_shift(em_pass *p, double t, int event, const double *rate, double *dt) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     double G[width * p->of->model->n_events], gdot = 0.0;
@@ -152,6 +152,7 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double besi
     memset(fired, 0, sizeof fired);
     em_pass_side(p, t, fabs(beside), 0);
     if (em_rate_on_side(p, t, -beside, before)) return -1;
+    em_set_last(p, before);
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
         const int event = w->mark_event[*mark], acts = w->model->deeds && w->model->deeds[event].acts;
         em_event_shift(p, t, event, before, dt);

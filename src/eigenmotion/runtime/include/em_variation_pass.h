@@ -11,28 +11,33 @@
 #define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
 
 /* What ends a pass but faults of the model. */
-enum { EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_BREAKS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET };
+enum {
+    EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_BREAKS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET,
+    EM_FORCE_JUMPS, EM_UNRESOLVED
+};
 
 enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
 
 /* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v; where what happens at one acts, the next is what
- * comes of it. Between two of them lie `steps`, each from `from` to `to`, with z at its nodes. Marks are events, in the
- * order of their stops. P (n_given, columns). */
+ * comes of it. Between two of them lie `spans`, each from `from` to `to`, in which no signal has a kink and no condition
+ * in the time changes. Marks are events, in the order of their stops. P (n_given, columns). */
 typedef struct em_variations {
     const em_model *model;
-    const double *c; /* of the first stop */
+    const em_run *run;       /* what it keeps is the motion between stops */
+    const double *c;         /* of the first stop */
     const em_signal *inputs;
     int columns, least_norm, stabilise, n_given;
-    double direction;
-    size_t n_stops, n_marks, n_steps;
+    double direction, tolerance, together; /* together: how many steps of the run make one here, at first */
+    size_t n_stops, n_marks, n_spans, n_rows;
     const double *t, *z, *P;
-    const long *steps, *mark_stop;
+    const long *spans, *mark_stop;
     const int *mark_event;
-    const double *from, *to, *nodes;       /* (n_steps), (n_steps), (n_steps, EM_VARIATION_NODES, 2 n) */
-    const double *place, *A, *A2;          /* of the nodes in a step; A, and its square */
+    const double *from, *to;               /* (n_spans) */
+    const double *place, *A, *A2, *series; /* of the nodes in a step; A, and its square; values to Legendre's series */
+    const double *t_rows;                  /* (n_rows), in the direction of time */
     double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
-    double *apart;                         /* (n_steps), how far the witness is off */
-    double *S_from, *K;                    /* (n_steps, 2 n, columns), (n_steps, nodes, n, columns); NULL: not asked */
+    double *rows;                          /* (n_rows, 2 n, columns), at t_rows, where these lie within steps */
+    size_t n_steps, n_refused, n_mended;   /* <- of steps: made, made shorter, with a motion of their own */
     int (*poll)(void *);
     void *poll_argument;
     em_fault fault;
@@ -40,15 +45,21 @@ typedef struct em_variations {
     double t_reached;
 } em_variations;
 
-/* What a pass works with. Directions are rows of `columns` numbers, the last of them the witness's, and zeros before it
- * that make them a multiple of four: S (2 n, columns) and P (n_given, columns), zero but at `places`, (row, column). z is
- * where the motion is; J (n, n_arguments) at each node, G there what does not hang on K; L the linear system with its
- * right-hand sides, in `rows`; `inside`: between which times the model is asked (em_breaks.h). */
+/* What a pass works with. Directions are rows of `columns` numbers, the last of them for what is asked beside (how a motion
+ * itself goes on, or is mended), and zeros before it that make them a multiple of four: S (2 n, columns) and P (n_given,
+ * columns), zero but at `places`, (row, column). z is where the motion is; L the linear system with its right-hand sides,
+ * in `rows`; `inside`: between which times the model is asked (em_breaks.h). At the nodes of a step: Z (2 n), a (n), J
+ * (n, n_arguments), K = S_v' and G, what of it does not hang on K (n, columns). Where the step begins: S0, K0, J0, a0, and
+ * T0, the sum of the terms of K without their signs; T, where it ends. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_places, (*places)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double inside[2];
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *y;
+    double origin[EM_VARIATION_NODES]; /* of a series at its beginning, by values at nodes */
+    double inside[2], h;               /* h: the length of the next step, as far as the last one tells */
+    size_t row;
+    int n_least, mended; /* mended: a step has a motion of its own */
     em_pile *pile;
     long *piece;
 } em_pass;
@@ -69,7 +80,7 @@ static double em_signal_rate(const em_signal *u, long piece, double t) {
     return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
 }
 
-/* The inputs at t, and their rates, with which the witness goes. */
+/* The inputs at t, and their rates, with which the motion itself goes. */
 static void em_pass_inputs(em_pass *p, double t) {
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
         p->u[i] = em_signal_at(&p->of->inputs[i], p->piece[i], t);
@@ -99,8 +110,8 @@ static int em_motion_rate(em_pass *p, double t, const double *z, double *rate) {
     return w->model->acceleration(em_pass_clock(p, t), z, z + p->n, p->c, p->u, w->least_norm, rate + p->n, p->lambda, &w->fault);
 }
 
-/* The witness <- rates (2 n) of z. */
-static void em_set_witness(em_pass *p, const double *rate) {
+/* The last direction <- how the motion itself goes on, at rates (2 n). */
+static void em_set_last(em_pass *p, const double *rate) {
     for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
 }
 

@@ -1,12 +1,13 @@
-/* em_variation_steps.h: steps of the equations of variation, along a motion that is known within them.
+/* em_variation_steps.h: a step of the equations of variation, along a motion that is known within it.
  *
  * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a step is
  * one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x + c h S_v) +
- * J_v S_v + F: by elimination, or by iteration where it is large and that converges. */
+ * J_v S_v + F: by elimination, or by iteration where it is large and that converges. The last direction begins with zero, and
+ * has -J off in place of F: its K is what Newton's method makes of the motion's own accelerations. */
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
 
-#include "em_variation_breaks.h"
+#include "em_variation_motion.h"
 
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
 EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
@@ -18,39 +19,26 @@ EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const
     }
 }
 
-/* G at a node: what does not hang on K. */
-EM_INLINE void em_node_directions(em_pass *p, int j, double h) {
-    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
-    const double *const J = p->J + j * n * width;
-    double *const G = p->G + j * block;
-    memcpy(p->Y, p->S, (size_t)block * sizeof *p->Y);
-    em_add_to(block, p->of->place[j] * h, p->S + block, p->Y);
-    memset(G, 0, (size_t)block * sizeof *G);
-    em_add_product(n, n, width, k, J, p->Y, G);
-    em_add_product(n, n, width, k, J + n, p->S + block, G);
+/* to (n, columns) <- J S + F, but for the last direction, which has no F. */
+EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, double *to) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    memset(to, 0, (size_t)n * k * sizeof *to);
+    em_add_product(n, 2 * n, width, k, J, S, to);
     for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
         const double given = p->P[(*at)[0] * k + (*at)[1]];
-        for (int q = 0; q < n; ++q) G[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
+        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
     }
 }
 
-EM_WIDE static void em_node_wide(em_pass *p, int j, double h) { em_node_directions(p, j, h); }
-static void em_node_narrow(em_pass *p, int j, double h) { em_node_directions(p, j, h); }
-
-/* J at the nodes of a step, and all that does not hang on K: G. */
-static int em_variation_nodes(em_pass *p, size_t step) {
-    em_variations *const w = p->of;
-    const int n = p->n, width = w->model->n_arguments;
-    const double h = w->to[step] - w->from[step];
+/* G at the nodes: what does not hang on K. */
+EM_INLINE void em_node_directions(em_pass *p, double h) {
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
     for (int j = 0; j < EM_VARIATION_NODES; ++j) {
-        const double t = j + 1 < EM_VARIATION_NODES ? w->from[step] + w->place[j] * h : w->to[step];
-        const double *const z = w->nodes + (step * EM_VARIATION_NODES + j) * 2 * n;
-        em_pass_inputs(p, t);
-        if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, p->J + j * n * width,
-                                         p->dlambda, &w->fault)) return -1;
-        (p->wide ? em_node_wide : em_node_narrow)(p, j, h);
+        memcpy(p->Y, p->S0, 2 * (size_t)block * sizeof *p->Y);
+        em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
+        for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
+        em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
     }
-    return 0;
 }
 
 /* K <- by elimination, of unknowns and equations in the order of coordinates, and then nodes. 0, or -1: singular. */
@@ -75,6 +63,22 @@ EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     return 0;
 }
 
+/* The largest change from K to W of a direction, relative to its size; K <- W. */
+EM_INLINE double em_largest_change(em_pass *p, int rows) {
+    const int k = p->columns;
+    double change[k], size[k], most = 0.0;
+    memset(change, 0, sizeof change), memset(size, 0, sizeof size);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < k; ++j) {
+            const double now = p->W[i * k + j];
+            change[j] = fmax(change[j], fabs(now - p->K[i * k + j])), size[j] = fmax(size[j], fabs(now));
+            p->K[i * k + j] = now;
+        }
+    for (int j = 0; j < p->of->columns; ++j)
+        if (change[j] > 0.0) most = fmax(most, change[j] / size[j]);
+    return most;
+}
+
 /* K <- by iteration from G. 0, or -1: does not converge. */
 EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES, MOST = 25 };
@@ -82,7 +86,6 @@ EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
     double before = INFINITY;
     memcpy(p->K, p->G, (size_t)NODES * block * sizeof *p->K);
     for (int round = 0; round < MOST; ++round) {
-        double change = 0.0, size = 0.0;
         memcpy(p->W, p->G, (size_t)NODES * block * sizeof *p->W);
         for (int i = 0; i < NODES; ++i) {
             memset(p->Y, 0, 2 * (size_t)block * sizeof *p->Y);
@@ -92,38 +95,23 @@ EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
             }
             em_add_product(n, 2 * n, width, k, p->J + i * n * width, p->Y, p->W + i * block);
         }
-        for (int i = 0; i < NODES * block; ++i) {
-            change = fmax(change, fabs(p->W[i] - p->K[i])), size = fmax(size, fabs(p->W[i]));
-            p->K[i] = p->W[i];
-        }
-        if (change <= 1e-15 * size) return 0;
-        if (!(change < 0.5 * before) && round > 1) return change <= 1e-13 * size ? 0 : -1;
+        const double change = em_largest_change(p, NODES * n);
+        if (change <= 1e-15) return 0;
+        if (!(change < 0.5 * before) && round > 1) return change <= 1e-13 ? 0 : -1;
         before = change;
     }
     return -1;
 }
 
-/* How far the witness is off (v, a) at the end of a step, relative to the largest acceleration; and it is one again. */
-static double em_check_witness(em_pass *p, double h, const double *z) {
-    const int n = p->n, k = p->columns;
-    double apart = 0.0, size = 0.0;
-    for (int i = 0; i < n; ++i) size = fmax(size, EM_UNIFORM * fabs(z[n + i] / h));
-    for (int i = 0; i < n; ++i) {
-        const double witness = p->S[(n + i) * k + k - 1];
-        apart = fmax(apart, fabs(witness - p->a[i]));
-        size = fmax(size, fmax(fabs(witness), fabs(p->a[i])));
-    }
-    for (int i = 0; i < n; ++i) p->S[i * k + k - 1] = z[n + i], p->S[(n + i) * k + k - 1] = p->a[i];
-    return apart > 0.0 ? apart / size : 0.0;
-}
-
-/* K, and S at the end of a step. 0, or -1: singular. */
+/* K, of a step that begins with S0, and S at its end. 0, or -1: singular. */
 EM_INLINE int em_step_directions(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int block = p->n * p->columns;
     const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
+    em_node_directions(p, h);
     const int iterated = NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
     if (!iterated && em_solve_nodes(p, h)) return -1;
+    memcpy(p->S, p->S0, 2 * (size_t)block * sizeof *p->S);
     em_add_to(block, h, p->S + block, p->S);
     for (int j = 0; j < NODES; j += 4) {
         const double once[4] = {h * A[j], h * A[j + 1], h * A[j + 2], h * A[j + 3]};
@@ -132,46 +120,6 @@ EM_INLINE int em_step_directions(em_pass *p, double h) {
         em_add_four(block, once, p->K + j * block, block, p->S + block);
     }
     return 0;
-}
-
-EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
-static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
-
-/* What rows of a step follow from: S where it begins, and K. */
-static void em_keep_step(const em_pass *p, size_t step, const double *from, int count, double *to) {
-    const int asked = p->of->columns;
-    for (int i = 0; i < count && to; ++i)
-        memcpy(to + (step * count + i) * asked, from + i * p->columns, asked * sizeof *to);
-}
-
-static int em_is_finite(size_t count, const double *a) {
-    for (size_t i = 0; i < count; ++i)
-        if (!isfinite(a[i])) return 0;
-    return 1;
-}
-
-/* S <- at the end of a step. */
-static int em_variation_step(em_pass *p, size_t step) {
-    em_variations *const w = p->of;
-    const int n = p->n;
-    const double h = w->to[step] - w->from[step];
-    const double *const z = w->nodes + (step * EM_VARIATION_NODES + EM_VARIATION_NODES - 1) * 2 * n;
-    if (em_pass_pieces(p, w->from[step])) {
-        double rate[2 * n];
-        if (em_motion_rate(p, w->from[step], p->z, rate)) return -1;
-        em_set_witness(p, rate);
-    }
-    if (em_pass_breaks(p, w->from[step], w->to[step], step == 0)) return -1;
-    if (em_variation_nodes(p, step)) return -1;
-    em_keep_step(p, step, p->S, 2 * n, w->S_from);
-    if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
-    em_keep_step(p, step, p->K, EM_VARIATION_NODES * n, w->K);
-    w->t_reached = w->to[step];
-    w->apart[step] = em_check_witness(p, h, z);
-    memcpy(p->z, z, 2 * n * sizeof *z);
-    if (!em_is_finite((size_t)2 * n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
-    if (!w->stabilise || !w->model->m) return 0;
-    return w->model->tangent(em_pass_clock(p, w->to[step]), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault);
 }
 
 #endif
