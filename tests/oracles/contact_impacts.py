@@ -99,6 +99,8 @@ def taking_part(strike: Strike, acting: np.ndarray) -> Strike:
 def with_restitutions(part: Strike, v: np.ndarray, e: np.ndarray) -> tuple[list[np.ndarray], bool]:
     """Return the velocities with restitutions e, or with as much less of them as keeps energy from rising."""
     whole, clear = by_law(part, v, e)
+    if e.any() and splits(part):
+        return [one.a for one in whole], False
     if all(gained(part, v, one) <= NEAR * NEAR for one in whole):
         return [one.a for one in whole], clear
     grid = np.linspace(0.0, 1.0, 21)
@@ -115,6 +117,14 @@ def with_restitutions(part: Strike, v: np.ndarray, e: np.ndarray) -> tuple[list[
         low, high = (low, middle) if rises_here else (middle, high)
     found, sure = by_law(part, v, low * e)
     return [one.a for one in found], clear and sure
+
+
+def splits(part: Strike) -> bool:
+    """Whether the work of impulses depends on how they are shared: grounds that move against each other, rows that depend."""
+    ground = np.concatenate([part.b, *(rub.offset for rub in part.rubs)])
+    rows = np.vstack([part.N, *(rub.rows for rub in part.rubs)])
+    frame = np.linalg.lstsq(rows, -ground, rcond=None)[0]
+    return bool(np.abs(rows @ frame + ground).max(initial=0.0) > STILL)
 
 
 def gained(part: Strike, v: np.ndarray, found: Found) -> float:

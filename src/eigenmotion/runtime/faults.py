@@ -181,8 +181,8 @@ _LOWERED_RESTITUTION = (
 )
 
 _JAMMED = (
-    "Friction jams at constraint {row}: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the "
-    "friction coefficient, or let the bodies give way a little."
+    "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the friction coefficient, "
+    "or let the bodies give way a little."
 )
 
 _NO_RATES = (
@@ -204,7 +204,6 @@ _SINGULAR_START = (
 
 _VARIANTS = {
     (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
-    (StopReason.DEPENDENT_CONSTRAINTS, -3): _JAMMED,
     (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
     (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
     (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
@@ -220,6 +219,8 @@ def _words(stop: StopReason, first: int, second: int) -> str:
         return _NEAR_SINGULAR
     if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0:
         return _CONTRADICTION
+    if stop is StopReason.CONTACTS_CLASH and first < 0:
+        return _JAMMED
     if stop is StopReason.START_REFUSED and first >= 0:
         return _INSIDE
     return _VARIANTS.get((stop, second), _REMEDY[stop])

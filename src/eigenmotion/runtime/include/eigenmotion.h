@@ -39,6 +39,14 @@ typedef struct em_switch {
     int event, holds, slides, over, row, idles;
 } em_switch;
 
+/* What a run knows where events act: its tolerances, rtol and atol (n); what rounding may leave of gaps and slips (n_events),
+ * and how far inside its contacts the run has started, which are written as a mode begins. */
+typedef struct em_act_limits {
+    double rtol;
+    const double *atol;
+    double *rounding, *deep;
+} em_act_limits;
+
 /* How often an event acted at about one time: then when. */
 typedef struct em_pile {
     double t, count;

@@ -99,6 +99,25 @@ EM_COLD void em_find_released(em_acting *a) {
     for (int k = 0; k < N_SWITCHES; ++k) a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
 }
 
+/* v <- with no speed along the rows at rest, but rounding. 0, or -1 and *fault. */
+EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
+    em_state_of_switch mode[EM_SOME_SWITCHES];
+    double c[N_PREPARED + 1];
+    memcpy(c, a->c, N_PREPARED * sizeof *c);
+    for (int k = 0; k < N_SWITCHES; ++k) mode[k] = (em_state_of_switch){em_is_at_rest(a, r, k), 0, 0.0};
+    if (em_set_mode(c, mode, a->fault)) return -1;
+    if (em_project_velocity(a->t, a->x, a->v, c, EM_LEAST_NORM, a->fault)) return -1;
+    em_rates_along(r, a->v);
+    return 0;
+}
+
+/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too. */
+EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k) {
+    const int row = switches[k].row, contact = em_is_contact(&switches[k]);
+    a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
+    if (!contact && em_is_at_rest(a, r, k)) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
+}
+
 /* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
 EM_COLD int em_settle_modes(em_acting *a) {
     em_state_of_switch before[EM_SOME_SWITCHES], after[EM_SOME_SWITCHES];
@@ -106,9 +125,9 @@ EM_COLD int em_settle_modes(em_acting *a) {
     if (N_SWITCHES == 0) return 0;
     if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
     em_find_still(a, &r);
+    if (em_stop_at_rest(a, &r)) return -1;
     em_mode_of(a->c, before);
-    for (int k = 0; a->rounding && k < N_SWITCHES; ++k)
-        if (em_is_contact(&switches[k])) a->rounding[switches[k].event] = EM_ROUNDS * r.gap_terms[switches[k].row];
+    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k);
     if (em_decide_mode(a, &r)) return -1;
     em_mode_of(a->c, after);
     for (int k = 0; k < N_SWITCHES; ++k)
@@ -130,25 +149,47 @@ EM_COLD int em_reset_all(em_acting *a) {
     return last >= 0 && em_check_apart(a->t, from, a->x, a->v, a->c, a->u, last, a->fault) ? -1 : last >= 0;
 }
 
-/* At the start of a run: what is inside a contact by less than the tolerance is put on its surface, what is inside by more
- * refused. 0, or -1 and *fault. */
-EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
-    em_state_of_switch mode[EM_SOME_SWITCHES];
-    double c[N_PREPARED + 1];
+/* The event of the first contact whose gap is negative; -1: none. */
+EM_COLD int em_first_inside(const em_all_rows *r) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k]) && r->gap[switches[k].row] < 0.0) return switches[k].event;
+    return -1;
+}
+
+/* Whether the start is inside a contact: 1; 0; or -1 and *fault where that is by more than its tolerance. */
+EM_COLD int em_starts_inside(em_acting *a, const em_all_rows *r) {
     int inside = 0;
-    memcpy(c, a->c, N_PREPARED * sizeof *c);
-    em_mode_of(c, mode);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
-        const double deep = em_is_contact(s) && !mode[k].holds ? -r->gap[s->row] : 0.0;
-        if (!(deep > EM_TOUCHES * r->gap_terms[s->row])) continue;
-        if (a->atol && deep > em_reach(a, r->A + s->row * N, a->x, EM_START_STEPS, em_start_tolerance(a->rtol)))
-            return em_fail(a->fault, EM_START_REFUSED, s->event, -1, deep);
-        inside = mode[k].holds = 1;
+        if (!em_is_contact(s) || em_holds(s, a->c) || !(r->gap[s->row] < -EM_TOUCHES * r->gap_terms[s->row])) continue;
+        if (a->atol && -r->gap[s->row] > em_reach(a, r->A + s->row * N, a->x, EM_START_STEPS, em_start_tolerance(a->rtol)))
+            return em_fail(a->fault, EM_START_REFUSED, s->event, -1, r->gap[s->row]);
+        a->deep = fmax(a->deep, -r->gap[s->row] / em_length(N, r->root.B + s->row * N));
+        inside = 1;
     }
-    if (!inside) return 0;
-    if (em_set_mode(c, mode, a->fault) || em_newton_from_afar(a->t, a->x, c, EM_LEAST_NORM, a->fault) < 0) return -1;
-    return em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault);
+    return inside;
+}
+
+/* At the start of a run: what is inside contacts by less than its tolerance is put on their surfaces. 0, or -1 and *fault. */
+EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
+    enum { STEPS = 20 };
+    double before[EM_SOME_ROWS];
+    memcpy(before, r->rate, sizeof before);
+    for (int step = 0; step <= STEPS; ++step) {
+        const int inside = em_starts_inside(a, r);
+        if (inside < 1) return inside;
+        if (em_push_out(r, a->x)) break;
+        if (em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault)) return -1;
+        for (int row = 0; row < N_ROWS; ++row) a->still[row] = 2.0 * fabs(r->rate[row] - before[row]); /* of these changes */
+    }
+    return em_fail(a->fault, EM_START_REFUSED, em_first_inside(r), -1, NAN);
+}
+
+/* Whether a contact that touches approaches. */
+EM_COLD int em_approaches(const em_acting *a, const em_all_rows *r) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k]) && a->closed[k] && r->rate[switches[k].row] < -a->still[switches[k].row]) return 1;
+    return 0;
 }
 
 EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
@@ -159,6 +200,8 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
         em_find_released(a);
         if (a->starts && em_put_outside(a, &r)) return -1;
         em_find_closed(a, &r);
+        em_find_still(a, &r);
+        if (a->starts && em_approaches(a, &r)) return 0; /* the impact comes first, as an event */
         if (!a->starts && em_strike_all(a, &r)) return -1;
     }
     if (em_reset_all(a) < 0) return -1;
@@ -172,13 +215,15 @@ EM_COLD int em_none_fired(const int *fired) {
 }
 
 /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
- * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run, and so are rtol and atol (n), or
- * NULL. rounding (n_events) <- of gaps. 0, or -1 and *fault. */
-EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, double rtol, const double *atol,
-                     int *fired, em_pile *pile, double *rounding, em_fault *fault) {
+ * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
+EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
+                     int *fired, em_pile *pile, em_fault *fault) {
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
-                   .rtol = rtol, .atol = atol, .rounding = rounding, .starts = em_none_fired(fired)};
-    return em_act_on_all(&a, pile);
+                   .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .deep = *within->deep,
+                   .starts = em_none_fired(fired)};
+    const int failed = em_act_on_all(&a, pile);
+    *within->deep = a.deep;
+    return failed;
 }
 
 /* em_model.act_along: the same, and what becomes of directions. */

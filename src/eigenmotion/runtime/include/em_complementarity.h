@@ -23,7 +23,8 @@
 #endif
 
 #define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows depend on each other */
-#define EM_MODE_VERIFIED 1e-10 /* the part of the terms by which a condition may be missed */
+#define EM_MODE_EXACT (64.0 * DBL_EPSILON) /* the part of the terms by which rounding may miss a condition, */
+#define EM_MODE_VERIFIED 1e-10 /* and by which it may be missed where no mode is as good */
 
 enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* rows without pivoting first; modes before giving up */
 
@@ -42,7 +43,7 @@ typedef struct em_mixed {
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
     double size[EM_MIXED_ROWS];       /* the sum of the sizes of what is added in q */
     double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
-    double unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
+    double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
     int clash[2], tried;              /* rows whose conditions are missed in the modes that come closest */
 } em_mixed;
 
@@ -187,7 +188,7 @@ EM_COLD int em_is_consistent(em_mixed *s) {
         const double off = em_violation(s, i);
         if (!(off <= most)) most = off, worst = i;
     }
-    if (worst < 0 || most <= EM_MODE_VERIFIED * terms) return 1;
+    if (worst < 0 || most <= s->tolerance * terms) return 1;
     if (most < s->least || s->clash[0] < 0) {
         s->least = most;
         if (worst != s->clash[0]) s->clash[1] = s->clash[0], s->clash[0] = worst;
@@ -253,7 +254,9 @@ EM_COLD int em_solve_mixed(em_mixed *s) {
     s->clash[0] = s->clash[1] = -1, s->least = INFINITY, s->tried = 0;
     em_scale_mixed(s, 0);
     for (int i = 0; i < s->k; ++i) choices += em_is_choice_row(s, i);
-    for (int bars = 1; bars >= 0 && !found; --bars) {
+    for (int pass = 0; pass < 4 && !found; ++pass) {
+        const int bars = pass < 2;
+        s->tolerance = pass % 2 == 0 ? EM_MODE_EXACT : EM_MODE_VERIFIED;
         memcpy(s->choice, given, sizeof given);
         if (choices > EM_ENUMERATED && em_pivot_modes(s, bars)) {
             found = em_is_consistent(s);

@@ -27,7 +27,8 @@ typedef struct em_acting {
     double rtol;
     const double *atol;
     int starts;
-    double *rounding;                  /* (n_events) <- what rounding may leave of gaps, or NULL */
+    double deep;                       /* how far inside contacts it has started, rows at length one */
+    double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
     int moved;                         /* whether velocities have jumped, or places */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
@@ -63,16 +64,38 @@ EM_COLD void em_find_closed(em_acting *a, const em_all_rows *r) {
         const double *const A = r->A + s->row * N;
         double within = EM_TOUCHES * r->gap_terms[s->row] + soon * fabs(r->rate[s->row]);
         if (a->starts && a->atol) within = fmax(within, em_reach(a, A, a->x, EM_IDLE, 0.0));
+        within = fmax(within, 4.0 * a->deep * em_length(N, r->root.B + s->row * N));
         a->closed[k] = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event] || r->gap[s->row] <= within;
     }
 }
 
-/* Whether a friction had no slip before, and nothing has moved it since. */
-EM_COLD int em_was_at_rest(const em_acting *a, const em_switch *s) {
-    return !a->moved && (em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event]);
+/* x (n) <- with no gap negative and phi = 0, by the least change in the mass metric. 0, or -1: there is none. */
+EM_COLD int em_push_out(const em_all_rows *r, double *x) {
+    em_mixed s;
+    double change[N] = {0.0};
+    em_begin_mixed(r, &s);
+    for (int row = 0; row < N_POSITIONS; ++row) s.q[row] = r->gap[row], s.size[row] = fabs(r->gap[row]);
+    for (int row = N_POSITIONS; row < N_ROWS; ++row) s.kind[row] = EM_ROW_OUT;
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k])) s.kind[switches[k].row] = EM_ROW_CONTACT;
+    if (em_solve_mixed(&s) < 1) return -1;
+    for (int row = 0; row < N_POSITIONS; ++row)
+        for (int k = 0; k < N; ++k) change[k] += r->root.B[row * N + k] * s.p[row];
+    em_backward(N, r->root.L, r->root.r, change);
+    for (int k = 0; k < N; ++k) x[k] += change[k];
+    return 0;
 }
 
-/* The problem of what may hold at rest. rate_of_none: the accelerations where nothing pushes. 0, or -1 and *fault. */
+/* Whether a row has no speed: it held and nothing has moved it, its slip has just stopped or its gap closed (where a rate opens
+ * it all the same, the motion is back within what is rounded), or what there is is rounding. */
+EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
+    const em_switch *const s = &switches[k];
+    const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
+    if (em_is_contact(s) && !a->closed[k]) return 0;
+    return (came && !a->moved) || fabs(r->rate[s->row]) <= a->still[s->row];
+}
+
+/* The problem of what may hold at rest. 0, or -1 and *fault. */
 EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
     double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     em_begin_mixed(r, s);
@@ -90,13 +113,12 @@ EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
         const double rate = r->rate[one->row];
+        const int at_rest = em_is_at_rest(a, r, k);
         if (em_is_contact(one)) {
-            const int at_rest = fabs(rate) <= a->still[one->row] || (!a->moved && (em_holds(one, a->c) || em_is_idle(one, a->c)));
-            if (!a->closed[k] || !at_rest) continue;
+            if (!at_rest) continue;
             s->kind[one->row] = EM_ROW_CONTACT;
             s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
         } else {
-            const int at_rest = em_was_at_rest(a, one) || fabs(rate) <= a->still[one->row];
             em_friction_row(s, k, level, at_rest ? 0.0 : rate > 0.0 ? 1.0 : -1.0);
             if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
                 s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;

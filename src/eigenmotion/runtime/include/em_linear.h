@@ -22,6 +22,7 @@
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
 #define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
+#define EM_SMALL_PIVOT 1e-4 /* below this part of the whole another pivot is looked for */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
 EM_RARE EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {

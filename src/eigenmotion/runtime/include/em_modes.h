@@ -120,6 +120,8 @@ EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const dou
     if (em_set_mode(r->c, all, fault) || em_root_at(t, x, r->c, &r->root, fault)) return -1;
     pfaffian(t, x, r->c, r->A, r->b);
     position(t, x, r->c, r->gap, r->gap_terms);
+    for (int row = 0; row < N_POSITIONS; ++row) /* what x itself is rounded by counts, too */
+        for (int k = 0; k < N; ++k) r->gap_terms[row] += fabs(r->A[row * N + k] * x[k]);
     em_rates_along(r, v);
     em_find_permanent(r);
     return 0;

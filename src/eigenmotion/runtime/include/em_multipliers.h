@@ -139,12 +139,68 @@ EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
 }
 #endif
 
+#ifndef EM_ON_LANES
+EM_COLD void em_swap_rows(int m, double *Delta, double *rhs, double *unit, int k, int row) {
+    for (int j = 0; j < m; ++j) {
+        const double kept = Delta[k * m + j];
+        Delta[k * m + j] = Delta[row * m + j], Delta[row * m + j] = kept;
+    }
+    const double right = rhs[k], length = unit[k];
+    rhs[k] = rhs[row], rhs[row] = right, unit[k] = unit[row], unit[row] = length;
+}
+
+/* rhs (m) <- Delta^-1 right, with the largest pivot of what is left, of the rows that are kept. 0, or -1 and *fault. */
+EM_COLD int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
+    double unit[m], y[m];
+    int column[m];
+    em_rest_rows(m, Delta);
+    for (int i = 0; i < m; ++i) {
+        const int kept = flags < EM_FIRST_KEPT || (flags & EM_FIRST_KEPT << i);
+        for (int j = 0; j < m && !kept; ++j) Delta[i * m + j] = Delta[j * m + i] = i == j;
+        rhs[i] = kept ? right[i] : 0.0;
+        unit[i] = 0.0, column[i] = i;
+    }
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j < m; ++j) unit[i] = fmax(unit[i], fabs(Delta[i * m + j]));
+    for (int k = 0; k < m; ++k) {
+        int row = k, best = k;
+        for (int i = k; i < m; ++i)
+            for (int j = k; j < m; ++j)
+                if (fabs(Delta[i * m + j]) * unit[row] > fabs(Delta[row * m + best]) * unit[i]) row = i, best = j;
+        if (!(fabs(Delta[row * m + best]) > EM_SINGULAR_PIVOT * unit[row])) return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, NAN);
+        em_swap_rows(m, Delta, rhs, unit, k, row);
+        for (int i = 0; i < m; ++i) {
+            const double kept = Delta[i * m + k];
+            Delta[i * m + k] = Delta[i * m + best], Delta[i * m + best] = kept;
+        }
+        const int place = column[k];
+        column[k] = column[best], column[best] = place;
+        for (int i = k + 1; i < m; ++i) {
+            const double part = Delta[i * m + k] / Delta[k * m + k];
+            for (int j = k; j < m; ++j) Delta[i * m + j] -= part * Delta[k * m + j];
+            rhs[i] -= part * rhs[k];
+        }
+    }
+    for (int k = m - 1; k >= 0; --k) {
+        y[k] = rhs[k];
+        for (int j = k + 1; j < m; ++j) y[k] -= Delta[k * m + j] * y[j];
+        y[k] /= Delta[k * m + k];
+    }
+    for (int k = 0; k < m; ++k) rhs[column[k]] = y[k];
+    return 0;
+}
+#endif
+
 /* rhs (m) <- Delta^-1 rhs where multipliers push by other rows than those that hold: Delta (m, m) is full, and regular
- * as long as friction does not jam. 0, or -1 and *fault. */
+ * as long as friction does not jam; where it is indefinite, as consistent modes of much friction may be, rows are taken in
+ * another order. 0, or -1 and *fault. */
 EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
     real whole[m];
 #ifndef EM_ON_LANES
     if (em_is_square_of_rows(m, Delta)) return em_solve_delta(m, Delta, rhs, flags, fault);
+    real given[m * m], right[m];
+    memcpy(given, Delta, sizeof given);
+    memcpy(right, rhs, sizeof right);
 #endif
     em_rest_rows(m, Delta);
     for (int i = 0; i < m; ++i) whole[i] = Delta[i * m + i];
@@ -156,8 +212,12 @@ EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, i
     }
     for (int k = 0; k < m; ++k) {
         real pivot = Delta[k * m + k];
-        if (em_fails(&pivot, em_value(pivot) > EM_SINGULAR_PIVOT * em_value(whole[k])))
-            return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, k, -3, em_number(pivot));
+        if (em_fails(&pivot, em_value(pivot * pivot) > EM_SMALL_PIVOT * EM_SMALL_PIVOT * em_value(whole[k] * whole[k])))
+#ifdef EM_ON_LANES
+            return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, em_number(pivot));
+#else
+            return em_solve_pushed_pivoted(m, given, right, rhs, flags, fault);
+#endif
         for (int i = k + 1; i < m; ++i) {
             const real part = Delta[i * m + k] / pivot;
             for (int j = k + 1; j < m; ++j) Delta[i * m + j] -= part * Delta[k * m + j];

@@ -93,6 +93,7 @@ static void em_commit(em_walk *w) {
     memcpy(w->g, w->g_new, sizeof w->g);
     memcpy(w->side, w->side_new, sizeof w->side);
     w->fresh = 0;
+    w->deep = 0.0;
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece begins. */

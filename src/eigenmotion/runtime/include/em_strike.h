@@ -4,7 +4,7 @@
  *
  *     P >= 0,  w+ + e w- >= 0,  P (w+ + e w-) = 0
  *
- * in one problem (em_complementarity.h) with those that hold (e = 0), the constraints, and frictions on these contacts, whose
+ * in one problem (em_complementarity.h) with those that touch (w- = 0), the constraints, and frictions on these contacts, whose
  * impulse is at most their coefficient times that of the contact, and less only where they do not slip afterwards.
  * A rebound that is no faster than `rest` is none: e = 0. Where friction lets Newton's law raise the energy of what moves against
  * each other, all restitutions are lowered by one factor to where it does not: with none, energy never rises (Moreau 1988). */
@@ -26,7 +26,7 @@ typedef struct em_blow {
     em_mixed s;
 } em_blow;
 
-/* The rows of a blow: constraints, contacts that strike or hold, frictions on them; rates before. */
+/* The rows of a blow: constraints, contacts that strike or touch, frictions on them; rates before. */
 EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) {
     em_mixed *const s = &b->s;
     double level[EM_LEVELS * EM_SOME_SWITCHES];
@@ -39,9 +39,9 @@ EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) 
     }
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
-        const int holds = em_holds(one, a->c) || em_is_idle(one, a->c), row = one->row;
+        const int row = one->row;
         b->rest[row] = level[EM_LEVELS * k];
-        if (em_is_contact(one) && (b->strikes[row] || (a->closed[k] && holds)))
+        if (em_is_contact(one) && a->closed[k] && r->rate[row] <= a->still[row])
             s->kind[row] = EM_ROW_CONTACT, s->choice[row] = EM_HOLDS_ROW;
         else if (!em_is_contact(one) && one->over >= 0 && s->kind[switches[one->over].row] == EM_ROW_CONTACT)
             em_friction_row(s, k, level, 0.0), s->coefficient_at_rest[row] = s->coefficient[row];
@@ -71,22 +71,11 @@ EM_COLD double em_blow_work(const em_blow *b) {
     return size > 0.0 ? work / size : 0.0;
 }
 
-/* The blow with restitutions lowered by this factor, and what lands. 1, or as em_solve_mixed. */
+/* The blow with restitutions lowered by this factor. As em_solve_mixed. */
 EM_COLD int em_blow_solve(em_blow *b, double lowered) {
     b->lowered = lowered;
-    memset(b->lands, 0, sizeof b->lands);
-    for (int more = 1; more;) {
-        more = 0;
-        em_blow_rates(b);
-        const int found = em_solve_mixed(&b->s);
-        if (found < 1) return found;
-        for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
-            if (!b->strikes[row] || b->lands[row] || !(em_rate_after(b, row) <= b->rest[row])) continue;
-            b->lands[row] = 1;
-            more |= b->e[row] > 0.0;
-        }
-    }
-    return 1;
+    em_blow_rates(b);
+    return em_solve_mixed(&b->s);
 }
 
 /* The same with restitutions as high as energy allows. */
@@ -100,6 +89,21 @@ EM_COLD int em_blow_within_energy(em_blow *b) {
         else high = middle;
     }
     return em_blow_solve(b, low);
+}
+
+/* And without the restitution of what would rebound no faster than its `rest`: it lands. 1, or as em_solve_mixed. */
+EM_COLD int em_blow_with_landings(em_blow *b) {
+    for (int more = 1; more;) {
+        const int found = em_blow_within_energy(b);
+        if (found < 1) return found;
+        more = 0;
+        for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+            if (!b->strikes[row] || b->lands[row] || !(em_rate_after(b, row) <= b->rest[row])) continue;
+            b->lands[row] = 1;
+            more |= b->e[row] > 0.0;
+        }
+    }
+    return 1;
 }
 
 /* change (n) <- M^-1 B^T P */
@@ -118,7 +122,7 @@ EM_COLD int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int eve
     for (int row = 0; row < EM_STRUCK_ROWS; ++row)
         if (b->strikes[row] && !(b->e[row] >= 0.0 && b->e[row] <= 1.0))
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 1, b->e[row]);
-    if (em_blow_within_energy(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
+    if (em_blow_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
     em_change_by_blow(r, b, change);
     if (a->along && em_blow_along(a, r, b, change, event)) return -1;
     for (int k = 0; k < N; ++k) a->v[k] += change[k];

@@ -70,8 +70,8 @@ int em_motion_along(double t, const double *x, const double *v, const double *c,
                     int columns, const double *S, const double *P, double *a, double *lambda, double *W, em_fault *fault);
 int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns, double *S,
                const double *P, em_fault *fault);
-int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, double rtol, const double *atol,
-           int *fired, em_pile *pile, double *rounding, em_fault *fault);
+int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm,
+           const em_act_limits *within, int *fired, em_pile *pile, em_fault *fault);
 int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                  int columns, double *S, const double *P, em_fault *fault);
 int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
