@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
-/* body sha256:ae2772dc4b097e6ec0448284f0b99e2ac3ca695d270a202b0219a896a48f819a */
+/* body sha256:fb94475fcfafc48ae6136b1d23d53b03720b6bdad369ed8c04acaf89c09f49c1 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -484,8 +484,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle */
-EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6}, {-1, -1, -1, -1, -1, -1} };
+ * parameter of being idle; whether Poisson's law holds */
+EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0}, {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:9d4a1129e7eb31603764cc602a3cb5ada58118f00934e86cec1ec42286d8afe6 */
-/* body sha256:5a7d708e322ec92de236e5f00a96f52b03b766757bce02e0c7bd3314484a4f9e */
+/* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
+/* body sha256:34953c7376663962dc3d30bae612e4e50dcdf8ca7c5c0a3a26f41976454fe99d */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -472,8 +472,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle */
-EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5}, {-1, -1, -1, -1, -1, -1} };
+ * parameter of being idle; whether Poisson's law holds */
+EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0}, {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

@@ -1,5 +1,5 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:9d4a1129e7eb31603764cc602a3cb5ada58118f00934e86cec1ec42286d8afe6 */
+/* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
 /* body sha256:812cbe837e3685689499e161d8b4fa1075f2cde268790b5b8cfdfb24b7d17c62 */
 /* bouncing_ball: 2 coordinates, 1 constraint rows, 4 states.
  * Link bouncing_ball.c with a program of your own,

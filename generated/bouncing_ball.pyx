@@ -1,5 +1,5 @@
 # eigenmotion generate bouncing_ball.py
-# input sha256:9d4a1129e7eb31603764cc602a3cb5ada58118f00934e86cec1ec42286d8afe6
+# input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d
 # body sha256:cbae5523b71267a25b90b97c9c88ef82b011dd4c082a81df9188888caec2167d
 # cython: language_level=3
 """bouncing_ball, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
-/* body sha256:e64e40857d2fbac6ca4e841e4ec17c68ae87e7019b0267d94c992e5aa2a079ed */
+/* body sha256:b87d0ceae494879c2ad2f6eb2a51f4589674a3d7ac80ba50eacafd7fc395ea50 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -497,8 +497,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle */
-EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7}, {-1, -1, -1, -1, -1, -1} };
+ * parameter of being idle; whether Poisson's law holds */
+EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0}, {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:a242d5b14fcac2a941ca762f741206d722d304d97e19f9e6d63160324aaf36e6 */
+/* body sha256:74f60f73d9ebf7217f3eef98f2f215df4c5fc7e9e074fb51489f4a837c53d162 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -859,8 +859,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle */
-EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1} };
+ * parameter of being idle; whether Poisson's law holds */
+EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

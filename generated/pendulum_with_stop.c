@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
-/* input sha256:743645a36ad921948b00da3bd0b071fd99a9ccc82ac01448ffc0f3b672fdbfb6 */
-/* body sha256:583acbbfead8e84c7db1916eb5f21f2fa6956e81a080b628accb15413697e3a6 */
+/* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
+/* body sha256:2c813b6a2e7f09406a2881ee1ca7c07bab01b042adeafd5a5391060c235b678e */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -501,8 +501,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle */
-EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6}, {-1, -1, -1, -1, -1, -1} };
+ * parameter of being idle; whether Poisson's law holds */
+EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0}, {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

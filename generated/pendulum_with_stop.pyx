@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum_with_stop.py
-# input sha256:743645a36ad921948b00da3bd0b071fd99a9ccc82ac01448ffc0f3b672fdbfb6
+# input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd
 # body sha256:f08ce14904e1bac0556911ffdf1e36b31008b878738231c44899013c62422711
 # cython: language_level=3
 """pendulum_with_stop, compiled: `system` is its System (eigenfactor)."""

@@ -107,7 +107,7 @@ def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
     return tuple(
         SwitchView(events[one.name], place[one.holds.name], place[one.slides.name] if one.slides else -1,
                    number[one.over] if one.over else -1, one.row + (scene.h if one.slides else 0),
-                   place[one.idles.name])
+                   place[one.idles.name], int(one.law == "poisson"))
         for one in defaults.switches
     )  # fmt: skip
 

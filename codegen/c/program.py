@@ -112,6 +112,7 @@ class SwitchView:
 
     slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none
     idles : the place of how far the row may be off where others keep it
+    poisson : whether it strikes by Poisson's law
     """
 
     event: int
@@ -120,6 +121,7 @@ class SwitchView:
     over: int
     row: int
     idles: int
+    poisson: int
 
 
 @dataclass(frozen=True, slots=True)

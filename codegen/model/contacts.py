@@ -15,6 +15,8 @@ import sympy
 from .event import Event, restitution_of
 from .normalise import MULTIPLIER, ModelError, expression, name_of, pairs_of, shown
 
+LAWS = ("newton", "poisson")
+
 
 @dataclass(frozen=True, slots=True)
 class Contact:
@@ -31,6 +33,8 @@ class Contact:
         0 to 1, in x, xdot, t and inputs.
     rest
         [unit of gap / s] rate of the gap after an impact up to which they stay together.
+    law
+        "newton" (Moreau's form: restitution of rates) or "poisson" (of impulses), the same for all contacts of a model.
 
     Examples
     --------
@@ -43,6 +47,7 @@ class Contact:
     gap: Any
     restitution: Any = 0
     rest: Any = 0
+    law: str = "newton"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "gap", expression(self.gap, "The gap of a contact"))
@@ -50,6 +55,8 @@ class Contact:
         object.__setattr__(self, "rest", expression(self.rest, "rest of a contact"))
         if self.rest.is_number and not self.rest >= 0:
             raise ModelError(f"rest of a contact is {self.rest}. It is a speed: give 0 or more.")
+        if self.law not in LAWS:
+            raise ModelError(f"law of a contact is {shown(self.law)}. Give one of {', '.join(LAWS)}.")
 
     @property
     def measure(self) -> sympy.Expr:
@@ -115,6 +122,7 @@ class Switch:
     row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
     level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
     at_rest : up to which force a friction sticks; of a contact, 0
+    law : of a contact's impacts, "newton" or "poisson"; of a friction ""
     """
 
     name: str
@@ -125,6 +133,7 @@ class Switch:
     row: int
     level: sympy.Expr
     at_rest: sympy.Expr
+    law: str
 
 
 def _limit(given: Any) -> sympy.Expr:
@@ -155,6 +164,8 @@ def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:
             raise ModelError(
                 f"normal of contacts[{name}] is {shown(entry.normal)}. Name a Contact that stands before it."
             )
+    if len({entry.law for _, entry in pairs if isinstance(entry, Contact)}) > 1:
+        raise ModelError("Some contacts strike by Newton's law, others by Poisson's: give all the same `law`.")
     return pairs
 
 
@@ -166,8 +177,8 @@ def switch_of(
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
-        return Switch(name, holds, slides, idles, entry.normal, row, entry.limit, entry.sticking)
-    return Switch(name, holds, slides, idles, None, row, entry.rest, sympy.Integer(0))
+        return Switch(name, holds, slides, idles, entry.normal, row, entry.limit, entry.sticking, "")
+    return Switch(name, holds, slides, idles, None, row, entry.rest, sympy.Integer(0), entry.law)
 
 
 def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sympy.Expr]) -> dict[str, Any]:

@@ -120,7 +120,7 @@ def with_restitutions(part: Strike, v: np.ndarray, e: np.ndarray) -> tuple[list[
 
 
 def splits(part: Strike) -> bool:
-    """Whether the work of impulses depends on how they are shared: grounds that move against each other, rows that depend."""
+    """Whether the work of impulses depends on how they are shared: on grounds that move against each other."""
     ground = np.concatenate([part.b, *(rub.offset for rub in part.rubs)])
     rows = np.vstack([part.N, *(rub.rows for rub in part.rubs)])
     frame = np.linalg.lstsq(rows, -ground, rcond=None)[0]

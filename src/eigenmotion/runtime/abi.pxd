@@ -62,6 +62,7 @@ cdef extern from "eigenmotion.h" nogil:
         int slides
         int row
         int idles
+        int poisson
 
     ctypedef struct em_pile:
         double t

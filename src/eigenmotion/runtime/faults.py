@@ -175,14 +175,16 @@ _INSIDE = "The start is inside contact {event}, whose gap is never negative. Sta
 
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
 
+_POISSON = "The derivative of an impact by Poisson's law, of event {event}, is not known. State Newton's."
+
 _LOWERED_RESTITUTION = (
     "The restitution of event {event} is lowered there, for with friction it would raise the energy: its derivative is "
     "not known. Give a restitution of 0, or less friction."
 )
 
 _JAMMED = (
-    "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the friction coefficient, "
-    "or let the bodies give way a little."
+    "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the friction "
+    "coefficient, or let the bodies give way a little."
 )
 
 _NO_RATES = (
@@ -206,6 +208,7 @@ _VARIANTS = {
     (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
     (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
     (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
+    (StopReason.IMPACT_UNDEFINED, 3): _POISSON,
     (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
     (StopReason.MODEL_JUMPS, 1): _TORN,
     (StopReason.MODEL_JUMPS, 2): _KICKED,

@@ -6,6 +6,10 @@
  *
  * in one problem (em_complementarity.h) with those that touch (w- = 0), the constraints, and frictions on these contacts, whose
  * impulse is at most their coefficient times that of the contact, and less only where they do not slip afterwards.
+ * Poisson's law, where the contacts say so, is of two such problems: in compression e = 0; in expansion the impulse of a contact
+ * is at least e times that of its compression, and friction is bounded in each phase by the impulse of that phase (Glocker and
+ * Pfeiffer 1995).
+ *
  * A rebound that is no faster than `rest` is none: e = 0. Where friction lets Newton's law raise the energy of what moves against
  * each other, all restitutions are lowered by one factor to where it does not: with none, energy never rises (Moreau 1988). */
 #ifndef EM_STRIKE_H
@@ -21,7 +25,8 @@
 typedef struct em_blow {
     int strikes[EM_STRUCK_ROWS], lands[EM_STRUCK_ROWS], impact[EM_STRUCK_ROWS];
     double e[EM_STRUCK_ROWS], rest[EM_STRUCK_ROWS], before[EM_STRUCK_ROWS], terms[EM_STRUCK_ROWS];
-    double lowered, side, extra[N];
+    double impulse[EM_STRUCK_ROWS], after[EM_STRUCK_ROWS], lowered, side, extra[N];
+    int poisson;
     double B[EM_STRUCK_ROWS * N];
     em_mixed s;
 } em_blow;
@@ -56,26 +61,52 @@ EM_COLD void em_blow_rates(em_blow *b) {
     }
 }
 
-/* w+ of a row after the blow. */
-EM_COLD double em_rate_after(const em_blow *b, int row) { return b->s.w[row] - (b->s.q[row] - b->before[row]); }
-
 /* The work of the impulses on what moves against each other, over that of their sizes. */
 EM_COLD double em_blow_work(const em_blow *b) {
     double work = 0.0, size = 0.0;
     for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
-        const double after = em_rate_after(b, row);
+        const double after = b->after[row];
         if (b->s.kind[row] == EM_ROW_OUT || b->s.kind[row] == EM_ROW_FREE) continue;
-        work += 0.5 * b->s.p[row] * (after + b->before[row]);
-        size += 0.5 * fabs(b->s.p[row]) * (fabs(after) + fabs(b->before[row]));
+        work += 0.5 * b->impulse[row] * (after + b->before[row]);
+        size += 0.5 * fabs(b->impulse[row]) * (fabs(after) + fabs(b->before[row]));
     }
     return size > 0.0 ? work / size : 0.0;
 }
 
-/* The blow with restitutions lowered by this factor. As em_solve_mixed. */
+/* Expansion after compression: impulse (m + 1) so far, rates s.w. As em_solve_mixed. */
+EM_COLD int em_blow_expands(em_blow *b) {
+    em_mixed *const s = &b->s;
+    double given[EM_STRUCK_ROWS], level[EM_STRUCK_ROWS], at_rest[EM_STRUCK_ROWS];
+    memcpy(level, s->level, sizeof level), memcpy(at_rest, s->at_rest, sizeof at_rest);
+    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+        given[row] = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] * b->impulse[row] : 0.0;
+    for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+        double presses = 0.0;
+        s->q[row] = s->w[row];
+        for (int j = 0; j < EM_STRUCK_ROWS; ++j) {
+            const double part = s->G[row * EM_STRUCK_ROWS + j] * given[j];
+            s->q[row] += part, s->size[row] += fabs(part);
+            presses += s->over[row * EM_STRUCK_ROWS + j] * given[j];
+        }
+        s->level[row] += s->coefficient[row] * presses, s->at_rest[row] += s->coefficient_at_rest[row] * presses;
+    }
+    const int found = em_solve_mixed(s);
+    for (int row = 0; row < EM_STRUCK_ROWS; ++row) b->impulse[row] += given[row] + s->p[row];
+    memcpy(s->level, level, sizeof level), memcpy(s->at_rest, at_rest, sizeof at_rest);
+    return found;
+}
+
+/* The blow with restitutions lowered by this factor: impulse and after. As em_solve_mixed. */
 EM_COLD int em_blow_solve(em_blow *b, double lowered) {
-    b->lowered = lowered;
+    b->lowered = b->poisson ? 0.0 : lowered;
     em_blow_rates(b);
-    return em_solve_mixed(&b->s);
+    int found = em_solve_mixed(&b->s);
+    b->lowered = lowered;
+    memcpy(b->impulse, b->s.p, sizeof b->impulse);
+    if (found == 1 && b->poisson) found = em_blow_expands(b);
+    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+        b->after[row] = b->poisson ? b->s.w[row] : b->s.w[row] - (b->s.q[row] - b->before[row]);
+    return found;
 }
 
 /* The same with restitutions as high as energy allows. */
@@ -98,7 +129,7 @@ EM_COLD int em_blow_with_landings(em_blow *b) {
         if (found < 1) return found;
         more = 0;
         for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
-            if (!b->strikes[row] || b->lands[row] || !(em_rate_after(b, row) <= b->rest[row])) continue;
+            if (!b->strikes[row] || b->lands[row] || !(b->after[row] <= b->rest[row])) continue;
             b->lands[row] = 1;
             more |= b->e[row] > 0.0;
         }
@@ -110,7 +141,7 @@ EM_COLD int em_blow_with_landings(em_blow *b) {
 EM_COLD void em_change_by_blow(const em_all_rows *r, const em_blow *b, double *change) {
     memset(change, 0, N * sizeof *change);
     for (int row = 0; row < EM_STRUCK_ROWS; ++row)
-        for (int k = 0; k < N; ++k) change[k] += b->B[row * N + k] * b->s.p[row];
+        for (int k = 0; k < N; ++k) change[k] += b->B[row * N + k] * b->impulse[row];
     em_backward(N, r->root.L, r->root.r, change);
 }
 
@@ -141,7 +172,7 @@ EM_COLD int em_strike_contacts(em_acting *a, em_all_rows *r) {
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
         if (!em_is_contact(one) || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
-        b.strikes[one->row] = 1;
+        b.strikes[one->row] = 1, b.poisson |= one->poisson;
         b.impact[one->row] = deeds[one->event].impact;
         b.e[one->row] = struck[b.impact[one->row] * EM_STRUCK + N + 1];
         if (first < 0) first = one->event;
