@@ -7,7 +7,7 @@ from .contact_cases import Case, Shape, drawn
 from .oracles.contact_check import off
 from .oracles.contact_cones import solutions
 from .oracles.contact_impacts import Strike, struck
-from .oracles.contact_modes import NONE, Problem, Rub
+from .oracles.contact_problem import NONE, Problem, Rub
 from .oracles.feet import State, point, problem, turned
 
 G = 9.81

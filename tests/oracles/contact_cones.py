@@ -40,7 +40,7 @@ class Sliding:
             along = u @ T
             h -= L * along
             K -= along[:, :, None] * mu
-        inverse = np.linalg.inv(self.problem.M)
+        inverse = self.problem.inverse
         r = -(h @ inverse @ self.rows.T + self.offsets)
         z = divided(self.rows @ inverse @ K, r)
         return (h + np.einsum("bij,bj->bi", K, z)) @ inverse
@@ -174,7 +174,8 @@ def all_of(problem: Problem) -> Answer:
             continue
         for a in () if one is None else roots(one):
             if not any(same(a, other.a) for other in found):
-                found.append(Found(a, np.full(len(problem.c), np.nan), mode, -off(problem, a), unique_forces=False))
+                unknown = np.full(len(problem.c), np.nan), np.full(sum(len(rub.rows) for rub in problem.rubs), np.nan)
+                found.append(Found(a, *unknown, mode, -off(problem, a), unique_forces=False))
     inner = [off(problem, one.a, within=True) for one in found if one.margin >= -HOLDS]
     verdict = answer([one for one in found if one.margin >= -NEAR])
     return Answer(verdict.found, clear and verdict.clear and max(inner, default=0.0) <= NEAR)

@@ -1,9 +1,14 @@
-"""Velocities after an impact, by the law of `contact_modes`: all that it allows, round by round."""
+"""Velocities after an impact, by the law of `contact_modes`: all that it allows, round by round.
+
+The energy that may not rise is what impulses add: each times the mean of the rates of its point before and after,
+beside its ground. On ground at rest that is the kinetic energy.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.optimize import brentq
 
 from .contact_cones import solutions
 from .contact_modes import NEAR, Found, Problem, Rub, same
@@ -27,6 +32,11 @@ class Strike:
     e: np.ndarray
     rest: np.ndarray
     law: str = "newton"
+
+    @property
+    def moves(self) -> bool:
+        """Whether the ground does."""
+        return bool(np.abs(np.concatenate([self.b, *(rub.offset for rub in self.rubs)])).max(initial=0.0) > STILL)
 
     def rates(self, v: np.ndarray) -> np.ndarray:
         return self.N @ v + self.b
@@ -99,43 +109,34 @@ def taking_part(strike: Strike, acting: np.ndarray) -> Strike:
 def with_restitutions(part: Strike, v: np.ndarray, e: np.ndarray) -> tuple[list[np.ndarray], bool]:
     """Return the velocities with restitutions e, or with as much less of them as keeps energy from rising."""
     whole, clear = by_law(part, v, e)
-    if e.any() and splits(part):
-        return [one.a for one in whole], False
+    clear &= all(one.unique_forces for one in whole) or not part.moves
     if all(gained(part, v, one) <= NEAR * NEAR for one in whole):
         return [one.a for one in whole], clear
-    grid = np.linspace(0.0, 1.0, 21)
-    rises = [any(gained(part, v, one) > NEAR * NEAR for one in by_law(part, v, s * e)[0]) for s in grid]
+    grid = np.linspace(0.0, 1.0, 9)
+    each = [by_law(part, v, s * e)[0] for s in grid]
+    rises = [any(gained(part, v, one) > NEAR * NEAR for one in found) for found in each]
     least = int(np.argmax(rises))
-    if least == 0 or not all(rises[least:]) or len(whole) != 1:
+    if least == 0 or not all(rises[least:]) or any(len(found) != 1 for found in each):
         return [], False
+    clear &= all(found[0].unique_forces for found in each) or not part.moves
+    gain = lambda s: max(gained(part, v, one) for one in by_law(part, v, s * e)[0])  # noqa: E731
     low, high = grid[least - 1], grid[least]
-    for _ in range(45):
-        middle = (low + high) / 2
-        found, sure = by_law(part, v, middle * e)
-        clear &= sure and len(found) == 1
-        rises_here = any(gained(part, v, one) > 0 for one in found)
-        low, high = (low, middle) if rises_here else (middle, high)
-    found, sure = by_law(part, v, low * e)
-    return [one.a for one in found], clear and sure
-
-
-def splits(part: Strike) -> bool:
-    """Whether the work of impulses depends on how they are shared: on grounds that move against each other."""
-    ground = np.concatenate([part.b, *(rub.offset for rub in part.rubs)])
-    rows = np.vstack([part.N, *(rub.rows for rub in part.rubs)])
-    frame = np.linalg.lstsq(rows, -ground, rcond=None)[0]
-    return bool(np.abs(rows @ frame + ground).max(initial=0.0) > STILL)
+    share = low if gain(low) >= 0 else brentq(gain, low, high, xtol=1e-13)
+    found, sure = by_law(part, v, share * e)
+    return [one.a for one in found], clear and sure and len(found) == 1
 
 
 def gained(part: Strike, v: np.ndarray, found: Found) -> float:
     """Return the work of the impulses beside what moves the ground: sum of impulse times mean rate of its point."""
     kinetic = (found.a + v) @ part.M @ (found.a - v) / 2
     impulses = part.M @ (found.a - v)
-    ground = np.concatenate([part.b, *(rub.offset for rub in part.rubs)])
-    if not np.abs(ground).max(initial=0.0):
+    if not part.moves:
         return float(kinetic)
-    rows = np.vstack([part.N, *(rub.rows for rub in part.rubs)])
-    share = np.linalg.lstsq(rows.T, impulses, rcond=None)[0]
+    ground = np.concatenate([part.b, *(rub.offset for rub in part.rubs)])
+    share = np.concatenate([found.p, found.f])
+    if not np.isfinite(share).all():
+        rows = np.vstack([part.N, *(rub.rows for rub in part.rubs)])
+        share = np.linalg.lstsq(rows.T, impulses, rcond=None)[0]
     return float(kinetic + share @ ground)
 
 
@@ -162,5 +163,5 @@ def poisson(part: Strike, v: np.ndarray, e: np.ndarray) -> tuple[list[Found], bo
         problem = Problem(part.M, part.M @ one.a + part.N.T @ given, part.N, part.b, rubs)
         done = solutions(problem)
         clear &= done.clear
-        found += [replace(after, p=after.p + given) for after in done.found]
+        found += [replace(after, p=one.p + after.p + given, f=one.f + after.f) for after in done.found]
     return found, clear

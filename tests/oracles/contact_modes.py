@@ -37,51 +37,12 @@ from itertools import product
 import numpy as np
 from scipy.optimize import linprog
 
-NONE = -1
+from .contact_problem import Problem, Rub
+
 HOLDS, NEAR, SAME = 1e-9, 1e-6, 1e-6
 """An inequality off by HOLDS holds, one off by NEAR might; accelerations that differ by SAME are one."""
 SIDES = 48
 """Of the polygon in place of a disc, where forces are not unique."""
-
-
-@dataclass(frozen=True)
-class Rub:
-    """A friction: slip acceleration = rows @ a + offset; limits L + mu p of the normal's p.
-
-    rows : (d, n), d = 1: on a line, 2: in a plane; slip : (d,), zero: at rest
-    grip : (L, mu) at rest; drag : (L, mu) sliding
-    """
-
-    rows: np.ndarray
-    offset: np.ndarray
-    grip: tuple[float, float]
-    drag: tuple[float, float]
-    normal: int = NONE
-    slip: np.ndarray | None = None
-
-    @property
-    def way(self) -> np.ndarray | None:
-        """Where it slides already; None: at rest."""
-        size = 0.0 if self.slip is None else np.linalg.norm(self.slip)
-        return self.slip / size if size else None
-
-
-@dataclass(frozen=True)
-class Problem:
-    """M a = h + N^T p + sum of rubs' rows^T f + rows^T l; N a + c >= 0; rows a + g = 0."""
-
-    M: np.ndarray
-    h: np.ndarray
-    N: np.ndarray
-    c: np.ndarray
-    rubs: tuple[Rub, ...] = ()
-    rows: np.ndarray | None = None
-    g: np.ndarray | None = None
-
-    @property
-    def permanent(self) -> tuple[np.ndarray, np.ndarray]:
-        n = len(self.h)
-        return (np.zeros((0, n)), np.zeros(0)) if self.rows is None else (self.rows, self.g)
 
 
 @dataclass(frozen=True)
@@ -94,10 +55,14 @@ class Mode:
 
 @dataclass(frozen=True)
 class Found:
-    """a : (n,); p : (nc,) one choice of forces; margin : of the tightest inequality; `many`: one end of a continuum."""
+    """a : (n,); p : (nc,) one choice of forces; margin : of the tightest inequality; `many`: one end of a continuum.
+
+    f : those of frictions, one row after the other; NaN where nobody has asked.
+    """
 
     a: np.ndarray
     p: np.ndarray
+    f: np.ndarray
     mode: Mode
     margin: float
     many: bool = False
@@ -178,7 +143,7 @@ def linear(problem: Problem, mode: Mode) -> Linear:
             L, mu = limit(rub, rub.drag, held, first, len(rows))
             h -= L * (rub.rows.T @ way)
             K -= np.outer(rub.rows.T @ way, mu)
-    B, a0 = np.linalg.solve(problem.M, K), np.linalg.solve(problem.M, h)
+    B, a0 = problem.inverse @ K, problem.inverse @ h
     z0, V, residual = solved(rows @ B, -(rows @ a0 + offsets))
     l0, L = inequalities(problem, mode, a0, B, first)
     return Linear(a0, B, l0, L, z0, V, first, residual)
@@ -266,7 +231,22 @@ def ends(problem: Problem, mode: Mode, one: Linear, y: np.ndarray, margin: float
     for chosen in choices[: 1 + several]:
         z, p = one.at(chosen), np.zeros(len(problem.c))
         p[list(mode.held)] = z[one.first : one.first + len(mode.held)]
-        yield Found(one.a0 + one.B @ z, p, mode, margin, several, not one.V.size)
+        yield Found(
+            one.a0 + one.B @ z, p, rubbed(problem, mode, z, one.first, p), mode, margin, several, not one.V.size
+        )
+
+
+def rubbed(problem: Problem, mode: Mode, z: np.ndarray, first: int, p: np.ndarray) -> np.ndarray:
+    """Return the forces of frictions, one row after the other."""
+    found, at = [np.zeros(0)], first + len(mode.held)
+    for rub, way in zip(problem.rubs, mode.ways, strict=True):
+        d = len(rub.rows)
+        if isinstance(way, str):
+            found.append(z[at : at + d] if way == "stick" else np.zeros(d))
+            at += d * (way == "stick")
+        else:
+            found.append(-(rub.drag[0] + rub.drag[1] * (p[rub.normal] if rub.normal >= 0 else 0.0)) * way)
+    return np.concatenate(found)
 
 
 def answer(found: Sequence[Found]) -> Answer:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from .contact_impacts import Strike
-from .contact_modes import NONE, Problem, Rub
+from .contact_problem import NONE, Problem, Rub
 
 PLANAR = [0, 1, 5]
 ALL = [0, 1, 2, 3, 4, 5]
