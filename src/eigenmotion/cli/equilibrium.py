@@ -1,13 +1,16 @@
 """`eigenmotion equilibrium`."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import click
 
+from eigenmotion import ModelError
 from eigenmotion.building.build import system_of
 from eigenmotion.linear.equilibrium import Equilibrium, find_equilibrium
-from eigenmotion.linear.words import description
+from eigenmotion.linear.holding import named_modes
+from eigenmotion.linear.words import description, state_rows
 
 from .options import Shape, model, setting, shaping, values
 from .progress import clock
@@ -23,16 +26,27 @@ from .progress import clock
 def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **shape: Any) -> int:
     """Find where MODEL stays as it is, at rest unless rates are set; print the state and its modes.
 
-    Where there is no such state near the one that is set, what is left is printed, with exit code 2.
+    Where there is no such state near the one that is set, what is left is printed, with exit code 2. Contacts and
+    frictions hold as they can; where modes meet there are no eigenvalues unless one is set, as floor_held=0.
     """
     request = Shape(**shape).request(model)
     given: dict[str, Any] = dict(values(request.model, settings))
     with clock():
         system = system_of(request)
         found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
-        text = description(found.linearize()) if found.success else found.message
+        text = _described(found, given.get("parameters", {})) if found.success else found.message
     click.echo("\n".join([text, *_solved(found, free)]))
     return 0 if found.success else 2
+
+
+def _described(found: Equilibrium, given: Mapping[str, float]) -> str:
+    """Return the state and its modes, or why there are none."""
+    system = found.system
+    try:
+        return description(found.linearize(mode=named_modes(system.compiled, given)))
+    except ModelError as error:
+        return "\n".join([f"{system.name}: {found.message}", "", *state_rows(system.coordinates, found.x, found.v,
+                          found.acceleration), "", str(error)])  # fmt: skip
 
 
 def _solved(found: Equilibrium, free: tuple[str, ...]) -> list[str]:

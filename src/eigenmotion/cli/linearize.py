@@ -7,6 +7,7 @@ import click
 
 from eigenmotion.building.build import system_of
 from eigenmotion.linear.assemble import assemble
+from eigenmotion.linear.holding import named_modes
 from eigenmotion.linear.words import description, plane
 from eigenmotion.pages.figures import FORMATS, require_matplotlib, save
 
@@ -18,7 +19,7 @@ from .progress import clock
 @model
 @click.option("--at", "settings", multiple=True, metavar="NAME=VALUE",
               help="Where: a coordinate, theta'=1 for a rate, a parameter or an input; what is not named is the "
-              "model's initial value, or follows from the constraints.")  # fmt: skip
+              "model's initial value, or follows from the constraints; floor_held=0: where modes meet.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the eigenvalues, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @shaping
@@ -31,7 +32,8 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
         system = system_of(request)
         x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
         x, v = assemble(system, x0, v0, parameters=parameters, keep=tuple(x0 or ()))
-        found = system.linearize(x, v, parameters=parameters, inputs=inputs)
+        mode = named_modes(system.compiled, parameters or {})
+        found = system.linearize(x, v, parameters=parameters, inputs=inputs, mode=mode)
     click.echo(description(found))
     if plot:
         click.echo(f"drawn to {save(plane(found), plot)}")

@@ -13,6 +13,7 @@ from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
 from ..running.consistent import ConsistentState, Projection, check_resolved, length
 from ..runtime import CompiledModel, EvaluationError, Prepared
+from .holding import Surfaces, Switch, holding
 from .place import Place
 from .tangent import solved
 
@@ -55,6 +56,8 @@ def assemble(
 ) -> Assembly:
     """Return a state on the constraints near a rough guess; says how far it moved, and on which branch it is.
 
+    A guess inside a contact is put on its surface.
+
     Parameters
     ----------
     x0
@@ -83,7 +86,7 @@ def assemble(
     x, v = system.start(x0, v0, t, prepared)
     held = _indices(keep, c.coordinates, "keep")
     with np.errstate(all="ignore"):  # what is not finite has a name of its own
-        closed = _closed(c, prepared, t, x, v, held)
+        closed = _apart(c, prepared, t, x, v, held)
         check_resolved(c, prepared, t, closed)
         rates = _given_rates(v0, c.coordinates)
         moving = _moving(c, prepared, t, closed, v, rates)
@@ -120,6 +123,28 @@ def _closed(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
             pass
     loop = _Loop(c, prepared, t, x, v, [k for k in range(c.n) if k not in held])
     return loop.closed()
+
+
+def _apart(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, held: list[int]) -> Vector:
+    """Return the nearest that is closed and inside no contact: what would be inside is on the surface."""
+    touching: list[Switch] = []
+    there = Place(c, prepared, t, x, v, c.input_defaults)
+    for _ in range(len(c.switches) + 1):
+        at = holding(there, touching) if touching else there
+        try:
+            closed = _closed(c, at.prepared, t, x, v, held)
+        except ModelError as error:
+            raise (_named(c, touching, held, error) if touching else error) from None
+        if not c.switches or not (inside := [one for one, _ in Surfaces(there.at(t, closed, v)).inside()]):
+            return closed
+        touching += inside
+    raise ModelError(f"{c.name}: no place near x0 is outside of all contacts. Begin elsewhere")
+
+
+def _named(c: CompiledModel, touching: list[Switch], held: list[int], error: ModelError) -> ModelError:
+    names = ", ".join(one.words(c) for one in touching)
+    kept = f" with {', '.join(c.coordinates[k] for k in held)} kept" if held else ""
+    return ModelError(f"{c.name}: x0 is inside {names}, and{kept} it cannot be put on the surface: {error}")
 
 
 class _Loop:

@@ -67,7 +67,7 @@ class Balance:
         """
         at = self.place(q)
         n, h = at.model.n, at.model.h
-        a, _, da, _ = at.motion
+        a, da = at.motion[0], at.slopes
         D = at.constraints
         A, b = at.model.pfaffian(at.t, at.x, at.prepared)
         phi, terms = at.model.position(at.t, at.x, at.prepared)
@@ -79,6 +79,7 @@ class Balance:
         value = np.concatenate([a[list(self.rows)], phi, A @ at.v + b])
         slope = np.vstack([da[list(self.rows)], D])[:, : len(self.given)]
         size = np.abs(slope) @ np.abs(self.arguments(q))
+        size[: len(self.rows)] += at.held_back[list(self.rows)]
         size[len(self.rows) : len(self.rows) + h] += terms
         return weight * value, weight[:, None] * slope, weight * size
 
@@ -113,14 +114,14 @@ class Balance:
         at, n = self.place(start), self.system.n
         slope = self.equations(start)[1]
         inertia = at.inertia / np.linalg.norm(at.inertia) * np.sqrt(n)
-        rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * at.motion[2][:, :n] / at.inertia)) or 1.0
+        rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * at.slopes[:, :n] / at.inertia)) or 1.0
         columns = np.linalg.norm(slope[:, 2 * n :], axis=0) / np.linalg.norm(at.inertia * rate**2)
         given = np.concatenate([1.0 / inertia, rate / inertia, 1.0 / np.where(columns > 0.0, columns, 1.0)])
         return np.asarray(given[list(self.free)])
 
     def _cleaned(self, q: Vector, start: Vector) -> Vector:
         """Take zeros for what rounding left of numbers that went to zero, where nothing gets worse for it."""
-        dust = np.abs(q) < 1e-9 * np.abs(start)
+        dust = np.abs(q) < 1e-9 * np.maximum(np.abs(start), np.abs(self.start))
         zeros = np.where(dust, 0.0, q)
         try:
             before, after = (np.linalg.norm(self.equations(point)[0]) for point in (q, zeros))
@@ -151,7 +152,7 @@ class Balance:
         for _ in range(_STEPS):
             try:
                 at = self.place(q)
-                slope, push = at.inertia[:, None] * at.motion[2][:, :n] / at.inertia, at.inertia * at.motion[0]
+                slope, push = at.inertia[:, None] * at.slopes[:, :n] / at.inertia, at.inertia * at.motion[0]
             except EvaluationError:
                 break
             left = float(np.linalg.norm(push))

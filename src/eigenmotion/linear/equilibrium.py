@@ -13,7 +13,12 @@ from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
 from ..pages.notebook import table
 from .balance import Balance
+from .bounds import settled, sticking
+from .holding import held_words, mode_of
+from .in_mode import check_apart
+from .leaning import sought
 from .linearization import Linearization
+from .linearize import linearized
 from .place import Place
 
 if TYPE_CHECKING:
@@ -29,6 +34,8 @@ class Equilibrium:
     success : whether accelerations vanish and the constraints hold; message : in words, and what does not
     x, v : (n,); t; inputs, parameters : all of them by name, those that were solved for included
     acceleration : (n,) that is left; position_residual : (h,) phi; velocity_residual : (m,) A v + b
+    multipliers : (m,) of the constraint rows; a contact pushes with minus its own
+    mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
     """
 
     system: "System"
@@ -42,10 +49,12 @@ class Equilibrium:
     acceleration: Vector
     position_residual: Vector
     velocity_residual: Vector
+    multipliers: Vector
+    mode: dict[str, float]
 
-    def linearize(self) -> Linearization:
-        """Return the linearised equations of motion there."""
-        return self.system.linearize(self.x, self.v, self.t, self.parameters, self.inputs)
+    def linearize(self, *, mode: Mapping[Any, float] | None = None) -> Linearization:
+        """Return the linearised equations of motion there; `mode`: as of `System.linearize`, where modes meet."""
+        return self.system.linearize(self.x, self.v, self.t, self.parameters, self.inputs, mode=mode)
 
     def __repr__(self) -> str:
         state = ", ".join(f"{name}={value:.6g}" for name, value in zip(self.system.coordinates, self.x, strict=True))
@@ -103,15 +112,15 @@ def find_equilibrium(
         raise no_system("find_equilibrium", system)
     balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
     with np.errstate(all="ignore"):  # what is not finite has a name of its own
-        return _found(balance, _sought(balance))
+        return _found(*(sought(balance) if system.compiled.switches else _sought(balance)))
 
 
-def _sought(balance: Balance) -> Vector:
+def _sought(balance: Balance) -> tuple[Balance, Vector]:
     start = balance.start
     solution = balance.solved(start)
     if not balance.satisfied(solution, start) and balance.of_coordinates_alone:
         solution = balance.solved(balance.relaxed(start))
-    return solution
+    return balance, solution
 
 
 def _balance(system: "System", x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
@@ -139,31 +148,50 @@ def _places(given: object, names: tuple[str, ...], what: str) -> tuple[int, ...]
 
 
 def _found(balance: Balance, q: Vector) -> Equilibrium:
-    at, system = balance.place(q), balance.system
-    wrong = balance.unsatisfied(q, balance.start)
+    system, wrong = balance.system, balance.unsatisfied(q, balance.start)
+    at, bounds = balance.place(q), list[str]()
+    if not wrong.any():
+        at, bounds = _settled(at)
+    inside = _inside(at)
     z = balance.arguments(q)[2 * system.n :].tolist()
-    count = len(system.inputs)
     A, b = at.model.pfaffian(at.t, at.x, at.prepared)
     phi = at.model.position(at.t, at.x, at.prepared)[0]
     residuals = at.motion[0], phi, A @ at.v + b
-    steady = not wrong.any() and _stays(balance, at)
+    steady = not (wrong.any() or inside) and _stays(at)
+    message = inside or _words(balance, at, wrong, steady, bounds, residuals)
+    inputs = dict(zip(system.inputs, z[: len(system.inputs)], strict=True))
+    parameters = dict(zip(system.parameters, at.prepared.parameters, strict=True))
+    mode = mode_of(at.model, at.prepared)
     return Equilibrium(
-        system, steady, _words(balance, q, wrong, steady, residuals), at.x, at.v, balance.t,
-        dict(zip(system.inputs, z[:count], strict=True)), dict(zip(system.parameters, z[count:], strict=True)),
-        *residuals,
-    )  # fmt: skip
+        system, steady, message, at.x, at.v, balance.t, inputs, parameters, *residuals, at.motion[1], mode
+    )
 
 
-def _stays(balance: Balance, at: Place) -> bool:
+def _settled(at: Place) -> tuple[Place, list[str]]:
+    found, bounds = settled(sticking(at))
+    return found, [words for _, words in bounds]
+
+
+def _inside(at: Place) -> str:
+    """Say what the place is inside of; nothing: of nothing."""
+    try:
+        check_apart(at)
+    except ModelError as error:
+        return f"no equilibrium found: {error}"
+    return ""
+
+
+def _stays(at: Place) -> bool:
     """Whether a motion goes on as it is: accelerations may vanish for an instant only."""
-    if not at.v.any():
-        return True
-    return balance.system.linearize(at.x, at.v, at.t, at.prepared, at.u).steady
+    return not at.v.any() or linearized(at).steady
 
 
-def _words(balance: Balance, q: Vector, wrong: NDArray[np.bool_], steady: bool, residuals: tuple[Vector, ...]) -> str:
+def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
+           residuals: tuple[Vector, ...]) -> str:  # fmt: skip
+    held = held_words(at)
     if steady:
-        return "at rest" if not balance.place(q).v.any() else "steady"
+        kind = "at rest" if not at.v.any() else "steady"
+        return "; ".join([f"{kind}, {held}" if held else kind, *bounds])
     if not wrong.any():
         return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
     a, phi, rates = residuals
@@ -172,7 +200,8 @@ def _words(balance: Balance, q: Vector, wrong: NDArray[np.bool_], steady: bool, 
     said += [f"the rate of row {k} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)
     left = ", ".join(text for text, is_wrong in zip(said, wrong, strict=True) if is_wrong)
-    return f"no equilibrium found by varying {free}; what is left is {left}{_rounded(balance.place(q))}"
+    where = f", with {held}" if held else ""
+    return f"no equilibrium found by varying {free}; what is left is {left}{where}{_rounded(at)}"
 
 
 def _rounded(at: Place) -> str:

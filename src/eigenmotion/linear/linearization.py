@@ -32,6 +32,7 @@ class Linearization:
     Z : (2 n, k), k = 2 n - h - m less rows that depend on others, orthonormal: the tangent space of the constraints
     full : A, B, C, D of all 2 n numbers (x, v), constraints included
     t, x, v, u : the state; acceleration : (n,) there
+    mode : which contacts and frictions hold, as in `Solution.modes`; {} where there are none
     steady : whether these equations stay the same along the motion, coordinates on which nothing depends apart. Where
         not, they hold at this instant: eigenvalues are those of deviations of independent coordinates, and no promise
 
@@ -59,6 +60,7 @@ class Linearization:
     independent: Reduced
     basis: Vector
     inertia: Vector
+    mode: dict[str, float]
 
     def eigenvalues(self) -> Vector:
         """Return the k eigenvalues [1 / s], the least stable first.
@@ -112,6 +114,7 @@ class Linearization:
             f"{self.model.name}, linearised: {len(self.A)} states, {self.message}",
             {
                 "state": state,
+                **({"mode": [f"{name} = {value:g}" for name, value in self.mode.items()]} if self.mode else {}),
                 "acceleration": [f"{name}: {a:g}" for name, a in zip(names, self.acceleration, strict=True)],
                 "modes": [f"{written(mode.eigenvalue)}  {mode.words}" for mode in self.modes()],
                 "inputs": self.model.inputs or "none",

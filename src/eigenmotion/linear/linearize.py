@@ -12,6 +12,8 @@ from ..codegen.model import ModelError
 from ..running.start import check_consistent
 from ..runtime import EvaluationError
 from ..runtime.variations import output_partials
+from .holding import mode_of
+from .in_mode import in_mode
 from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
 from .place import Place, place
@@ -37,25 +39,37 @@ def linearize(
     t: float = 0.0,
     parameters: Any = None,
     inputs: Mapping[Any, Any] | ArrayLike | None = None,
+    *,
+    mode: Mapping[Any, float] | None = None,
 ) -> Linearization:
     """Return the linearised equations of motion at a state, exactly differentiated and true to the constraints.
 
     x, v are as everywhere arrays or mappings over the model's `initial`. Rows that depend on each other are allowed.
     Where the motion through the state is not steady, `Linearization.steady` is False and `message` says so.
 
+    Contacts and frictions hold as the state calls for: what holds is a constraint of the deviations. Where modes meet
+    `mode` names the one that is meant, as `Solution.modes` does: {"floor_held": 0}.
+
     Raises
     ------
     ModelError
-        The state is off the constraints (says by how much, and offers the nearest that is not), or the equations have
-        no derivative there; names the coordinate.
+        The state is off the constraints (says by how much, and offers the nearest that is not), or inside a contact;
+        the equations have no derivative there (names the coordinate); modes meet there and `mode` names none, or one
+        that does not hold.
     EvaluationError
-        M is singular, or constraint rows contradict each other.
+        M is singular, constraint rows contradict each other, or no mode of contacts and frictions is consistent.
     """
     at = place(self, x, v, t, parameters, inputs)
     with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        at = in_mode(at, mode)
         check_consistent(at.model, at.prepared, at.t, at.x, at.v)
-        _check_differentiable(at)
-        return _linearized(at)
+        return linearized(at)
+
+
+def linearized(at: Place) -> Linearization:
+    """Return the same of a place that is consistent, in its mode."""
+    _check_differentiable(at)
+    return _linearized(at)
 
 
 def _linearized(at: Place) -> Linearization:
@@ -66,6 +80,7 @@ def _linearized(at: Place) -> Linearization:
         model=at.model, t=at.t, x=at.x, v=at.v, u=at.u, acceleration=at.motion[0],
         A=Z.T @ full.A @ Z, B=Z.T @ full.B, C=full.C @ Z, D=full.D, Z=Z, full=full,
         steady=steady, independent=_reduced(at, basis), basis=basis.Z, inertia=at.inertia,
+        mode=mode_of(at.model, at.prepared),
     )  # fmt: skip
 
 

@@ -16,6 +16,9 @@ from ..runtime import CompiledModel, Prepared, variations
 if TYPE_CHECKING:
     from ..system.system import System
 
+_ROUNDED = 256 * np.finfo(float).eps
+"""The part of terms that cancel which rounding may leave."""
+
 
 @dataclass(frozen=True)
 class Place:
@@ -61,6 +64,40 @@ class Place:
         return np.asarray(np.sqrt(diagonal))
 
     @cached_property
+    def mobility(self) -> Vector:
+        """(n, n) sizes of what forces do to accelerations, M^-1."""
+        return np.asarray(np.abs(np.linalg.inv(self.model.factored_matrix(self.t, self.x, self.prepared))))
+
+    @cached_property
+    def held_back(self) -> Vector:
+        """(n,) what rows do to accelerations, sizes added: where a mechanism rests this cancels what pushes it."""
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0]
+        return np.asarray(self.mobility @ np.abs(A).T @ np.abs(self.motion[1]))
+
+    @cached_property
+    def slope_terms(self) -> Vector:
+        """(n, n_arguments) sizes of what is added in derivatives of a, but for those of forces, which this balances."""
+        (_, multipliers, _, dm), n, h = self.motion, self.model.n, self.model.h
+        if not self.model.m:
+            return np.zeros((n, dm.shape[1]))
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0]
+        forces = np.abs(A).T @ np.abs(dm)
+        for j, unit in enumerate(np.eye(n)):
+            turning = variations.constraint_partials(self.model, self.t, self.x, unit, self.prepared)[h:, :n]
+            forces[j, :n] += np.abs(multipliers) @ np.abs(turning)
+        M = self.model.factored_matrix(self.t, self.x, self.prepared)
+        shared = (
+            np.abs(np.linalg.pinv(A @ np.linalg.solve(M, A.T), hermitian=True)) @ np.abs(A) @ self.mobility @ forces
+        )
+        return np.asarray(self.mobility @ (forces + np.abs(A).T @ shared))
+
+    @cached_property
+    def slopes(self) -> Vector:
+        """(n, n_arguments) derivatives of a, zero where rows cancel what pushes but for rounding."""
+        da = self.motion[2]
+        return np.where(np.abs(da) > _ROUNDED * self.slope_terms, da, 0.0)
+
+    @cached_property
     def time(self) -> float:
         """The time in which deviations change [s], the shortest; 1 where nothing acts on them."""
         n, unit = self.model.n, self.inertia
@@ -76,7 +113,7 @@ class Place:
         """
         n = self.model.n
         slope = self.motion[2][:, :n]
-        most = RESOLVED * np.linalg.norm(slope)
+        most = RESOLVED * (np.linalg.norm(slope) + np.linalg.norm(self.slope_terms[:, :n]))
         return [name for k, name in enumerate(self.model.coordinates) if self._change(k, slope) > most]
 
     def _change(self, k: int, slope: Vector) -> float:

@@ -1,22 +1,26 @@
 """A linearised mechanism in words and in a picture."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
+from ..arguments.names import Vector
 from ..pages.figures import BLUE, blank, uncluttered
 from .linearization import Linearization, written
 
 
 def description(found: Linearization) -> str:
     """Return the state, and each mode on a line: eigenvalue [1/s], frequency [Hz], damping ratio, what it does."""
-    return "\n".join([f"{found.model.name}: {len(found.A)} states, {found.message}", "", *_state(found), "",
+    state = state_rows(found.model.coordinates, found.x, found.v, found.acceleration)
+    held = [f"mode: {', '.join(f'{name} = {value:g}' for name, value in found.mode.items())}"] if found.mode else []
+    return "\n".join([f"{found.model.name}: {len(found.A)} states, {found.message}", *held, "", *state, "",
                       *_modes(found), "", _verdict(found)])  # fmt: skip
 
 
-def _state(found: Linearization) -> Iterator[str]:
-    width = max(10, *map(len, found.model.coordinates))
+def state_rows(coordinates: Sequence[str], x: Vector, v: Vector, a: Vector) -> Iterator[str]:
+    """Return a state and its accelerations, a coordinate on a line."""
+    width = max(10, *map(len, coordinates))
     yield f"{'':{width}} {'position':>14} {'velocity':>14} {'acceleration':>14}"
-    rows = zip(found.model.coordinates, found.x, found.v, found.acceleration, strict=True)
+    rows = zip(coordinates, (x + 0.0).tolist(), (v + 0.0).tolist(), (a + 0.0).tolist(), strict=True)
     yield from (f"{name:{width}} {x:14.6g} {v:14.6g} {a:14.6g}" for name, x, v, a in rows)
 
 
@@ -28,6 +32,8 @@ def _modes(found: Linearization) -> Iterator[str]:
 
 
 def _verdict(found: Linearization) -> str:
+    if not len(found.A):
+        return "held: nothing can move"
     growing = [mode for mode in found.modes() if mode.grows]
     held = "at this instant " if not found.steady else ""
     if growing:
