@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from sympy import Abs, Piecewise, Rational, cos, sqrt
+from sympy import Abs, Piecewise, Rational, cos, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, ModelError, System
 
-from .generation import system_for
+from .generation import system_for, system_of
 
 MOST = 100.0
 """Tolerances of a run by which derivatives may be off, where nothing grows."""
@@ -95,3 +95,46 @@ def test_a_kink_at_rest_is_none_of_a_force():
                   potential_energy=x**2 / 2 + Abs(x) ** 3, initial={x: 0.0})  # fmt: skip
     run = system_for(model, "lagrange").simulate((0, 3.0), sensitivities=["x"])
     np.testing.assert_allclose(run.sensitivity["x"].dx[0], np.cos(run.t), atol=1e-4)
+
+
+def off_the_exponential(name):
+    """Of all directions at an equilibrium, over ten periods of the fastest mode, or until one has grown by 1e4."""
+    system = system_of(name, "lagrange")
+    place = em.find_equilibrium(system)
+    x0, v0 = place.x, np.zeros(system.n)
+    A = system.linearize(x0, v0).full.A
+    values = np.linalg.eigvals(A)
+    fastest, growth = np.abs(values).max(), max(values.real.max(), 0.0)
+    end = min(20 * np.pi / fastest, np.log(1e4) / growth if growth > 0.0 else np.inf)
+    names = [*system.coordinates, *(f"{one}'" for one in system.coordinates)]
+    run = system.simulate((0.0, end), x0=x0, v0=v0, rtol=1e-11, atol=1e-12, sensitivities=names)
+    begin, found = (np.array([np.concatenate([one.dx[:, row], one.dv[:, row]]) for one in run.sensitivity.values()]).T
+                    for row in (0, -1))  # fmt: skip
+    right = expm(end * A) @ begin
+    return np.abs(found - right).max() / np.abs(right).max()
+
+
+NIGHT = ["cart_pendulums", "compass_gait", "double_pendulum", "dual_link", "four_bar", "furuta_pendulum"]
+
+
+@pytest.mark.parametrize("name", [
+    "pendulum", "elastic_pendulum", "chain", "slider_crank",
+    *(pytest.param(name, marks=pytest.mark.nightly) for name in NIGHT),
+])  # fmt: skip
+def test_equilibria_of_models(name):
+    """Against the exponential of the linearised equations, constraints included."""
+    assert off_the_exponential(name) < 1e-8
+
+
+def test_what_rests_on_a_floor_from_the_start():
+    """Pushed by F t it leaves at s = g / F; then z = F (t^3 - s^3) / 6 - g (t - s)^2 / 2 - F s^2 (t - s) / 2."""
+    z = dynamicsymbols("z")
+    g, F = symbols("g F", positive=True)
+    model = Model(name="rests_first", coordinates=[z], kinetic_energy=z.diff() ** 2 / 2, potential_energy=g * z,
+                  forces={z: F * em.t}, parameters={g: 10.0, F: 20.0}, contacts={"floor": em.Contact(z)},
+                  initial={z: 0.0})  # fmt: skip
+    asked = {"rtol": 1e-10, "atol": 1e-10, "sensitivities": ["g", "F", "z"]}
+    run = system_for(model, "lagrange").simulate((0.0, 1.0), **asked)
+    by_g, by_F, by_z = run.sensitivity.values()
+    np.testing.assert_allclose([by_g.dx[0, -1], by_F.dx[0, -1], by_z.dx[0, -1]], [-0.125, 1 / 12, 0.0], atol=1e-8)
+    assert by_g.dt_events[0] == pytest.approx([0.05])

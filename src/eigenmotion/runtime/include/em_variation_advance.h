@@ -118,16 +118,24 @@ static double em_error_of(em_pass *p, double from, double to) {
     return error(p, to - from, within, p->none);
 }
 
+/* How rough accelerations are in a step, in what a smooth motion may seem to be; where that is more than one, less what is rounding. */
+static double em_rough_of(em_pass *p, double to) {
+    const double most = EM_ROUGH * p->of->tolerance;
+    memset(p->wobble, 0, p->n * sizeof *p->wobble);
+    const double found = em_force_rough(p) / most;
+    return found <= 1.0 || em_rounding_of(p, to, p->none) ? found : em_force_rough(p) / most;
+}
+
 /* One step from `from` on, as long as it can be, within a span that ends at `last`. Returns its end; NAN: none. */
 static double em_advance(em_pass *p, double from, double last) {
     em_variations *const w = p->of;
     const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
     for (;;) {
         const double to = em_next_end(p, from, last), length = fabs(to - from);
-        const int solved = em_solve_step(p, from, to) , is_least = length <= 2.0 * least;
+        const int solved = em_solve_step(p, from, to), is_least = length <= 2.0 * least;
         if (solved < 0) return NAN;
         const double error = solved > 0 ? INFINITY : em_error_of(p, from, to);
-        const double rough = solved > 0 ? 0.0 : em_force_rough(p) / (EM_ROUGH * w->tolerance), off = fmax(error, rough);
+        const double rough = solved > 0 ? 0.0 : em_rough_of(p, to), off = fmax(error, rough);
         p->n_least = is_least ? p->n_least + 1 : 0;
         if (is_least && rough > 1.0) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1), w->t_reached = to, NAN;
         if (is_least && (solved > 0 || p->n_least > EM_MOST_LEAST)) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;

@@ -44,7 +44,7 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
     }
 }
 
-/* none (n, columns) <- what of K is rounding: by how much it changes where the last digits of the motion do. 0, or -1. */
+/* none (n, columns), and wobble <- what of K, and of accelerations, is rounding: by how much it changes where the last digits of the motion do. 0, or -1. */
 static int em_rounding_of(em_pass *p, double t, double *none) {
     enum { LAST = EM_VARIATION_NODES - 1 };
     em_variations *const w = p->of;
@@ -57,6 +57,7 @@ static int em_rounding_of(em_pass *p, double t, double *none) {
                                      &w->fault)) return -1;
     for (int i = 0; i < n * width; ++i) D[i] = EM_ROUNDINGS * (D[i] - J[i]);
     em_sum_terms(p, D, p->S, none);
+    for (int i = 0; i < n; ++i) p->wobble[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
     return 0;
 }
 

@@ -109,14 +109,15 @@ static void em_mend_motion(em_pass *p, double h) {
 }
 
 /* How much of accelerations in a step is beyond a series of eight terms that ends: more than a tolerance where a force
- * jumps. What changes of state within what the run allows make of them does not count. */
+ * jumps. What the run's tolerances of the state make of them does not count, nor what these leave open over all of the run. */
 static double em_force_rough(const em_pass *p) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, width = p->of->model->n_arguments;
     const double *const C = p->of->series, *const z = p->Z + (NODES - 1) * 2 * n, *const J = p->J + (NODES - 1) * n * width;
+    const double whole = fabs(p->of->run->t_reached - p->of->run->t_start);
     double most = 0.0;
     for (int i = 0; i < n; ++i) {
-        double origin = 0.0, part[3] = {0.0}, size = fabs(p->a0[i]), allowed = 0.0;
+        double origin = 0.0, part[3] = {0.0}, size = fabs(p->a0[i]), allowed = em_run_allows(p, n + i, fabs(z[n + i])) / whole;
         for (int j = 0; j < NODES; ++j) {
             const double a = p->a[j * n + i];
             origin += p->origin[j] * a;
@@ -126,7 +127,7 @@ static double em_force_rough(const em_pass *p) {
         for (int k = 0; k < 2 * n; ++k) allowed += fabs(J[i * width + k]) * em_run_allows(p, k, fabs(z[k]));
         const double beyond = fabs(p->a0[i] - origin) / 2.0;
         const double ratio = fmax(beyond, fabs(part[2])) / fmax(fmax(fabs(part[1]), fabs(part[0])), DBL_MIN);
-        const double rest = beyond * pow(fmin(ratio, 1.0), 3.0) - 10.0 * allowed;
+        const double rest = beyond * pow(fmin(ratio, 1.0), 3.0) - 10.0 * allowed - p->wobble[i];
         if (rest > 0.0) most = fmax(most, rest / size);
     }
     return most;

@@ -50,12 +50,13 @@ typedef struct em_variations {
  * columns), zero but at `places`, (row, column). z is where the motion is; L the linear system with its right-hand sides,
  * in `rows`; `inside`: between which times the model is asked (em_breaks.h). At the nodes of a step: Z (2 n), a (n), J
  * (n, n_arguments), K = S_v' and G, what of it does not hang on K (n, columns). Where the step begins: S0, K0, J0, a0, and
- * T0, the sum of the terms of K without their signs; T, where it ends. */
+ * T0, the sum of the terms of K without their signs; T, where it ends. none (n, columns), wobble (n): what of K and a is
+ * rounding. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_places, (*places)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *y;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *wobble, *y;
     double origin[EM_VARIATION_NODES]; /* of a series at its beginning, by values at nodes */
     double inside[2], h;               /* h: the length of the next step, as far as the last one tells */
     size_t row;
