@@ -11,6 +11,7 @@ from .c.lower import Defaults, lower, outlined
 from .c.program import Program
 from .choices import STANDARD, Choices
 from .model import Model, ModelError
+from .model.depth import with_room
 from .model.normalise import name_of
 from .physics.derive import derive
 from .physics.specialise import ALL_SAVINGS, Saving, specialise
@@ -53,6 +54,12 @@ def program(
             f'Model {model.name!r}: contacts change the rows of Delta within a run, of which schur="eigenfactor" '
             'carries eigenfactors. Build with schur="factor".'
         )
+    return with_room(model, lambda: _program(model, choices, savings, whole, ahead))
+
+
+def _program(
+    model: Model, choices: Choices, savings: frozenset[Saving], whole: bool, ahead: Callable[[str], object] | None
+) -> Program:
     scene = specialise(derive(model), model.scales, savings)
     outline = outlined(scene, _defaults(model), choices)
     if ahead is not None and not (outline.acts or scene.may_break):  # what these need is counted with the kernels

@@ -201,7 +201,9 @@ class _Writer:
             self._load(value, operands[0])
         elif kind == "constant":
             self._load_constant(value, operands[0])
-        elif kind != "number" and (self.plan.uses[value] > 1 or self._is_sine(value)):
+        elif kind != "number" and (
+            self.plan.uses[value] > 1 or self._is_sine(value) or self.here.printer.is_deep(value)
+        ):
             self._compute(value)
 
     def _take(self, value: int) -> None:

@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from ..graph.numbers import Number, magnitude
-from ..graph.operations import Operation
+from ..graph.operations import Operation, operands_of
 from ..graph.schedule import Schedule
 
 ONE = Operation("number", (1,))
+DEEPEST = 40
+"""Levels of operations in one statement."""
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 CALLS: Mapping[str, str] = {
@@ -35,6 +37,13 @@ class Printer:
 
     def __init__(self, plan: Schedule, names: Mapping[int, str], on_lanes: bool) -> None:
         self.plan, self.names, self.on_lanes = plan, names, on_lanes
+        self._depth: dict[int, int] = {}
+
+    def is_deep(self, value: int) -> bool:
+        """Whether its text holds more levels than a compiler, or a reader, takes; asked of operands first."""
+        parts = (part for part in operands_of(self.plan.operations[value]) if part not in self.names)
+        self._depth[value] = 1 + max((self._depth.get(part, 0) for part in parts), default=0)
+        return self._depth[value] > DEEPEST
 
     def whole(self, value: int) -> str:
         """Return the text of a value that stands alone: assigned, or the argument of a function."""

@@ -44,10 +44,16 @@ class FromSympy:
         ModelError
             A function has no counterpart in C; names it.
         """
-        node = self._known.get(expression)
-        if node is None:
-            node = self._known[expression] = self._convert(expression)
-        return node
+        waiting = [expression]
+        while waiting:  # parts first: an expression may be deeper than calls may be
+            part = waiting[-1]
+            missing = [] if part in self._known else [inner for inner in _asked(part) if inner not in self._known]
+            waiting += reversed(missing)
+            if not missing:
+                waiting.pop()
+                if part not in self._known:
+                    self._known[part] = self._convert(part)
+        return self._known[expression]
 
     def _convert(self, expression: sympy.Basic) -> Node:
         graph = self.graph
@@ -129,6 +135,18 @@ class FromSympy:
         return node
 
 
+def _asked(expression: sympy.Basic) -> list[sympy.Basic]:
+    """Return the parts that are converted before an expression is; what is not a function of C's fails by itself."""
+    if isinstance(expression, Piecewise):
+        return [part for pair in reversed(expression.args) for part in reversed(pair.args) if part != True]  # noqa: E712
+    if isinstance(expression, sympy.Add | sympy.Mul):
+        return list(expression.args)
+    if isinstance(expression, sympy.Pow):
+        base, exponent = expression.args
+        return [part for part in (base, exponent) if part != sympy.E and not isinstance(part, sympy.Number)]
+    return list(expression.args) if type(expression) in (FUNCTIONS | RELATIONS) else []
+
+
 def _number(expression: sympy.Basic) -> Number:
     if isinstance(expression, sympy.Rational):
         return exact(int(expression.p), int(expression.q))
@@ -139,7 +157,7 @@ def _number(expression: sympy.Basic) -> Number:
 
 
 class ToSympy:
-    """Gives a graph's nodes back as SymPy expressions in plain symbols."""
+    """Gives a graph's nodes back as SymPy expressions in plain symbols; what chooses in a chain as one Piecewise."""
 
     def __init__(self, graph: Graph, symbols: Mapping[str, sympy.Symbol]) -> None:
         self.graph = graph
@@ -149,8 +167,26 @@ class ToSympy:
     def __call__(self, root: Node) -> sympy.Expr:
         """Return the expression of a node."""
         for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._convert(node)
-        return self._known[root]
+            if not self._chooses(node):
+                self._known[node] = self._convert(node)
+        return self._value(root)
+
+    def _chooses(self, node: Node) -> bool:
+        return self.graph.records[node].operands[0] == "select" and self.graph.records[node].kind is Kind.CALL
+
+    def _value(self, node: Node) -> sympy.Expr:
+        if node not in self._known:
+            self._known[node] = self._piecewise(node)
+        return self._known[node]
+
+    def _piecewise(self, node: Node) -> sympy.Expr:
+        """Return one choice of all that a chain of them chooses from."""
+        chain = []
+        while self._chooses(node) and node not in self._known:
+            chain.append(self.graph.records[node].operands[1:])
+            node = chain[-1][2]
+        pairs = [(self._value(yes), _condition(self._value(condition))) for condition, yes, _ in chain]
+        return Piecewise(*pairs, (self._value(node), True), evaluate=False)
 
     def _convert(self, node: Node) -> sympy.Expr:
         kind, operands = self.graph.records[node]
@@ -159,19 +195,15 @@ class ToSympy:
         if kind is Kind.SYMBOL:
             return self._symbols[operands[0]]
         if kind is Kind.SUM:
-            return sympy.Add(*(_from_number(factor) * self._known[child] for child, factor in operands))
+            return sympy.Add(*(_from_number(factor) * self._value(child) for child, factor in operands))
         if kind is Kind.PRODUCT:
-            return sympy.Mul(*(self._known[child] ** _from_number(power) for child, power in operands))
-        return self._call(operands[0], [self._known[child] for child in operands[1:]])
+            return sympy.Mul(*(self._value(child) ** _from_number(power) for child, power in operands))
+        name, *values = operands[0], *map(self._value, operands[1:])
+        return values[0] ** values[1] if name == "pow" else BACK[name](*values)
 
-    def _call(self, name: str, operands: list[sympy.Expr]) -> sympy.Expr:
-        if name == "select":
-            is_condition = isinstance(operands[0], Boolean)
-            condition = operands[0] if is_condition else sympy.Ne(operands[0], 0)
-            return Piecewise((operands[1], condition), (operands[2], True))
-        if name == "pow":
-            return operands[0] ** operands[1]
-        return BACK[name](*operands)
+
+def _condition(value: sympy.Basic) -> Boolean:
+    return value if isinstance(value, Boolean) else sympy.Ne(value, 0)
 
 
 def _from_number(value: Number) -> sympy.Number:

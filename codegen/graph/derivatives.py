@@ -72,11 +72,18 @@ class _Reverse:
 
     def __call__(self, root: Node) -> tuple[Node, ...]:
         """Return the derivatives of root with respect to the sources."""
-        if root not in self._known:
-            self._known[root] = self._swept(root)
+        pieces = {piece for node in self.graph.reachable([root], self._known) for piece in self._pieces(node)}
+        for node in sorted({*pieces, root} - {*self._known}):  # inner ones first
+            self._known[node] = self._swept(node)
         return self._known[root]
 
+    def _pieces(self, node: Node) -> tuple[Node, ...]:
+        kind, operands = self.graph.records[node]
+        return operands[-2:] if kind is Kind.CALL and operands[0] in CHOICES else ()
+
     def _swept(self, root: Node) -> tuple[Node, ...]:
+        if self._pieces(root):
+            return tuple(self._of_choice(root))
         graph = self.graph
         moving = _above(graph, graph.reachable([root]), set(self._sources))
         adjoints: dict[Node, list[tuple[Node, Number]]] = {root: [(graph.one, ONE)]}
@@ -94,7 +101,7 @@ class _Reverse:
 
     def _of_choice(self, node: Node) -> list[Node]:
         def along(source: int) -> Node:
-            return _chosen(self.graph, node, lambda piece: self(piece)[source])
+            return _chosen(self.graph, node, lambda piece: self._known[piece][source])
 
         return list(map(along, range(len(self._sources))))
 

@@ -11,6 +11,7 @@ import sympy
 from . import checks
 from .canonical import canonical_text
 from .contacts import contacts_of, with_contacts
+from .depth import with_room
 from .drawing import drawing_of
 from .equations import Equations, equations_of
 from .event import Event
@@ -113,13 +114,16 @@ class Model(Mechanism):
         del given["self"]
         try:
             checks.check_name(name)
-            for field, value in _normalised(given).items():
-                object.__setattr__(self, field, value)
-            checks.check(self)
+            with_room(given, lambda: self._take(given))
         except ModelError as error:
             if str(error).startswith(f"Model {shown(name)}"):
                 raise
             raise ModelError(f"Model {shown(name)}: {error}") from error.__cause__
+
+    def _take(self, given: dict[str, Any]) -> None:
+        for field, value in _normalised(given).items():
+            object.__setattr__(self, field, value)
+        checks.check(self)
 
     @property
     def initial_v(self) -> tuple[float, ...]:
@@ -134,14 +138,14 @@ class Model(Mechanism):
 
         Simplified only where that is quick. What is compiled is derived on its own, and proved against the energies.
         """
-        return equations_of(self)
+        return with_room(self, lambda: equations_of(self))
 
     def _repr_latex_(self) -> str:
         return self.equations()._repr_latex_()
 
     def canonical(self) -> str:
         """Return a text of everything that defines the model: equal texts, equal generated files."""
-        return canonical_text(self)
+        return with_room(self, lambda: canonical_text(self))
 
 
 def _normalised(given: dict[str, Any]) -> dict[str, Any]:
