@@ -6,10 +6,10 @@ from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import Contact, Model
+from eigenmotion import Contact, Friction, Model, t
 
 from .generation import system_for
-from .leaning import J, b, beam, block, box, dragged, g, h, k, ladder, leaning, m, p, pendulum, y
+from .leaning import J, al, b, beam, block, box, dragged, g, h, k, ladder, leaning, m, mu, p, pendulum, x, y
 from .test_linearize import same
 
 
@@ -156,6 +156,34 @@ def test_a_beam_on_three_supports():
             assert rest.linearize().eigenvalues().size == 0
     falls = em.find_equilibrium(beam(), {"y": 1.0, "p": 0.2}, parameters={"F": 3.0})
     np.testing.assert_allclose(falls.x, 0.0, atol=1e-12)
+
+
+def on_a_slope() -> Model:
+    """A box on two rough feet; x along the slope."""
+    feet = {name: (x + side * b * cos(p) + h * sin(p), y + side * b * sin(p) - h * cos(p))
+            for name, side in (("left", -1), ("right", 1))}  # fmt: skip
+    rub = {f"rub_{name}": Friction(foot[0].diff(t), limit=mu, normal=name) for name, foot in feet.items()}
+    return Model(name="on_a_slope", coordinates=[x, y, p], potential_energy=m * g * (y * cos(al) - x * sin(al)),
+                 kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
+                 contacts={name: Contact(foot[1], rest=0.01) for name, foot in feet.items()} | rub,
+                 parameters={m: 1.0, g: 9.81, b: 0.3, h: 0.5, J: 0.2, mu: 0.6, al: 0.2}, initial={y: 0.5})  # fmt: skip
+
+
+def test_random_boxes_on_slopes_stand_where_they_neither_slide_nor_tip():
+    """tan(slope) < min(mu, b / h); and whatever else is found lies in no contact, where none pulls."""
+    system, random = system_for(on_a_slope(), "lagrange"), np.random.default_rng(3)
+    for _ in range(25):
+        low, high = [0.1, 0.2, 0.1, 0.0, 0.1], [0.6, 1.0, 1.5, 0.8, 100.0]
+        given = dict(zip(("b", "h", "mu", "al", "g"), random.uniform(low, high).tolist(), strict=True))
+        rest = em.find_equilibrium(system, {"y": given["h"] * random.choice([1.0, 1.3])}, parameters=given)
+        stands = rest.success and abs(rest.x[2]) < 1e-9 and abs(rest.x[1] / given["h"] - 1) < 1e-9
+        assert stands == (np.tan(given["al"]) < min(given["mu"], given["b"] / given["h"])), (given, rest)
+        if rest.success:
+            gaps = rest.x[1] + np.array([-1, 1]) * given["b"] * np.sin(rest.x[2]) - given["h"] * np.cos(rest.x[2])
+            normal, rubbing = -rest.multipliers[:2], np.abs(rest.multipliers[2:])
+            assert (gaps > -1e-9).all()
+            assert (normal > -1e-9 * given["g"]).all()
+            assert (rubbing <= given["mu"] * normal + 1e-9 * given["g"]).all()
 
 
 @pytest.mark.parametrize("length", [1e-6, 1e6])

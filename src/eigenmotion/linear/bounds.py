@@ -33,10 +33,15 @@ class Bounds:
                 for one in switches_of(at.model) if values[one.holds] and not values[one.idles]}  # fmt: skip
 
     @cached_property
+    def own(self) -> dict[Switch, float]:
+        """Of what holds, with the forces of the place."""
+        return self._margins(self.at)
+
+    @cached_property
     def margins(self) -> dict[Switch, float]:
         """Of all that holds, idle or not: positive where a distribution of forces exists that leaves a margin."""
         values = self.at.prepared.parameters
-        own, idle = self._margins(self.at), [one for one in switches_of(self.at.model) if values[one.idles]]
+        own, idle = self.own, [one for one in switches_of(self.at.model) if values[one.idles]]
         if not idle:
             return own
         shared = self._margins(holding(self.at, idle))
@@ -107,7 +112,15 @@ def sticking(at: Place) -> Place:
     """Return the place where frictions without slip stick, those at their limit, too."""
     values, surfaces = at.prepared.parameters, Surfaces(at)
     slides = [
-        one for one in switches_of(at.model) if not one.is_contact and values[one.slides] and surfaces.at_rest(one)
+        one
+        for one in switches_of(at.model)
+        if not one.is_contact and values[one.slides] and not values[one.idles] and surfaces.at_rest(one)
     ]
     there = holding(at, slides)
-    return there if slides and not Bounds(there).missed() else at
+    return there if slides and not Bounds(there).missed() and is_within(there) else at
+
+
+def is_within(at: Place) -> bool:
+    """Whether the forces of a place, as its rows share them, are within the bounds of all that holds."""
+    bounds = Bounds(at)
+    return all(margin >= -_AT_BOUND * bounds.size for margin in bounds.own.values())

@@ -13,7 +13,7 @@ from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
 from ..pages.notebook import table
 from .balance import Balance
-from .bounds import settled, sticking
+from .bounds import is_within, settled, sticking
 from .holding import held_words, mode_of
 from .in_mode import check_apart
 from .leaning import sought
@@ -34,7 +34,8 @@ class Equilibrium:
     success : whether accelerations vanish and the constraints hold; message : in words, and what does not
     x, v : (n,); t; inputs, parameters : all of them by name, those that were solved for included
     acceleration : (n,) that is left; position_residual : (h,) phi; velocity_residual : (m,) A v + b
-    multipliers : (m,) of the constraint rows; a contact pushes with minus its own
+    multipliers : (m,) of the constraint rows, where they are not unique some that are possible; a contact pushes with
+        minus its own
     mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
     """
 
@@ -150,8 +151,10 @@ def _places(given: object, names: tuple[str, ...], what: str) -> tuple[int, ...]
 def _found(balance: Balance, q: Vector) -> Equilibrium:
     system, wrong = balance.system, balance.unsatisfied(q, balance.start)
     at, bounds = balance.place(q), list[str]()
+    multipliers = at.motion[1]
     if not wrong.any():
         at, bounds = _settled(at)
+        multipliers = at.motion[1] if is_within(at) else multipliers
     inside = _inside(at)
     z = balance.arguments(q)[2 * system.n :].tolist()
     A, b = at.model.pfaffian(at.t, at.x, at.prepared)

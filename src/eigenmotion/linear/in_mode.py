@@ -52,14 +52,15 @@ def check_apart(at: Place) -> None:
 
 
 def _on_surfaces(at: Place) -> Place:
-    """Return the place moved onto the surfaces that it touches at rest, but for what typing and saving leave."""
+    """Return the place moved onto the surfaces on which it rests, but for what typing and saving leave; these hold."""
     surfaces = Surfaces(at)
-    near = [one for one in surfaces.closed() if surfaces.at_rest(one)]
+    touching = [*surfaces.closed(), *(one for one in switches_of(at.model) if not one.is_contact)]
+    near = [one for one in touching if surfaces.at_rest(one)]
     if not near:
         return at
     there = holding(opened(at), near)
     x, v = Projection(there.model, there.prepared, there.t, least_norm=True)(at.x, at.v)
-    return at.at(at.t, x, v)
+    return there.at(at.t, x, v)
 
 
 def _named(at: Place, mode: Mapping[Any, float] | None) -> dict[int, float]:
