@@ -89,6 +89,8 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
 
 
 def _lanes(made: Program) -> tuple[str, ...]:
+    if made.normals:
+        return ("none: friction is in proportion to norms of multipliers, which are solved for state by state",)
     if not made.on_lanes:
         return ('none: what close_eigenvalues="extrapolate" remembers of a run belongs to one state',)
     rest = f"lane by lane: {', '.join(made.lane_by_lane)}" if made.lane_by_lane else "nothing goes lane by lane"
@@ -128,4 +130,5 @@ def _defaults(model: Model) -> Defaults:
         y=model.initial_y,
         events=model.events,
         switches=model.switches,
+        rows=model.row_names,
     )

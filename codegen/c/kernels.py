@@ -145,10 +145,10 @@ class _Writing:
                 for block in self.blocks for local, k in enumerate(block.coordinates)]  # fmt: skip
 
     def by_row(self, name: str, rows: Sequence[Sequence[Node]]) -> list[Entry]:
-        return [Entry(Array(f"{name}{block.number}", f"[N_ROWS][N{block.number}]"), (f"[{row}][{local}]",),
-                      self.scaled(entries[k], k))
-                for block in self.blocks if block.constrained
-                for row, entries in enumerate(rows)
+        size = "N_ROWS" if len(rows) == self.scene.m else "N_PUSHED"
+        return [Entry(Array(f"{name}{block.number}", f"[{size}][N{block.number}]"),
+                      (f"[{row}][{local}]",), self.scaled(entries[k], k))
+                for block in self.blocks if block.constrained for row, entries in enumerate(rows)
                 for local, k in enumerate(block.coordinates)]  # fmt: skip
 
     def pushed(self) -> list[Entry]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from itertools import accumulate
 
@@ -21,7 +21,7 @@ class Defaults:
     """The numbers of a model that the generated file carries.
 
     parameters, inputs : name -> value; x, v : (n); y : (n) or (); events : name -> Event;
-    switches : what changes with a mode
+    switches : what changes with a mode; rows : names of constraint rows, () where none has one
     """
 
     parameters: tuple[tuple[str, float], ...]
@@ -31,6 +31,7 @@ class Defaults:
     y: tuple[float, ...]
     events: tuple[tuple[str, Event], ...]
     switches: tuple[Switch, ...]
+    rows: tuple[str, ...]
 
 
 def lower(scene: Scene, outline: Outline, choices: Choices, whole: bool = True) -> Program:
@@ -54,7 +55,7 @@ def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
-        on_lanes=not (layout.couples and choices.extrapolate),
+        on_lanes=not (layout.couples and choices.extrapolate or mechanics.norms),
         in_lanes=_in_lanes(scene, layout, choices),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning), choices),
@@ -63,7 +64,8 @@ def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
         coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
-        events=_events(scene, defaults), n_impacts=len(mechanics.impacts), pushes=mechanics.pushes,
+        events=_events(scene, defaults), n_impacts=len(mechanics.impacts), pushes=mechanics.pushes, rows=defaults.rows,
+        normals=tuple(tuple(int(row in rows) for row in range(scene.m)) for rows in mechanics.norms),
         resets=tuple(int(reset.quasi) for reset in mechanics.resets), switches=_switches(scene, defaults),
         shapes=_shapes(scene), dimension=next((shape.dimension for shape in mechanics.drawing), 0),
         quasi_velocities=tuple(name for name, _ in mechanics.quasi_velocities), initial_y=tuple(map(repr, defaults.y)),
@@ -106,10 +108,17 @@ def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
     number = {one.name: k for k, one in enumerate(defaults.switches)}
     return tuple(
         SwitchView(events[one.name], place[one.holds.name], place[one.slides.name] if one.slides else -1,
-                   number[one.over] if one.over else -1, one.row + (scene.h if one.slides else 0),
+                   _over(scene, one, number), one.row + (scene.h if one.slides else 0),
                    place[one.idles.name], int(one.law == "poisson"))
         for one in defaults.switches
     )  # fmt: skip
+
+
+def _over(scene: Scene, switch: Switch, number: Mapping[str, int]) -> int:
+    """Return the number of the contact that presses; of what norm of multipliers it is, below -1; -1: of nothing."""
+    if switch.presses:
+        return -2 - scene.mechanics.norms.index(switch.presses)
+    return number[switch.over] if switch.over else -1
 
 
 def _needs_mass(blocks: Sequence[BlockView], choices: Choices) -> bool:

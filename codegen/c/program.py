@@ -110,7 +110,7 @@ class EventView:
 class SwitchView:
     """What changes with a mode: the numbers of its event and constraint row, the places of its parameters.
 
-    slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none
+    slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none, -2 - k: norm k of multipliers
     idles : the place of how far the row may be off where others keep it
     poisson : whether it strikes by Poisson's law
     """
@@ -149,7 +149,9 @@ class Outline:
     settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
+    rows : names of the constraint rows, () where none has one
     pushes : whether forces take part of multipliers, so that those push by other rows than A
+    normals : of each norm of multipliers that takes part in forces, for each row 1 or 0: whether it is among them
     n_impacts, resets, switches : what events do; of resets, whether they are in quasi-velocities
     shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
     """
@@ -189,7 +191,9 @@ class Outline:
     events: tuple[EventView, ...]
     n_impacts: int
     resets: tuple[int, ...]
+    rows: tuple[str, ...]
     pushes: bool
+    normals: tuple[tuple[int, ...], ...]
     switches: tuple[SwitchView, ...]
     shapes: tuple[ShapeView, ...]
     dimension: int
@@ -212,6 +216,11 @@ class Outline:
     def n_breaks(self) -> int:
         """How many times, or series of them, there are at which conditions in the time alone change."""
         return 0
+
+    @property
+    def pushed(self) -> str:
+        """How many numbers push: multipliers, and norms of them."""
+        return "N_PUSHED" if self.normals else "N_ROWS"
 
     @property
     def settles_in_lanes(self) -> bool:

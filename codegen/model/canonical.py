@@ -10,9 +10,10 @@ from sympy.core.function import AppliedUndef
 
 
 def canonical_text(record: Any) -> str:
-    """Return one line `field = value` for each field of a dataclass, in the order of the class."""
+    """Return one line `field = value` for each field, in the order of the class; not that no row has a name."""
     writer = _Writer()
-    return "".join(f"{field.name} = {writer(getattr(record, field.name))}\n" for field in fields(record))
+    named = [field.name for field in fields(record) if field.name != "constraint_names" or record.constraint_names]
+    return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in named)
 
 
 class _Writer:

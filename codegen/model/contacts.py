@@ -13,7 +13,8 @@ from typing import Any
 import sympy
 
 from .event import Event, restitution_of
-from .normalise import MULTIPLIER, ModelError, expression, name_of, pairs_of, shown
+from .normalise import ModelError, expression, name_of, pairs_of, shown
+from .rows import KINDS, Normal, Normals, normal_of
 
 LAWS = ("newton", "poisson")
 
@@ -76,7 +77,9 @@ class Friction:
         In x, xdot, t and inputs [J / integral of slip]: the friction coefficient times the normal force; with `normal`
         the coefficient alone. Where it is negative nothing presses: there is no friction.
     normal
-        The name of a Contact before it in `contacts`, whose multiplier is the normal force; None: it is in `limit`.
+        Whose multipliers are the normal force: the name of a Contact, the name of constraints, the number of a row as
+        `multiplier` counts them, or several of these. Of several rows it is the root of the sum of squares, as in a
+        bearing with two reactions. None: it is in `limit`.
     limit_at_rest
         Likewise, up to which force it sticks, where that is more than what holds it back as it slides; None: `limit`.
 
@@ -90,12 +93,13 @@ class Friction:
 
     slip: Any
     limit: Any
-    normal: str | None = None
+    normal: Normal = None
     limit_at_rest: Any = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slip", expression(self.slip, "The slip of a friction"))
         object.__setattr__(self, "limit", _limit(self.limit))
+        object.__setattr__(self, "normal", normal_of(self.normal))
         if self.limit_at_rest is not None:
             object.__setattr__(self, "limit_at_rest", _limit(self.limit_at_rest))
 
@@ -119,6 +123,7 @@ class Switch:
     else 0; None where there is no friction
     idles : the parameter that is not 0 where other rows keep it at rest: how far it may be off then
     over : the name of the contact whose multiplier its level is counted in, or None
+    presses : the rows whose multipliers it is counted in, by the root of the sum of their squares, or ()
     row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
     level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
     at_rest : up to which force a friction sticks; of a contact, 0
@@ -130,6 +135,7 @@ class Switch:
     slides: sympy.Symbol | None
     idles: sympy.Symbol
     over: str | None
+    presses: tuple[int, ...]
     row: int
     level: sympy.Expr
     at_rest: sympy.Expr
@@ -159,37 +165,54 @@ def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:
             )
         if not isinstance(entry, Contact | Friction):
             raise ModelError(f"contacts[{name}] is {shown(entry)}. Give a Contact or a Friction.")
-        before = [other for other, one in pairs[: pairs.index((name, entry))] if isinstance(one, Contact)]
-        if isinstance(entry, Friction) and entry.normal not in (None, *before):
-            raise ModelError(
-                f"normal of contacts[{name}] is {shown(entry.normal)}. Name a Contact that stands before it."
-            )
     if len({entry.law for _, entry in pairs if isinstance(entry, Contact)}) > 1:
         raise ModelError("Some contacts strike by Newton's law, others by Poisson's: give all the same `law`.")
     return pairs
 
 
 def switch_of(
-    name: str, entry: Contact | Friction, holonomic: Sequence[sympy.Expr], nonholonomic: Sequence[sympy.Expr]
+    name: str,
+    entry: Contact | Friction,
+    holonomic: Sequence[sympy.Expr],
+    nonholonomic: Sequence[sympy.Expr],
+    normals: Normals,
 ) -> Switch:
     """Return what a contact or friction was made into, of which the rows are among these."""
     holds, slides, idles = _parameters(name, entry)
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
-        return Switch(name, holds, slides, idles, entry.normal, row, entry.limit, entry.sticking, "")
-    return Switch(name, holds, slides, idles, None, row, entry.rest, sympy.Integer(0), entry.law)
+        over, presses = normals.of(name, entry.normal)
+        return Switch(name, holds, slides, idles, over, presses, row, entry.limit, entry.sticking, "")
+    return Switch(name, holds, slides, idles, None, (), row, entry.rest, sympy.Integer(0), entry.law)
+
+
+def normals_of(fields: Mapping[str, Any]) -> Normals:
+    """Return which rows press, of the fields of a Model, with the rows of contacts or before they are made."""
+    known = dict(fields["parameters"])
+    made = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
+    contacts = sum(isinstance(entry, Contact) for entry in made)
+    others = {
+        kind: len(fields[kind]) - count for kind, count in zip(KINDS, (contacts, len(made) - contacts), strict=True)
+    }
+    names = [name for name, entry in fields["contacts"] if isinstance(entry, Contact)]
+    return Normals(names, others, fields["constraint_names"])
 
 
 def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sympy.Expr]) -> dict[str, Any]:
     """Return the fields of a Model with the rows, forces, parameters and events that its contacts are made of."""
     made = dict(fields)
+    normals = normals_of(fields)
     for name, entry in fields["contacts"]:
         added = [symbol for symbol in _parameters(name, entry) if symbol is not None]
         if added[0] in dict(made["parameters"]):
             continue  # the fields of another model, as dataclasses.replace hands them over
         made["parameters"] = (*made["parameters"], *((symbol, 0.0) for symbol in added))
-        made |= _contact(made, name, entry) if isinstance(entry, Contact) else _friction(made, name, entry, in_rates)
+        made |= (
+            _contact(made, name, entry)
+            if isinstance(entry, Contact)
+            else _friction(made, name, entry, in_rates, normals)
+        )
     return made
 
 
@@ -213,25 +236,20 @@ def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, 
 
 
 def _friction(
-    made: Mapping[str, Any], name: str, friction: Friction, in_rates: Callable[[sympy.Expr], sympy.Expr]
+    made: Mapping[str, Any],
+    name: str,
+    friction: Friction,
+    in_rates: Callable[[sympy.Expr], sympy.Expr],
+    normals: Normals,
 ) -> dict[str, Any]:
     holds, slides = _parameters(name, friction)[0], _slides(name)
-    slip = in_rates(friction.slip)
-    pushes = [-slides * _force(made, friction) * slip.diff(x.diff()) for x in made["coordinates"]]
+    slip, force = in_rates(friction.slip), friction.limit * normals.force(name, friction.normal)
+    pushes = [-slides * force * slip.diff(x.diff()) for x in made["coordinates"]]
     return {
         "nonholonomic_constraints": (*made["nonholonomic_constraints"], holds * friction.slip),
         "forces": tuple(Q + push for Q, push in zip(made["forces"], pushes, strict=True)),
         "events": (*made["events"], (name, Event(slides * friction.slip, -1))),
     }
-
-
-def _force(made: Mapping[str, Any], friction: Friction) -> sympy.Expr:
-    """Return how large the force is that holds back what slides; a contact presses with minus its multiplier."""
-    if friction.normal is None:
-        return friction.limit
-    holds = sympy.Symbol(f"{friction.normal}_held")
-    row = next(k for k, gap in enumerate(made["holonomic_constraints"]) if holds in gap.free_symbols)
-    return -friction.limit * MULTIPLIER(sympy.Integer(row))
 
 
 def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:

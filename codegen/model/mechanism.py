@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import sympy
 
-from .contacts import Contact, Friction, Switch, switch_of
+from .contacts import Contact, Friction, Switch, normals_of, switch_of
 from .drawing import Shape
 from .event import Event
 from .normalise import t
+from .rows import NamedRows, names_of_rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +33,7 @@ class Mechanism:
     scales: tuple[float, ...]
     drawing: tuple[Shape, ...]
     contacts: tuple[tuple[str, Contact | Friction], ...]
+    constraint_names: tuple[NamedRows, ...]
 
     @property
     def n(self) -> int:
@@ -51,10 +53,14 @@ class Mechanism:
     @property
     def switches(self) -> tuple[Switch, ...]:
         """What of the other fields contacts were made into."""
-        return tuple(
-            switch_of(name, entry, self.holonomic_constraints, self.nonholonomic_constraints)
-            for name, entry in self.contacts
-        )
+        rows = self.holonomic_constraints, self.nonholonomic_constraints
+        normals = normals_of({field.name: getattr(self, field.name) for field in fields(Mechanism)})
+        return tuple(switch_of(name, entry, *rows, normals) for name, entry in self.contacts)
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """(m) names of the constraint rows, as "guide[1]"; "" of rows without, () where none has one."""
+        return names_of_rows(self.constraint_names, self.h, self.m)
 
     @property
     def rates(self) -> tuple[sympy.Expr, ...]:

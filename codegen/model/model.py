@@ -10,13 +10,14 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
-from .contacts import contacts_of, with_contacts
+from .contacts import contacts_of, normals_of, with_contacts
 from .depth import with_room
 from .drawing import drawing_of
 from .equations import Equations, equations_of
 from .event import Event
 from .mechanism import Mechanism, in_rates
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
+from .rows import KINDS, NamedRows, check_names, numbered, rows_of
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 
@@ -25,13 +26,16 @@ Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
 Value = TypeVar("Value")
 
 
-def multiplier(row: int) -> sympy.Expr:
+def multiplier(row: int | str, place: int | None = None) -> sympy.Expr:
     """Return the symbol of the multiplier of a constraint row, for `outputs`; the force of the row is -A^T lambda (7).
 
     Parameters
     ----------
     row
-        0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model.
+        0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model; or the name of
+        constraints that were given by a mapping.
+    place
+        Which of the rows of that name, counted from 0; None: there is one.
 
     Examples
     --------
@@ -40,8 +44,16 @@ def multiplier(row: int) -> sympy.Expr:
     >>> from eigenmotion import multiplier
     >>> outputs = {"force": -multiplier(0), "torque": 2 * multiplier(1)}
     """
-    if not isinstance(row, int) or isinstance(row, bool) or not 0 <= row <= _MOST_ROWS:
-        raise ModelError(f"multiplier({shown(row)}): the row of a constraint is counted 0, 1, 2, ...")
+    given = shown(row) if place is None else f"{shown(row)}, {shown(place)}"
+    counted = row if place is None and not isinstance(row, str) else 0 if place is None else place
+    if not isinstance(counted, int) or isinstance(counted, bool) or not 0 <= counted <= _MOST_ROWS:
+        raise ModelError(f"multiplier({given}): the row of a constraint is counted 0, 1, 2, ...")
+    if isinstance(row, str) and row.isidentifier():
+        return MULTIPLIER(sympy.Symbol(row), sympy.Integer(-1 if place is None else place))
+    if place is not None or isinstance(row, str):
+        raise ModelError(
+            f"multiplier({given}): give the number of a row, or the name of constraints and which of them."
+        )
     return MULTIPLIER(sympy.Integer(row))
 
 
@@ -56,8 +68,8 @@ class Model(Mechanism):
     kinetic_energy : T(x, xdot, t), or T(x, y, t) in the quasi-velocities: T2 + T1 + T0 (4) [J]
     potential_energy : V(x, t) [J]
     forces : (n) Q(x, xdot, t, inputs) [J / u_i]
-    holonomic_constraints : (h) phi(x, t), each held at 0; their rows come first
-    nonholonomic_constraints : (m - h) rows A xdot + b (8), each held at 0
+    holonomic_constraints : (h) phi(x, t), each held at 0; their rows come first. A mapping gives them names
+    nonholonomic_constraints : (m - h) rows A xdot + b (8), each held at 0; likewise
     quasi_velocities : (n) or () pairs y_i, expression linear in xdot: y = P(x) xdot (3)
     parameters, inputs, initial : pairs symbol, default [float]; what is missing in initial is 0
     outputs, events : pairs name, expression or Event
@@ -65,6 +77,7 @@ class Model(Mechanism):
     drawing : what it looks like: shapes of `eigenmotion.draw`, in the plane or in space
     contacts : pairs name, Contact or Friction: what touches and lets go, slides and sticks. Each adds a constraint row
     behind those of its kind, a parameter NAME_held or NAME_stuck that is 1 where a run has it hold, and an event NAME
+    constraint_names : which rows have names, found where mappings give them
 
     Raises
     ------
@@ -98,8 +111,8 @@ class Model(Mechanism):
         kinetic_energy: Any,
         potential_energy: Any = 0,
         forces: Pairs | Sequence[Any] = (),
-        holonomic_constraints: Iterable[Any] = (),
-        nonholonomic_constraints: Iterable[Any] = (),
+        holonomic_constraints: Iterable[Any] | Mapping[str, Any] = (),
+        nonholonomic_constraints: Iterable[Any] | Mapping[str, Any] = (),
         quasi_velocities: Pairs = (),
         parameters: Pairs = (),
         inputs: Pairs = (),
@@ -109,6 +122,7 @@ class Model(Mechanism):
         scales: Pairs | Sequence[float] = (),
         drawing: Iterable[Any] = (),
         contacts: Pairs = (),
+        constraint_names: Iterable[NamedRows] = (),
     ) -> None:
         given = dict(locals())
         del given["self"]
@@ -152,10 +166,7 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of a Model from the arguments of its constructor."""
     coordinates = sequence_of(given["coordinates"], "coordinates")
     checks.check_functions_of_time("coordinates", coordinates)
-    rows = {
-        kind: tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(given[kind], kind)))
-        for kind in ("holonomic_constraints", "nonholonomic_constraints")
-    }
+    rows, names = _rows(given)
     fields = given | rows | {
         "coordinates": coordinates,
         "kinetic_energy": expression(given["kinetic_energy"], "kinetic_energy"),
@@ -167,9 +178,27 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "scales": _each(given["scales"], coordinates, "scales", 1.0, number),
         "drawing": drawing_of(given["drawing"]),
         "contacts": contacts_of(given["contacts"]),
+        "constraint_names": names,
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
+    known = normals_of(fields).known
+    fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
+    fields["outputs"] = tuple(
+        (name, numbered(output, f"outputs[{name_of(name)}]", known)) for name, output in fields["outputs"]
+    )
     return with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"]))
+
+
+def _rows(given: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]], tuple[NamedRows, ...]]:
+    """Return constraint rows by kind, and the names of some; those of another model stay where rows have none given."""
+    found = {kind: rows_of(given[kind], kind) for kind in KINDS}
+    kept = (one for one in given["constraint_names"] if not isinstance(given[one.kind], Mapping))
+    names = (*kept, *(one for _, named in found.values() for one in named))
+    rows = {kind: rows for kind, (rows, _) in found.items()}
+    check_names(
+        names, (name for name, _ in pairs_of(given["contacts"], "contacts")), {k: len(r) for k, r in rows.items()}
+    )
+    return rows, names
 
 
 def _expressions(given: Any, what: str) -> tuple[tuple[Any, sympy.Expr], ...]:

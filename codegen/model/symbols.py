@@ -119,7 +119,7 @@ def _check_function(
 def _check_multiplier(model: Mechanism, what: str, function: sympy.Expr, allowed: frozenset[str]) -> None:
     if "multipliers" not in allowed:
         raise ModelError(f"{what} contains a multiplier. Only outputs may use them.")
-    if not 0 <= function.args[0] < model.m:
+    if len(function.args) != 1 or not 0 <= function.args[0] < model.m:
         raise ModelError(f"{what} contains {function}, but the model has {model.m} constraint rows, counted from 0.")
 
 

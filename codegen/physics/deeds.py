@@ -53,8 +53,9 @@ class Deeds:
         self.model, self.graph, self.names, self.node, self.to_sympy = model, graph, names, node, to_sympy
 
     def forces(self) -> tuple[list[Node], sympy.ImmutableDenseMatrix]:
-        """Return Q without multipliers, and (m, n) by which they enter it."""
-        names, Q = [symbol.name for symbol in self.names.multipliers], list(map(self.node, self.model.forces))
+        """Return Q without multipliers, and (m + r, n) by which they, and r norms of them, enter it."""
+        names = [symbol.name for symbol in (*self.names.multipliers, *self.names.norms.values())]
+        Q = [self.node(force.xreplace(self.names.norms)) for force in self.model.forces]
         by = [gradient(self.graph, force, names) for force in Q]
         for x, row in zip(self.model.coordinates, by, strict=True):
             if any(self.graph.depends(entry, name) for entry in row for name in names):

@@ -42,7 +42,8 @@ class Mechanics:
     drawing : the shapes, in x, t and parameters
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
     impacts, resets : what events do
-    P : (m, n); multipliers push with -P^T lambda: A, less what forces take of them (friction)
+    P : (m + r, n); multipliers, and r norms of them, push with -P^T (lambda, rho): A, less what forces take (friction)
+    norms : (r,) of which multipliers each rho is the root of the sum of squares
     levels : (level, what it is held against: the gap, or the slip, the limit at rest) of each switch of the model
     """
 
@@ -71,6 +72,7 @@ class Mechanics:
     impacts: tuple[Impact, ...]
     resets: tuple[Reset, ...]
     P: sympy.ImmutableDenseMatrix
+    norms: tuple[tuple[int, ...], ...]
     levels: tuple[tuple[sympy.Expr, sympy.Expr, sympy.Expr], ...]
 
     @property
@@ -143,19 +145,21 @@ class _Derivation:
         deeds = Deeds(model, self.graph, names, self.node, self.to_sympy)
         Q, taken = deeds.forces()
         A = sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)])
+        norms = tuple(dict.fromkeys(switch.presses for switch in model.switches if switch.presses))
+        P = A.col_join(sympy.ImmutableDenseMatrix.zeros(len(norms), len(names.x))) - taken
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
             M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
             G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
-            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=A - taken,
+            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=P,
             b=tuple(back(b)), phi=tuple(back(phi)),
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
             drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(deeds.impacts()), resets=tuple(deeds.resets()),
-            levels=tuple(deeds.levels()),
+            norms=norms, levels=tuple(deeds.levels()),
         )  # fmt: skip
 
     def shape(self, given: Shape) -> Shape:

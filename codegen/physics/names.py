@@ -8,6 +8,7 @@ import sympy
 
 from ..model.model import Model, multiplier, t
 from ..model.normalise import name_of
+from ..model.rows import normal_force
 
 
 class Names:
@@ -23,6 +24,7 @@ class Names:
         self.v = tuple(self._new(f"{x.name}_dot") for x in self.x)
         self.accelerations = tuple(self._new(f"{x.name}_ddot") for x in self.x)
         self.multipliers = tuple(self._new(f"lambda_{row}") for row in range(model.m))
+        self.norms = {normal_force(s.presses): self._new(f"rho_{s.name}") for s in model.switches if s.presses}
         self._replacements = self._plain()
 
     def _new(self, name: str) -> sympy.Symbol:
@@ -34,7 +36,7 @@ class Names:
     def by_name(self) -> Mapping[str, sympy.Symbol]:
         """Return every plain symbol under its name."""
         every = (*self.parameters, *self.x, *self.v, *self.inputs, *self.accelerations, *self.multipliers, self.time)
-        return {symbol.name: symbol for symbol in every}
+        return {symbol.name: symbol for symbol in (*every, *self.norms.values())}
 
     def signs(self) -> Mapping[str, int]:
         """Return 1 or -1 for the parameters declared positive or negative; coordinates move through either sign."""

@@ -2,7 +2,7 @@
 
 At fixed a and lambda those of
 
-    r = M a + P^T lambda - bias,  s = A a + gamma                                                             (11) (39)
+    r = M a + P^T (lambda, rho) - bias,  s = A a + gamma                                                      (11) (39)
 
 are what the derivatives of a and lambda follow from: r and s vanish along the motion, so that M da + P^T dlambda = -dr
 and A da = -ds. All entries share their subexpressions; whether they come about forward, column by column, or in
@@ -48,8 +48,9 @@ class Partials:
         terms, graph = self.terms, self.terms.graph
         n, m = terms.scene.n, terms.scene.m
         a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
+        pushing = [*multipliers, *terms.norms]
         balance = [
-            graph.add(terms.dot(terms.factored[k], a), terms.dot((terms.P[row][k] for row in range(m)), multipliers),
+            graph.add(terms.dot(terms.factored[k], a), terms.dot((row[k] for row in terms.P), pushing),
                       graph.negative(terms.bias[k]))
             for k in range(n)
         ]  # fmt: skip

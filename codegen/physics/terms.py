@@ -55,7 +55,10 @@ class Terms:
         self.A: Rows = _rows(self._nodes(mechanics.A), n)
         """(m, n) (8)"""
         self.P: Rows = _rows(self._nodes(mechanics.P), n) if mechanics.pushes else self.A
-        """(m, n), by which multipliers push"""
+        """(m + r, n), by which multipliers push, and norms of them"""
+        lambdas = mechanics.multipliers
+        self.norms = self._nodes(sympy.sqrt(sympy.Add(*(lambdas[k] ** 2 for k in rows))) for rows in mechanics.norms)
+        """(r,) the roots of sums of squares of multipliers"""
         self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
         self.phi = self._nodes(mechanics.phi)
         self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))

@@ -202,7 +202,7 @@ class _Loop:
         return bool((np.abs(phi) <= _CLOSED * np.finfo(float).eps * terms).all())
 
     def _refuse(self, x: Vector) -> None:
-        rows = ", ".join(f"row {k} by {r:.3g}" for k, r in enumerate(self._phi(x)[0].tolist()))
+        rows = ", ".join(f"{self.c.row_names[k]} by {r:.3g}" for k, r in enumerate(self._phi(x)[0].tolist()))
         held = [name for k, name in enumerate(self.c.coordinates) if k not in self.free]
         fixed = f" with {', '.join(held)} kept" if held else ""
         raise ModelError(
@@ -232,7 +232,7 @@ def _moving(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
         v[free] += np.linalg.solve(L.T, change)
     left, terms = np.abs(A @ v + b), np.abs(A) @ np.abs(v) + np.abs(b)
     if (wrong := ~(left <= _CONTRADICTS * terms)).any():
-        rows = ", ".join(f"row {k} by {left[k]:.3g}" for k in np.flatnonzero(wrong))
+        rows = ", ".join(f"{c.row_names[k]} by {left[k]:.3g}" for k in np.flatnonzero(wrong))
         names = ", ".join(c.coordinates[k] for k in given) or "none"
         raise ModelError(f"{c.name}: the rates that v0 gives ({names}) contradict the constraints, {rows}. Give fewer")
     return v

@@ -199,8 +199,8 @@ def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, 
         return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
     a, phi, rates = residuals
     said = [f"{balance.system.coordinates[k]}'' = {a[k]:.3g}" for k in balance.rows]
-    said += [f"row {k} off by {r:.3g}" for k, r in enumerate(phi)]
-    said += [f"the rate of row {k} off by {r:.3g}" for k, r in enumerate(rates)]
+    said += [f"{balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(phi)]
+    said += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)
     left = ", ".join(text for text, is_wrong in zip(said, wrong, strict=True) if is_wrong)
     where = f", with {held}" if held else ""

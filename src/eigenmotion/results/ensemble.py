@@ -109,7 +109,13 @@ class Ensemble:
             return found.words[k]
         stop, model = REASONS[found.status[k]], self._model
         words = explain(
-            stop, model.coordinates, int(found.first[k]), int(found.second[k]), float(found.size[k]), model.events
+            stop,
+            model.coordinates,
+            int(found.first[k]),
+            int(found.second[k]),
+            float(found.size[k]),
+            model.events,
+            model.row_names,
         )
         stiff = stiffness(int(self._count("n_stiff")[k]), int(self.nsteps[k]), self._asked.iterates)
         return f"{words if stop is StopReason.FINISHED else f'At t = {found.t_end[k]:.9g}: {words}'}{stiff}"

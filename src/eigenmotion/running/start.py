@@ -163,7 +163,7 @@ class _Start:
         pairs = enumerate(zip(residual.tolist(), allowed.tolist(), strict=True))
         wrong = [(k, r) for k, (r, limit) in pairs if not abs(r) <= limit]  # NaN is wrong too
         if wrong:
-            rows = ", ".join(f"row {k} by {r:.6g}" for k, r in wrong)
+            rows = ", ".join(f"{self.model.row_names[k]} by {r:.6g}" for k, r in wrong)
             raise ModelError(f"{self.model.name}: {what} {rows}. {self._offer()}")
 
     def _offer(self) -> str:

@@ -177,6 +177,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
         const em_deed *deeds
+        const char *const *rows
         int n_switches
         const em_switch *switches
         const em_lanes *lanes

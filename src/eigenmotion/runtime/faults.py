@@ -183,13 +183,22 @@ _LOWERED_RESTITUTION = (
 )
 
 _JAMMED = (
-    "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the friction "
-    "coefficient, or let the bodies give way a little."
+    "Friction jams: no acceleration satisfies contacts and constraints with it (Painleve's paradox). Lower the "
+    "friction coefficient, or let the bodies give way a little."
 )
 
 _NO_RATES = (
     "The reset of event {event} gives quasi-velocities where P of y = P(x) xdot (3) is singular, so that nothing "
     "follows of the rates. Give the rates."
+)
+
+_UNSETTLED = (
+    "What presses on frictions is not found: Newton's method goes round in circles. Lower the friction coefficients."
+)
+
+_SHARED = (
+    "Friction is in proportion to the multiplier of constraint {row}, which is not unique: rows depend on each other. "
+    "Leave out redundant ones, or state the normal force in the limit."
 )
 
 _MANY_STEPS = 1000  # below, nobody waits for them
@@ -203,13 +212,14 @@ _SINGULAR_START = (
     "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
 )
 
-
 _VARIANTS = {
     (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
     (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
     (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
     (StopReason.IMPACT_UNDEFINED, 3): _POISSON,
+    (StopReason.DEPENDENT_CONSTRAINTS, -5): _SHARED,
     (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
+    (StopReason.CONTACTS_CLASH, -4): _UNSETTLED,
     (StopReason.MODEL_JUMPS, 1): _TORN,
     (StopReason.MODEL_JUMPS, 2): _KICKED,
     (StopReason.RESET_OFF, -1): _NO_RATES,
@@ -222,7 +232,7 @@ def _words(stop: StopReason, first: int, second: int) -> str:
         return _NEAR_SINGULAR
     if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0:
         return _CONTRADICTION
-    if stop is StopReason.CONTACTS_CLASH and first < 0:
+    if stop is StopReason.CONTACTS_CLASH and first < 0 and second == -1:
         return _JAMMED
     if stop is StopReason.START_REFUSED and first >= 0:
         return _INSIDE
@@ -248,6 +258,11 @@ def stiffness(held: int, steps: int, iterates: bool) -> str:
     )
 
 
+def named_rows(names: Sequence[str], m: int) -> tuple[str, ...]:
+    """Return how messages call m constraint rows: by the names of those that have one, else by number."""
+    return tuple(next(iter(names[k : k + 1]), "") or f"row {k}" for k in range(m))
+
+
 def explain(
     stop: StopReason,
     coordinates: Sequence[str],
@@ -255,6 +270,7 @@ def explain(
     second: int = -1,
     size: float = float("nan"),
     events: Sequence[str] = (),
+    rows: Sequence[str] = (),
 ) -> str:
     """Say what happened, where, by name, and what to do.
 
@@ -266,8 +282,8 @@ def explain(
         Coordinates, constraint rows or events, as `em_fault` has them; -1: none.
     size
         The pivot, gap or residual at fault.
-    events
-        Names of the events.
+    events, rows
+        Names of the events, and of the constraint rows, as `named_rows` has them.
     """
 
     def name(k: int, names: Sequence[str] = coordinates) -> str:
@@ -276,7 +292,8 @@ def explain(
     words = _words(stop, first, second)
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     number = second if stop is StopReason.RESET_OFF else first
-    row = f"row {number} (counted from 0)" if number >= 0 else "(row unknown)"
+    row = rows[number] if 0 <= number < len(rows) else f"row {number}" if number >= 0 else "(row unknown)"
+    row += " (counted from 0)" if row == f"row {number}" else ""
     of_events = {"event": name(first, events), "other": name(second, events)}
     of_events["other_too"] = f", the next that of {name(second, events)}" if second >= 0 else ""
     text = words.format(first=name(first), second=name(second), row=row, at=at, **of_events)

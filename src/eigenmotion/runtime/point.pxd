@@ -11,7 +11,7 @@ cdef class PointModel:
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
-    cdef readonly tuple quasi_velocities, shapes, switches, acting
+    cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
     cdef readonly bint acts  # events change the state, or what holds
     cdef readonly bint augmented
     cdef readonly bint flocks  # runs of an ensemble go in lanes

@@ -42,6 +42,7 @@ class PointModel:
     acts: bool
     shapes: tuple[tuple[str, int, int], ...]
     quasi_velocities: tuple[str, ...]
+    row_names: tuple[str, ...]
     carried: tuple[int, ...]
     parameter_defaults: Vector
     input_defaults: Vector

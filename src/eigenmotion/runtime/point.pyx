@@ -15,7 +15,7 @@ from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em
 
 import numpy as np
 
-from .faults import EvaluationError, StopReason, explain
+from .faults import EvaluationError, StopReason, explain, named_rows
 
 _REASONS = tuple(StopReason)
 
@@ -56,8 +56,7 @@ cdef class PointModel:
         self.close_eigenvalues, self.schur = c.close_eigenvalues.decode("utf-8"), c.schur.decode("utf-8")
         self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
         self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
-        self.n_arguments = c.n_arguments
-        self.conserves_energy = c.conserves_energy
+        self.n_arguments, self.conserves_energy = c.n_arguments, c.conserves_energy
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
         self.vector, self.square = (c.n,), (c.n, c.n)
         self.lanes = c.lanes.width if c.lanes != NULL else 0
@@ -122,7 +121,8 @@ cdef class PointModel:
         self.coordinates, self.parameters = texts(c.coordinates, c.n), texts(c.parameters, c.n_parameters)
         self.inputs, self.outputs = texts(c.inputs, c.n_inputs), texts(c.outputs, c.n_outputs)
         self.events, self.left_out = texts(c.events, c.n_events), texts(c.left_out, c.n_left_out)
-        self.quasi_velocities = texts(c.quasi_velocities, c.n_quasi)
+        self.quasi_velocities, rows = texts(c.quasi_velocities, c.n_quasi), c.m if c.rows != NULL else 0
+        self.row_names = named_rows(texts(c.rows, rows), c.m)
         self.layout = tuple([(c.layout[k].name.decode("utf-8"), c.layout[k].start, c.layout[k].length)
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
@@ -153,7 +153,7 @@ cdef class PointModel:
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
-        words = explain(stop, self.coordinates, fault.first, fault.second, fault.size, self.events)
+        words = explain(stop, self.coordinates, fault.first, fault.second, fault.size, self.events, self.row_names)
         return EvaluationError(f"{self.name}: {words}", stop)
 
     # --- at one place; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---

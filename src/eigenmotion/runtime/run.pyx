@@ -156,7 +156,8 @@ cdef class Run:
         if self.stop is _FINISHED:
             return _CAME_TO_ITS_END + stiff
         fault = self.run.fault
-        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
+        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
+                        self.model.row_names)
         return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property

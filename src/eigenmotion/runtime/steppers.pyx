@@ -199,7 +199,8 @@ cdef class ManySteps:
         stop = _REASONS[<int> fault.status]
         if not self.e.ended[k]:
             return None
-        return stop, explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
+        return stop, explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
+                        self.model.row_names)
 
     def crossings(self):
         """(K, n_events) when each event passed zero last within the last advance; NaN where it did not."""

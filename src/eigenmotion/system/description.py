@@ -78,6 +78,11 @@ class Description:
         return self._compiled.events
 
     @property
+    def row_names(self) -> tuple[str, ...]:
+        """How messages call the constraint rows: "guide[1]" where they have names, else "row 1"."""
+        return self._compiled.row_names
+
+    @property
     def quasi_velocities(self) -> tuple[str, ...]:
         """Names of the quasi-velocities y = P(x, t) xdot (3), where the model states any."""
         return self._compiled.quasi_velocities

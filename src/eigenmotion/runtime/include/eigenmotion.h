@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 16 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 17 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -174,6 +174,7 @@ typedef struct em_model {
     void (*further)(em_method method, void *scheme);
     /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
     void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);
+    const char *const *rows; /* (m) names of constraint rows, "" of those without; NULL: none has one */
 } em_model;
 
 #endif

@@ -7,7 +7,8 @@
  *     friction        |p| <= L; p = -L where w > 0, p = L where w < 0
  *     sliding         p = -side L
  *
- * with L = level + coefficient (over . p), over (k) of the rows that press. A mode says of every row which of these conditions holds as an equation. Each mode is
+ * with L = level + coefficient (over . p), over (k) of the rows that press, or of a rooted row the root of the sum of the squares of
+ * these terms (em_leaning.h). A mode says of every row which of these conditions holds as an equation. Each mode is
  * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
  * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent.
  *
@@ -38,6 +39,9 @@ typedef struct em_mixed {
     em_row_kind kind[EM_MIXED_ROWS];
     em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
     double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: what of p its limit is in proportion to */
+    double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative by p */
+    int rooted[EM_MIXED_ROWS];
+    double beside[EM_MIXED_ROWS];     /* what presses on rooted rows beside p */
     double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
@@ -76,10 +80,20 @@ EM_COLD double em_limit_sign(const em_mixed *s, int i) {
     return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
 }
 
-/* over . p of row i */
+/* What presses on row i. */
 EM_COLD double em_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
-    for (int j = 0; j < s->k; ++j) sum += s->over[i * s->k + j] * s->p[j];
+    for (int j = 0; j < s->k; ++j) {
+        const double over = s->over[i * s->k + j];
+        sum = s->rooted[i] ? hypot(sum, over * (s->p[j] + s->beside[j])) : sum + over * s->p[j];
+    }
+    return sum;
+}
+
+/* What of it is known, at the direction in which it presses. */
+EM_COLD double em_pressed_beside(const em_mixed *s, int i) {
+    double sum = 0.0;
+    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->beside[j];
     return sum;
 }
 
@@ -88,9 +102,10 @@ EM_COLD double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
     return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
 }
 
-/* x (count) <- A^-1 x by elimination with the largest pivot of what is left. 0, or -1: the rows depend on each other. */
-EM_COLD int em_solve_mode(int count, double *A, double *x) {
-    int column[EM_MIXED_ROWS];
+/* x (count) <- A^-1 x by elimination with the largest pivot of what is left. 0, or -1: the rows depend on each other. *sign, if
+ * that is not NULL: of the determinant. */
+EM_COLD int em_solve_mode(int count, double *A, double *x, int *sign) {
+    int column[EM_MIXED_ROWS], turns = 0;
     double y[EM_MIXED_ROWS];
     for (int k = 0; k < count; ++k) column[k] = k;
     for (int k = 0; k < count; ++k) {
@@ -100,6 +115,7 @@ EM_COLD int em_solve_mode(int count, double *A, double *x) {
                 if (fabs(A[i * count + j]) > fabs(A[row * count + best])) row = i, best = j;
         const double pivot = A[row * count + best];
         if (!(fabs(pivot) > EM_MODE_RANK)) return -1;
+        turns += (row != k) + (best != k) + (pivot < 0.0);
         for (int j = 0; j < count; ++j) {
             const double kept = A[k * count + j];
             A[k * count + j] = A[row * count + j], A[row * count + j] = kept;
@@ -122,11 +138,12 @@ EM_COLD int em_solve_mode(int count, double *A, double *x) {
         y[k] = x[k] / A[k * count + k];
     }
     for (int k = 0; k < count; ++k) x[column[k]] = y[k];
+    if (sign) *sign = turns % 2 ? -1 : 1;
     return 0;
 }
 
-/* p <- of the mode. 0, or -1: its rows depend on each other. */
-EM_COLD int em_forces_of_mode(em_mixed *s) {
+/* p <- of the mode with limits as `toward` has them. 0, or -1: its rows depend on each other. */
+EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
     const int k = s->k;
     int rows[EM_MIXED_ROWS], count = 0;
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
@@ -140,19 +157,23 @@ EM_COLD int em_forces_of_mode(em_mixed *s) {
         for (int f = 0; f < k; ++f) {
             const double sign = em_limit_sign(s, f);
             if (sign == 0.0) continue;
-            x[i] -= sign * s->level[f] * s->G[rows[i] * k + f];
+            x[i] -= sign * (s->level[f] + s->coefficient[f] * em_pressed_beside(s, f)) * s->G[rows[i] * k + f];
             for (int j = 0; j < count; ++j)
-                A[i * count + j] += sign * s->coefficient[f] * s->over[f * k + rows[j]] * s->G[rows[i] * k + f];
+                A[i * count + j] += sign * s->coefficient[f] * s->toward[f * k + rows[j]] * s->G[rows[i] * k + f];
         }
     }
-    if (em_solve_mode(count, A, x)) return -1;
+    if (em_solve_mode(count, A, x, sign_of_all)) return -1;
     for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
     for (int f = 0; f < k; ++f) {
         const double sign = em_limit_sign(s, f);
-        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * em_normal_force(s, f));
+        double presses = em_pressed_beside(s, f);
+        for (int j = 0; j < k && sign != 0.0; ++j) presses += s->toward[f * k + j] * s->p[j];
+        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * presses);
     }
     return 0;
 }
+
+#include "em_leaning.h"
 
 /* w <- q + G p, and the largest of the sums of sizes in it. */
 EM_COLD double em_rates_of_mode(em_mixed *s) {
@@ -229,8 +250,9 @@ EM_COLD void em_scale_mixed(em_mixed *s, int back) {
         by[i] = back ? 1.0 / s->unit[i] : s->unit[i];
     }
     for (int i = 0; i < s->k; ++i) {
-        for (int j = 0; j < s->k; ++j) s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j];
-        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i];
+        for (int j = 0; j < s->k; ++j)
+            s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j], s->toward[i * s->k + j] *= by[j];
+        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i], s->beside[i] /= by[i];
         s->level[i] /= by[i], s->at_rest[i] /= by[i];
         s->coefficient[i] /= by[i], s->coefficient_at_rest[i] /= by[i];
     }
@@ -258,7 +280,7 @@ EM_COLD int em_solve_mixed(em_mixed *s) {
         const int bars = pass < 2;
         s->tolerance = pass % 2 == 0 ? EM_MODE_EXACT : EM_MODE_VERIFIED;
         memcpy(s->choice, given, sizeof given);
-        if (choices > EM_ENUMERATED && em_pivot_modes(s, bars)) {
+        if (choices > EM_ENUMERATED && !em_some_rooted(s) && em_pivot_modes(s, bars)) {
             found = em_is_consistent(s);
             if (found) break;
         }

@@ -98,6 +98,8 @@ EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
 /* The problem of what may hold at rest. 0, or -1 and *fault. */
 EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
     double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
+    const int shared = em_shared_normal(r);
+    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, -5, NAN);
     em_begin_mixed(r, s);
     motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
     levels(a->t, a->x, a->v, a->c, a->u, level);

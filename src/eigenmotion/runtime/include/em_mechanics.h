@@ -7,15 +7,21 @@
 
 #include "em_blocks.h"
 
+#ifdef EM_NORMALS
+enum { EM_PUSHED = N_PUSHED }; /* multipliers, and norms of them */
+#else
+enum { EM_PUSHED = N_ROWS };
+#endif
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
 
 /* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. Where multipliers push by
- * other rows than A, Q = P L^-T (m, n) and pushed = B Q^T. */
+ * other rows than A, Q = P L^-T (m, n) and pushed = B Q^T; where norms of multipliers do, rows of Q are those at the direction
+ * that multipliers have, behind them those of the norms. */
 typedef struct em_root {
     double L[N * N], r[N];
     double B[EM_SOME_ROWS * N], b[EM_SOME_ROWS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
 #ifdef EM_PUSHES
-    double Q[EM_SOME_ROWS * N], pushed[EM_SOME_ROWS * EM_SOME_ROWS];
+    double Q[EM_PUSHED * N], pushed[N_ROWS * EM_PUSHED];
 #endif
 } em_root;
 
@@ -47,24 +53,7 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
 }
 
 #ifdef EM_PUSHES
-/* Q = P L^-T and B Q^T of a root */
-EM_COLD void em_push(double t, const double *x, const double *v, const double *c, const double *u, em_root *root) {
-    double *const Q = root->Q;
-    pushes(t, x, v, c, u, Q);
-    for (int row = 0; row < N_ROWS; ++row) em_forward(N, root->L, root->r, Q + row * N);
-    for (int i = 0; i < N_ROWS; ++i)
-        for (int j = 0; j < N_ROWS; ++j) {
-            root->pushed[i * N_ROWS + j] = 0.0;
-            for (int k = 0; k < N; ++k) root->pushed[i * N_ROWS + j] += root->B[i * N + k] * Q[j * N + k];
-        }
-}
-
-/* lambda (m) <- (B Q^T)^-1 lambda. 0, or -1 and *fault. */
-EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, em_fault *fault) {
-    double pushed[N_ROWS * N_ROWS];
-    memcpy(pushed, root->pushed, sizeof pushed);
-    return em_solve_pushed(N_ROWS, pushed, lambda, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault);
-}
+#include "em_pushes.h"
 #define EM_REACTIONS(root) (root)->Q
 #else
 #define EM_REACTIONS(root) (root)->B
@@ -85,7 +74,11 @@ EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const d
     }
 #ifdef EM_PUSHES
     em_push(t, x, v, c, u, root);
+#ifdef EM_NORMALS
+    if (em_solve_push_anew(root, gamma, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault)) return -1;
+#else
     if (em_solve_push(root, gamma, least_norm, fault)) return -1;
+#endif
 #else
     if (em_delta(root, gamma, terms, least_norm, fault)) return -1;
 #endif

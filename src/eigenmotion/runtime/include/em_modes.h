@@ -11,6 +11,7 @@
 
 #include "em_impact.h"
 #include "em_complementarity.h"
+#include "em_norms.h"
 
 enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 3 /* limit of sliding, gap or slip, limit at rest */ };
 
@@ -22,6 +23,7 @@ EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles]
 
 /* Up to which force a friction sticks. */
 EM_COLD double em_limit(const em_switch *s, double level, const double *lambda) {
+    if (em_norm_of(s) >= 0) return level * em_norm_of_multipliers(em_norm_of(s), lambda);
     return s->over < 0 ? level : level * fmax(0.0, -lambda[switches[s->over].row]);
 }
 
@@ -97,17 +99,40 @@ EM_COLD void em_rates_along(em_all_rows *r, const double *v) {
     }
 }
 
-/* permanent <- those rows that hold in every mode and are independent. */
-EM_COLD void em_find_permanent(em_all_rows *r) {
-    double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
-    int switched[EM_SOME_ROWS] = {0}, kept, any = 0;
-    memcpy(Delta, r->root.Delta, sizeof Delta);
+/* Delta (m, m) <- of rows that hold in every mode, but for `without`; switched (m): which do not. Whether there are any. */
+EM_COLD int em_unswitched(const em_all_rows *r, int without, double *Delta, int *switched) {
+    int any = 0;
+    memcpy(Delta, r->root.Delta, sizeof r->root.Delta);
+    for (int k = 0; k < N_ROWS; ++k) switched[k] = 0;
     for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = 1;
     for (int i = 0; i < N_ROWS; ++i) {
         any |= !switched[i];
         for (int j = 0; j <= i; ++j)
-            if (switched[i] || switched[j]) Delta[i * N_ROWS + j] = 0.0;
+            if (switched[i] || switched[j] || i == without || j == without) Delta[i * N_ROWS + j] = 0.0;
     }
+    return any;
+}
+
+/* A row that presses on a friction, but whose multiplier is not unique: it depends on others that hold in every mode; -1: none. */
+EM_COLD int em_shared_normal(const em_all_rows *r) {
+    double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+    int switched[EM_SOME_ROWS];
+    if (!em_unswitched(r, -1, Delta, switched)) return -1;
+    const int rank = em_rank(EM_SOME_ROWS, Delta);
+    for (int k = 0; k < N_SWITCHES; ++k)
+        for (int row = 0; row < N_ROWS && em_norm_of(&switches[k]) >= 0; ++row) {
+            if (switched[row] || !em_is_among(em_norm_of(&switches[k]), row)) continue;
+            em_unswitched(r, row, Delta, switched);
+            if (em_rank(EM_SOME_ROWS, Delta) == rank) return row;
+        }
+    return -1;
+}
+
+/* permanent <- those rows that hold in every mode and are independent. */
+EM_COLD void em_find_permanent(em_all_rows *r) {
+    double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+    int switched[EM_SOME_ROWS], kept;
+    const int any = em_unswitched(r, -1, Delta, switched);
     const int rank = any ? em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept) : 0;
     for (int i = 0; i < N_ROWS; ++i)
         r->permanent[i] = !switched[i] && (rank == 0 || N_ROWS > EM_MOST_ROWS || (kept & EM_FIRST_KEPT << i));
@@ -144,11 +169,13 @@ EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
 /* A friction's row, with what it may take. */
 EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, double side) {
     const em_switch *const friction = &switches[k];
-    const int row = friction->row, presses = friction->over >= 0;
+    const int row = friction->row, norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0;
     s->kind[row] = side == 0.0 ? EM_ROW_FRICTION : EM_ROW_SLIDES;
     s->side[row] = side;
     s->choice[row] = EM_HOLDS_ROW;
-    if (presses) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
+    if (friction->over >= 0) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
+    s->rooted[row] = norm >= 0;
+    for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_STRUCK_ROWS + j] = em_is_among(norm, j);
     (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
     (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
 }

@@ -31,6 +31,14 @@ typedef struct em_blow {
     em_mixed s;
 } em_blow;
 
+/* Whether a blow may load what presses on a friction: a contact that strikes or holds, or rows of constraints. */
+EM_COLD int em_is_struck(const em_mixed *s, const em_switch *friction) {
+    int any = friction->over >= 0 && s->kind[switches[friction->over].row] == EM_ROW_CONTACT;
+    for (int row = 0; row < N_ROWS && em_norm_of(friction) >= 0; ++row)
+        any |= em_is_among(em_norm_of(friction), row) && s->kind[row] != EM_ROW_OUT;
+    return any;
+}
+
 /* The rows of a blow: constraints, contacts that strike or touch, frictions on them; rates before. */
 EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) {
     em_mixed *const s = &b->s;
@@ -42,13 +50,15 @@ EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) 
         b->before[row] = s->kind[row] == EM_ROW_FREE ? 0.0 : r->rate[row];
         b->terms[row] = r->rate_terms[row];
     }
-    for (int k = 0; k < N_SWITCHES; ++k) {
+    for (int i = 0; i < 2 * N_SWITCHES; ++i) { /* contacts, then frictions, which may stand before them */
+        const int k = i % N_SWITCHES, contacts = i < N_SWITCHES;
         const em_switch *const one = &switches[k];
         const int row = one->row;
+        if (em_is_contact(one) != contacts) continue;
         b->rest[row] = level[EM_LEVELS * k];
-        if (em_is_contact(one) && a->closed[k] && r->rate[row] <= a->still[row])
+        if (contacts && a->closed[k] && r->rate[row] <= a->still[row])
             s->kind[row] = EM_ROW_CONTACT, s->choice[row] = EM_HOLDS_ROW;
-        else if (!em_is_contact(one) && one->over >= 0 && s->kind[switches[one->over].row] == EM_ROW_CONTACT)
+        else if (!contacts && em_is_struck(s, one))
             em_friction_row(s, k, level, 0.0), s->coefficient_at_rest[row] = s->coefficient[row];
     }
 }
@@ -88,9 +98,12 @@ EM_COLD int em_blow_expands(em_blow *b) {
             s->q[row] += part, s->size[row] += fabs(part);
             presses += s->over[row * EM_STRUCK_ROWS + j] * given[j];
         }
+        if (s->rooted[row]) continue;
         s->level[row] += s->coefficient[row] * presses, s->at_rest[row] += s->coefficient_at_rest[row] * presses;
     }
+    memcpy(s->beside, given, sizeof given);
     const int found = em_solve_mixed(s);
+    memset(s->beside, 0, sizeof s->beside);
     for (int row = 0; row < EM_STRUCK_ROWS; ++row) b->impulse[row] += given[row] + s->p[row];
     memcpy(s->level, level, sizeof level), memcpy(s->at_rest, at_rest, sizeof at_rest);
     return found;

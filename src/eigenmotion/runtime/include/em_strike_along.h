@@ -19,7 +19,7 @@ EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, d
     for (int f = 0; f < EM_STRUCK_ROWS; ++f) {
         const double sign = em_limit_sign(&b->s, f);
         for (int k = 0; k < EM_STRUCK_ROWS * N && sign != 0.0; ++k)
-            Q[k] += sign * b->s.coefficient[f] * b->s.over[f * EM_STRUCK_ROWS + k / N] * b->B[f * N + k % N];
+            Q[k] += sign * b->s.coefficient[f] * b->s.toward[f * EM_STRUCK_ROWS + k / N] * b->B[f * N + k % N];
         if (em_row_holds(&b->s, f)) rows[count++] = f;
     }
     em_forward_rows(N, columns, r->root.L, r->root.r, F);
@@ -33,7 +33,7 @@ EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, d
                 for (int k = 0; k < N; ++k) A[i * count + l] += scale * b->B[rows[i] * N + k] * Q[rows[l] * N + k] * b->s.unit[rows[l]];
             }
         }
-        if (em_solve_mode(count, A, y)) return -1;
+        if (em_solve_mode(count, A, y, NULL)) return -1;
         for (int i = 0; i < count; ++i)
             for (int k = 0; k < N; ++k) F[k * columns + j] -= Q[rows[i] * N + k] * b->s.unit[rows[i]] * y[i];
     }

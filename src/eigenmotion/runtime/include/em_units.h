@@ -46,6 +46,9 @@ void draw(double t, const double *x, const double *c, double *p);
 void impacts(double t, const double *x, const double *v, const double *c, const double *u, double *struck);
 void resets(double t, const double *x, const double *v, const double *c, const double *u, double *after);
 void levels(double t, const double *x, const double *v, const double *c, const double *u, double *level);
+#ifdef EM_NORMALS
+extern const unsigned char normals[N_NORMALS][N_ROWS];
+#endif
 void pushes(double t, const double *x, const double *v, const double *c, const double *u, double *P);
 
 /* --- of EM_DERIVATIVES --- */

@@ -2,6 +2,7 @@
 #ifndef EM_WATCH_PARTIALS_H
 #define EM_WATCH_PARTIALS_H
 
+#include "em_norms.h"
 #include "em_reset.h"
 
 /* Row of D (n_events, n_arguments): the derivatives of the number of a switch, of those of the multipliers. */
@@ -13,7 +14,10 @@ EM_COLD void em_switch_partials(const em_switch *s, const double *lambda, const 
     for (int k = 0; k < N_ARGUMENTS; ++k) {
         row[k] = -sign * own[k];
         if (em_is_contact(s)) continue;
-        if (presses < 0) row[k] += dlevel[k];
+        if (em_norm_of(s) >= 0)
+            row[k] += dlevel[k] * em_norm_of_multipliers(em_norm_of(s), lambda) +
+                      level * em_norm_along(em_norm_of(s), lambda, dlambda + k, N_ARGUMENTS);
+        else if (presses < 0) row[k] += dlevel[k];
         else if (lambda[presses] < 0.0) row[k] -= dlevel[k] * lambda[presses] + level * dlambda[presses * N_ARGUMENTS + k];
     }
 }

@@ -1,0 +1,45 @@
+/* em_leaning.h: forces of a mode where limits are in proportion to norms of what rows push with.
+ *
+ * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at the direction known
+ * (em_normals.h). It begins without these frictions: a function of the state alone. */
+#ifndef EM_LEANING_H
+#define EM_LEANING_H
+
+#define EM_LEANS 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
+
+EM_COLD int em_some_rooted(const em_mixed *s) {
+    int some = 0;
+    for (int i = 0; i < s->k; ++i) some |= s->rooted[i];
+    return some;
+}
+
+/* toward <- of p. Returns the largest change of those of rooted rows that are at their limit. */
+EM_COLD double em_turn_to_forces(em_mixed *s) {
+    const int k = s->k;
+    double change = 0.0;
+    for (int f = 0; f < k; ++f) {
+        if (!s->rooted[f]) continue;
+        const double whole = em_normal_force(s, f);
+        for (int j = 0; j < k; ++j) {
+            const double over = s->over[f * k + j], now = whole > 0.0 ? over * (over * (s->p[j] + s->beside[j]) / whole) : 0.0;
+            if (em_limit_sign(s, f) != 0.0 && over > 0.0) change = fmax(change, fabs(now - s->toward[f * k + j]) / over);
+            s->toward[f * k + j] = now;
+        }
+    }
+    return change;
+}
+
+/* p <- of the mode. 0, or -1: its rows depend on each other, or friction jams. */
+EM_COLD int em_forces_of_mode(em_mixed *s) {
+    enum { STEPS = 50 };
+    for (int i = 0; i < s->k * s->k; ++i) s->toward[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
+    for (int step = 0, first = 0; step < STEPS; ++step) {
+        int sign;
+        if (em_forces_toward(s, &sign) || sign * first < 0) return -1;
+        first = sign;
+        if (em_turn_to_forces(s) <= EM_LEANS) return 0;
+    }
+    return -1;
+}
+
+#endif
