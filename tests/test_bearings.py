@@ -233,3 +233,25 @@ def test_what_is_refused(model, words):
     with pytest.raises(ModelError) as caught:
         system_for(model(), "lagrange")
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("law", ["newton", "poisson"])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+def test_a_block_in_a_groove_bounces_and_slides_to_rest(law, method):
+    """Its side is pressed by 3 N all along, its floor by impulses, then by its weight; both press by their norm."""
+    z = dynamicsymbols("z")
+    model = Model(
+        name="groove", coordinates=[x, y, z], kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
+        potential_energy=m * g * y, forces={z: 3.0}, holonomic_constraints={"side": z},
+        contacts={"rub": Friction(x.diff(), limit=mu, normal=("floor", "side")),
+                  "floor": Contact(y, restitution=0.5, rest=1e-3, law=law)},
+        parameters={m: 2.0, g: G, mu: 0.3}, initial={x.diff(): 5.0, y: 1.0})  # fmt: skip
+    run = system_for(model, "lagrange").simulate((0.0, 6.0), method=method, **TIGHT)
+    flight, rises, v, far = np.sqrt(2 / G), G * np.sqrt(2 / G), 5.0, 0.0
+    for bounce in range(13):
+        far, v = far + v * flight - 0.45 * flight**2 / 2, v - 0.45 * flight
+        v -= 0.3 * rises * (1.5 if bounce < 12 else 1.0)
+        rises, flight = rises / 2, rises / G
+    assert len(run.t_events[1]) == 13
+    assert run.x[0, -1] == pytest.approx(far + v**2 / (0.3 * np.hypot(3.0, 2.0 * G)), rel=1e-9)
+    assert run.v[0, -1] == 0.0

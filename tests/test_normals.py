@@ -150,3 +150,47 @@ def test_motion_against_fsolve(name, formulation, method):
     assert sum(map(len, run.t_events)) >= 3
     assert run.x == pytest.approx(truth[:6], abs=2e-8)
     assert run.outputs["reaction"] == pytest.approx(np.hypot(*run.multipliers[:2]))
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_slopes_where_norms_of_multipliers_push(name):
+    """Of accelerations by x and v, against differences; and of the published right-hand side as it runs."""
+    place, rates = start_of(name)
+    z, made = np.concatenate([place, rates]), system(name, "lagrange")
+    signs = np.sign(oracle_of(name).slips(0.0, z))
+    mode = {f"rub_{row}_slides": sign for row, sign in zip(MECHANISMS[name][1], signs, strict=True)}
+    J, h = made.compiled.motion_jacobian(0.0, z, made.prepare(mode), [], False), 1e-5
+    for k, column in enumerate(J[6:].T):
+        beside = (z + sign * h * (np.arange(12) == k) for sign in (1, -1))
+        there, back = (made.acceleration(one[:6], one[6:], parameters=mode)[0] for one in beside)
+        assert column == pytest.approx((there - back) / (2 * h), rel=1e-6, abs=1e-5)
+    eta = system(name, "eigenfactor")
+    y = eta.state(place, rates)
+    along = np.random.default_rng(1).normal(size=len(y))
+    apart = eta.rhs(0.0, y + h * along, mode) - eta.rhs(0.0, y - h * along, mode)
+    assert eta.jacobian(0.0, y, mode) @ along == pytest.approx(apart / (2 * h), rel=1e-6, abs=1e-5)
+
+
+def test_friction_takes_what_the_drive_gives_and_the_energy_lacks():
+    """The work lost is the integral of mu |lambda| |slip| over all that rubs, as the oracle has it."""
+    times, truth = truth_of("slider_crank")
+    place, rates = start_of("slider_crank")
+    run = system("slider_crank", "cholesky").simulate((0.0, 1.5), x0=place, v0=rates, t_eval=times, **TIGHT)
+    fine = np.linspace(0.0, 1.5, 20001)
+    turned = system("slider_crank", "cholesky").simulate((0.0, 1.5), x0=place, v0=rates, t_eval=fine, **TIGHT).v[0]
+    driven = np.trapezoid(3.0 * turned - 0.05 * turned**2, fine)
+    lifted = G * (0.6 * (run.x[2, -1] - run.x[2, 0]))
+    kinetic = run.energy[-1] - run.energy[0]
+    assert driven - kinetic - lifted == pytest.approx(truth[12, -1], rel=1e-6)
+
+
+def test_sensitivities_through_reversals_of_slip():
+    name, made = "slider_crank", system("slider_crank", "lagrange")
+    place, rates = start_of(name)
+    given = {"x0": place, "v0": rates, "rtol": 1e-10, "atol": 1e-12}
+    run = made.simulate((0.0, 0.8), sensitivities=["mu_guide", "mu_pin"], **given)
+    assert sum(map(len, run.t_events)) >= 2
+    for key in ("mu_guide", "mu_pin"):
+        h, at = 1e-5, RUBS[key]
+        beside = [made.simulate((0.0, 0.8), parameters={key: at + d}, **given).x[:, -1] for d in (h, -h)]
+        assert run.sensitivity[key].dx[:, -1] == pytest.approx((beside[0] - beside[1]) / (2 * h), rel=1e-4, abs=1e-6)
