@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:a46c9601303888b08fb22864893e306f5271556e5440cfa184150793d851660a */
+/* body sha256:7c325fc699113caa8439282a9fc5581bcc93764a57a0fe77b8a1c21e41df6938 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -2321,7 +2321,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -2768,6 +2768,7 @@ const em_model andrews_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:405282ba6490d2a0a2a2049b0d8ee2448a307c82cad153a9eece380df3a59cd1 */
+/* body sha256:532d345042417d63911303161099295a4d703dd738ddcd69e52d337896fa975d */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -9951,7 +9951,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -10979,6 +10979,7 @@ const em_model bicycle_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

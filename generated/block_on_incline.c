@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
-/* body sha256:fb94475fcfafc48ae6136b1d23d53b03720b6bdad369ed8c04acaf89c09f49c1 */
+/* body sha256:54b30f2d56144177664920379eb0572496a2ae0a5b43fb99defa7e04bf6bd267 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -489,7 +489,7 @@ EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0}, {-1, -1, -1, -1
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -666,6 +666,7 @@ const em_model block_on_incline_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

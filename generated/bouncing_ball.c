@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
-/* body sha256:34953c7376663962dc3d30bae612e4e50dcdf8ca7c5c0a3a26f41976454fe99d */
+/* body sha256:1724289650488badddabddd23a8766bb6784ddb23370445c4e7c8d36e1d70da0 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -477,7 +477,7 @@ EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0}, {-1, -1, -1, -
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -660,6 +660,7 @@ const em_model bouncing_ball_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

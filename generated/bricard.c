@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:ce6d0d569434f4e3d4041cb1b4f9ec532953c35dfec0fb3e784d8c2fbe2c4eda */
+/* body sha256:120218e6dac4a42195480ceb668b2229b0e6bc1cc954d558723b890f33b36cb4 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -5436,7 +5436,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -6038,6 +6038,7 @@ const em_model bricard_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:bdb130a93177c5a4ac9e61321302375c532b396ddaa5f5a02c6958a5f29c35d0 */
+/* body sha256:67f4bf74f7be7543371201079dbe066dbbc2eafde445a298be8fb68e10ec034b */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1071,7 +1071,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1256,6 +1256,7 @@ const em_model cart_pendulums_3_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

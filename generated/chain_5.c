@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:d5943b231cf183a0acdf1c115f9d99ffdb2abd5c292169b3901397779eb9164f */
+/* body sha256:b2e74473ac3d083a342543e8e793ed74b14d2a1d1ec15b6a42bf61b29f33f40e */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1547,7 +1547,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1736,6 +1736,7 @@ const em_model chain_5_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:cfa0203a361bb5eea85986bc63864d5708c0f7f2392d1e9c568a734030bf8da5 */
+/* body sha256:36a2a288395bcd9830112d5cea38841fbbb99f16935564097bb33d4a086f312e */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -695,7 +695,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -896,6 +896,7 @@ const em_model chaplygin_sleigh_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

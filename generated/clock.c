@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
-/* body sha256:b87d0ceae494879c2ad2f6eb2a51f4589674a3d7ac80ba50eacafd7fc395ea50 */
+/* body sha256:1d79b1d6ec7e0df4842e55e1f49e0442473dc2da8ff00ca8aeafb2a724d849cc */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -502,7 +502,7 @@ EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0}, {-1, -1, -1, -1
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -683,6 +683,7 @@ const em_model clock_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:74f60f73d9ebf7217f3eef98f2f215df4c5fc7e9e074fb51489f4a837c53d162 */
+/* body sha256:e3d9a89d6f93ec924f3f00bb355480aecd2f4b18534a7551e9919c9fe4003db6 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -864,7 +864,7 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1082,6 +1082,7 @@ const em_model compass_gait_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:83964f45d2a7f21390898f3198cdae74d8941c85814e8de6e43b7370623e368e */
+/* body sha256:bad317cb47bad2709a209f14ebc902f043327d149c8968534ba7de8a4f88ed39 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -668,7 +668,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -849,6 +849,7 @@ const em_model double_pendulum_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

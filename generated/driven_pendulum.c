@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:89278a73237175cda68b6052771d0b84c52254d47525b6c2906b439cb74de320 */
+/* body sha256:b1509e72282770c27f802ca319d8ab1e48f03fdd5b77a0f40f146744e5afda6b */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -540,7 +540,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -740,6 +740,7 @@ const em_model driven_pendulum_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

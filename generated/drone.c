@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:fbf52a0a851b0539bcf55daf59c71b29e02590c5c5553c3261c80123aed6a2a5 */
+/* body sha256:ad0e903494bfd4cfd6237ee9122ea820d29ebd708115d2cacbed2b62747f6eb8 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -1571,7 +1571,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1769,6 +1769,7 @@ const em_model drone_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:8b0870e1dfd431e656f1b47d76f572f12fd81b7140ab1e8ae39f74bfeb22f4bc */
+/* body sha256:958cc4dcf059449c5ad8b5b8d82b252c31322f5fb109713dac2ebf5762853c85 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1075,7 +1075,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1286,6 +1286,7 @@ const em_model dual_link_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

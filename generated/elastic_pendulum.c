@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:defe91f1e08c880046575969e0c454a242805684362e176b7934dd97062734eb */
+/* body sha256:3a7729bb0d0594ce36160403a979af590da759b335680667bbfc748f2ed59256 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -478,7 +478,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -635,6 +635,7 @@ const em_model elastic_pendulum_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

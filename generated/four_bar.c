@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:b041397c995c76b53d2e1677b0ae90a6c1b9a3f0e6d5c7ee0cc6488045a33861 */
+/* body sha256:27682e3e4874a187d10ca208dbab4d2e4768bec6d9ecae593988180a73fd4a41 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -939,7 +939,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1209,6 +1209,7 @@ const em_model four_bar_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:6b1f43b57cfdbaa86798f2c055b224c8768bb6c5009c9a6268359d66f6cec182 */
+/* body sha256:f8db4311969b1115fb202e3c9f2dcf5a68b39e27065d0787aa4753e3c8bc5814 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1244,7 +1244,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1578,6 +1578,7 @@ const em_model four_bars_2_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

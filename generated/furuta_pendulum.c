@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:216e522dfc44d58371e1ec4a3621b698697eb0603588788ddcfa9f1c5d0d5776 */
+/* body sha256:2d204882a1457e675b67f7fd49aca5bed356a4e2ece75bcf314e026d80960447 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -637,7 +637,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -817,6 +817,7 @@ const em_model furuta_pendulum_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:5dd9bf4fcf7bd65b84958fc84adc3ad1d85e79883191ebc67d94b3e1254825e9 */
+/* body sha256:4994fa2ae89bab7abaf637c810d3030f200e8e7fd660e7bd9fd4b332d22c121a */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -941,7 +941,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1109,6 +1109,7 @@ const em_model governor_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:101d94c30e76a37954acc756668a75e6563a53edbab6eca676c939292f00ca33 */
+/* body sha256:fd0ddb03bebbf0f1b15cb8cc00783f34ba862fc3018ea0b614d4983b7f89a758 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -3600,7 +3600,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -4097,6 +4097,7 @@ const em_model jansen_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:7b5f169b1ccdb47fa9a2f12421694008188e2de0bcb2dd480ab0977f6287a241 */
+/* body sha256:ca5534d7f570fd7ef1da56360810ccc56b3e9062760d79bde1c41a32edab85ac */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -628,7 +628,7 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -790,6 +790,7 @@ const em_model newtons_cradle_4_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:9ca52242ab7948d6188d5f81f806b67b051bb307b6150b5499f7009384609db3 */
+/* body sha256:4d651750a43c297f785196e80e0022cd5e905f48c86fcad26499486190def53b */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -345,7 +345,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -493,6 +493,7 @@ const em_model pendulum_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
-/* body sha256:2c813b6a2e7f09406a2881ee1ca7c07bab01b042adeafd5a5391060c235b678e */
+/* body sha256:45f1ee69788a94feb1e7d88dd6d0d61e84545c7a95a545917fb2f89f10351769 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -506,7 +506,7 @@ EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0}, {-1, -1, -1, -
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -686,6 +686,7 @@ const em_model pendulum_with_stop_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

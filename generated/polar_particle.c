@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:2dfcf542da60c8740451a7efcdcffef1e15b81ca93d36bbfcb71b95174afa6a0 */
+/* body sha256:f9b40377f24cc6ae886b4b08f162b36928410587e1412b1e6df3f0ce4f53f4d7 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -449,7 +449,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -605,6 +605,7 @@ const em_model polar_particle_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:7fde7c103b198a3080c6293f68c06bf82f32cefcde6dc27862c6359746931e59 */
+/* body sha256:eefc1d055c279a5189732e8958806814735005f395b7498aad8e3d1d4b486275 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -3882,7 +3882,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -4068,6 +4068,7 @@ const em_model puma_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:cd43387dc98a6a17ff2a4dfcc75a16a01dabe65d17c259a6a40d56450815d535 */
+/* body sha256:ffe68c90cecdf196488e5df74ccb0dc932a44514e0d536c1f1cad06e19ba18a8 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1101,7 +1101,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1384,6 +1384,7 @@ const em_model quaternion_top_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

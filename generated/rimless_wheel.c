@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:82b9e045b7057aacf5bc5a92f62ba9743df4c818de204b176ad1f82163971107 */
+/* body sha256:21bfcc718de281ab8967e897f088c15787ecdfa58dbbcdc6db551830192d4167 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -471,7 +471,7 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -624,6 +624,7 @@ const em_model rimless_wheel_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

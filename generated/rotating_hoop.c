@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
-/* body sha256:743c456cddd7c8043bd0d8f3361432383f9351403b33b1475e1f340a3d090971 */
+/* body sha256:0528ee7aeca789bf09d7c7511d28800e871561a3ef0b075862fd7e492015a1d4 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -379,7 +379,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -526,6 +526,7 @@ const em_model rotating_hoop_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:bb7f1fa6efc746a7d8b600a056ed5dc1ab122fbb25e8fa95f1881699862d57d9 */
+/* body sha256:dd26c3bf3774ad49b4e80dccd2bc43cc117304a6303f5c007ecea375c68c7774 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -419,7 +419,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -570,6 +570,7 @@ const em_model rotating_spring_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

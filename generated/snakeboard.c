@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:37d62503f70e0f9ac7e47b0763916bdf810929aee80749ab9d5827ed7d507935 */
+/* body sha256:3f4d51c7d3c134db78fbdd61fd782da0471f23a4ea593fc0795edc5a31de3f48 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -809,7 +809,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1005,6 +1005,7 @@ const em_model snakeboard_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

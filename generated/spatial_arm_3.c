@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:90901a2ead675eb66344e872c94bda7d65ee66784653c1a31925f06e4f06aae3 */
+/* body sha256:71c19b5703e4ae443d2753c896c9654c62648b90de4ac1d6a08b0ec7153ba3cc */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1446,7 +1446,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -1630,6 +1630,7 @@ const em_model spatial_arm_3_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

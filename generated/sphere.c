@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:e1de3e7670346b36ca7ef0e1836463b2af5adb18a61f5a44eedd1dc7f5931503 */
+/* body sha256:0c295a6d815fe633eb45d315936657da41da8f40a6815d58adeb0a45ed9fb40d */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1464,7 +1464,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -1690,6 +1690,7 @@ const em_model sphere_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

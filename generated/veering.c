@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:3a52a142b4aad4e99239525160d68152e998afe5ed0122c733d0553fc0a7d218 */
+/* body sha256:c842575eccd6f61ede20d03f1544e8c4b380edcc4d48536768aeb762bd885022 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -485,7 +485,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -659,6 +659,7 @@ const em_model veering_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

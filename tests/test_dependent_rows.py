@@ -42,7 +42,7 @@ def redundant(name: str, formulation: str = "eigenfactor") -> System:
 
 @pytest.mark.parametrize("name", list(REDUNDANT))
 def test_dependent_rows_are_refused_with_the_way_out(name):
-    found = redundant(name).simulate((0, 1))
+    found = redundant(name).simulate((0, 1), dependent_constraints="refuse")
     check_honest(found)
     assert found.stop is StopReason.DEPENDENT_CONSTRAINTS
     assert found.t.size == 1

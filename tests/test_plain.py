@@ -48,7 +48,7 @@ def at(system, x, v, t=0.3, parameters=None, inputs=None):
     """What each function says of one place."""
     c, defaults = system.compiled, system.prepare()
     return (plain.mass_matrix(c, defaults, x, t, parameters), plain.energies(c, defaults, x, v, t, parameters),
-            plain.acceleration(c, defaults, x, v, t, parameters, inputs, False))  # fmt: skip
+            plain.acceleration(c, defaults, x, v, t, parameters, inputs, 0))  # fmt: skip
 
 
 def test_ndarrays_are_plain_and_give_what_lists_give(system):

@@ -39,7 +39,7 @@ class Asked:
     max_step: float
     max_steps: int
     stabilise: bool
-    least_norm: bool
+    least_norm: int
     differentiated: Differentiated | None = None
 
     def task(self, prepared: Any, inputs: Inputs, y: Vector) -> Task:

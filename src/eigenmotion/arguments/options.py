@@ -13,7 +13,8 @@ from .names import Vector, overlay, unknown, vector
 from .signals import Inputs
 
 DEFAULT_ATOL = 1e-9
-DEPENDENT = {"refuse": False, "least_norm": True}
+DEPENDENT = {"auto": 2, "refuse": 0, "least_norm": 1}  # em_dependent
+SHARED_FROM_START = DEPENDENT["auto"]
 
 
 class OptionError(ModelError, TypeError):
@@ -46,6 +47,7 @@ class Task(NamedTuple):
     dense : 1 to keep what is between rows, to be asked for states; TO_DERIVE to keep it as it is
     first_step : 0 where it is chosen
     stabilise : whether constraints and eigenfactors are restored on the way
+    least_norm : what becomes of dependent constraint rows, a value of DEPENDENT
     """
 
     model: CompiledModel
@@ -62,7 +64,7 @@ class Task(NamedTuple):
     max_step: float
     max_steps: int
     stabilise: bool
-    least_norm: bool
+    least_norm: int
 
 
 SCIPY_OPTIONS = {
@@ -92,9 +94,9 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     return known[given.lower()]
 
 
-def least_norm_of(dependent_constraints: str) -> bool:
-    """Whether dependent constraint rows get multipliers of least norm."""
-    chosen: bool = choice(dependent_constraints, DEPENDENT, "dependent_constraints")
+def least_norm_of(dependent_constraints: str) -> int:
+    """Whether dependent constraint rows get multipliers of least norm: em_dependent of em_run.h."""
+    chosen: int = choice(dependent_constraints, DEPENDENT, "dependent_constraints")
     return chosen
 
 

@@ -40,7 +40,7 @@ def steppers(
     max_step: float = np.inf,
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
-    dependent_constraints: str = "refuse",
+    dependent_constraints: str = "auto",
     workers: int | None = None,
     **misspelt: Any,
 ) -> Steppers:

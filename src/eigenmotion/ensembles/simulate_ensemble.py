@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments.differentiated import Differentiated, differentiated
 from ..arguments.members import Asked, Members
-from ..arguments.options import choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..cores import cores
@@ -51,7 +51,7 @@ def simulate_ensemble(
     max_step: float = np.inf,
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
-    dependent_constraints: str = "refuse",
+    dependent_constraints: str = "auto",
     workers: int | None = None,
     executor: Executor | None = None,
     progress: bool = False,
@@ -131,10 +131,14 @@ def simulate_ensemble(
         return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
 
 
-def chosen_method(system: "System", method: object, rtol: float, least_norm: bool = False) -> Method:
+def chosen_method(system: "System", method: object, rtol: float, least_norm: int = 0) -> Method:
     """Return the method of that name; of "auto" the one that ensembles take on this machine."""
     name = method_of(method, NAMES)
-    return automatic_of_many(system.compiled, rtol, least_norm) if name == AUTO else METHODS[name]
+    return (
+        automatic_of_many(system.compiled, rtol, least_norm == DEPENDENT["least_norm"])
+        if name == AUTO
+        else METHODS[name]
+    )
 
 
 def _differentiated(system: "System", given: Any, v0: Any) -> Differentiated | None:

@@ -16,6 +16,7 @@ from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .dataset import dataset
 from .found import REASONS, Found, nothing
+from .not_unique import shared
 from .sensitivity import Sensitivity
 from .solution import Solution
 from .trajectory import Trajectory
@@ -241,12 +242,10 @@ class Ensemble:
         found, members, asked = self._found, self._members, self._asked
         there = ~np.isnan(found.y[k]).any(axis=1)
         t = self._times[k if asked.end_only else 0][there]
-        rows = np.ascontiguousarray(found.y[k][there])
-        stop = REASONS[found.status[k]]
+        rows, stop = np.ascontiguousarray(found.y[k][there]), REASONS[found.status[k]]
         t_events, y_events = self._events(k)
-        counts = tuple(found.counts[k].tolist())
         legs = found.legs.get(k, ())
-        ended = stop, self.message(k), asked.name, counts
+        ended = stop, self.message(k), asked.name, tuple(found.counts[k].tolist())
         fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, legs))
         if asked.differentiated is not None:
             fields["sensitivity"] = self._sensitivity(k, there)
@@ -254,6 +253,7 @@ class Ensemble:
             return Solution(None, fields | nothing(self._model))
         prepared = self._model.prepare(members.row("parameters", k))
         task = asked.task(prepared, members.inputs_of(k), members.row("x", k))
+        fields |= shared(task, fields["message"])
         return Solution(Trajectory(task, t, rows, legs), fields)
 
     def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:

@@ -62,7 +62,7 @@ class Found:
         )
 
     def by_mode(
-        self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: bool
+        self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: int
     ) -> tuple[Vector, ...]:
         """Return a function of rows (t, y, v, u), each with parameters of its own, those of its mode."""
         t, *others = rows

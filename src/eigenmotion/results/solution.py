@@ -39,7 +39,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
 
 _UNSAID: dict[str, Any] = {
     "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
-    "error_cost": None, "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
+    "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
 """What a run that says nothing of it says: most do not, and a table of twice as many fields takes twice the time."""
 
@@ -98,6 +98,7 @@ class Solution(dict[str, Any]):
     nsteps, nrejected : steps accepted, and rejected
     n_bounded : steps accepted that did not run the published equations
     n_stiff : about how many stability kept short, and not their error; where most were, `message` says so
+    not_unique : the constraint rows whose multipliers are one choice of many, of least norm; () where all are unique
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
     sensitivity : name -> dx, dv (n, k) and dt_events, of what `sensitivities` asked for
     method : the name of the one that ran

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arguments.names import Vector
+from .not_unique import in_words
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ def summary(system: "System", solution: Solution, seconds: float) -> str:
         ("cost", f"{solution.cost}, by {solution.method}"),
         ("time", f"{_duration(seconds - checking)} for the run"),
         *_estimate(solution),
+        *_not_unique(system, solution),
     ]
     lines = [f"{label:<22} {text}" for label, text in rows]
     if not solution.success:
@@ -63,6 +65,12 @@ def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
     if system.formulation == "eigenfactor":
         rows.append(("factor residual", f"{_largest(solution.factor_residual):.2e}"))
     return rows
+
+
+def _not_unique(system: "System", solution: Solution) -> list[tuple[str, str]]:
+    """Of which constraint rows the multipliers are a choice."""
+    rows = in_words(system.compiled, solution.not_unique)
+    return [("multipliers", f"of {rows} not unique: those of least norm")] if rows else []
 
 
 def _acted(system: "System", solution: Solution) -> bool:

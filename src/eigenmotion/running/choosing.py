@@ -41,7 +41,7 @@ def automatic_of_run(task: Task) -> tuple[Method, str]:
     """
     fast = 0.0 if task.inputs.sampled else _dying_rate(task)
     if not fast:
-        return automatic(task.model, task.rtol, task.least_norm), ""
+        return automatic(task.model, task.rtol, task.least_norm != 0), ""
     return _STIFF, (
         f" method='auto' took {_STIFF.name}, since the scene is stiff: at its start something dies out at a rate of "
         f"{fast:.2g} / s, {_APART:g} times as fast as what lasts, or more."

@@ -60,7 +60,7 @@ class Projection:
     model: CompiledModel
     prepared: Prepared
     t: float
-    least_norm: bool
+    least_norm: int
 
     def __call__(self, x0: Vector, v0: Vector) -> ConsistentState:
         """Return the state with phi(x, t) = 0 and A v + b = 0 nearest to x0, v0.

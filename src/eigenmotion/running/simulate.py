@@ -12,6 +12,7 @@ from ..arguments.differentiated import differentiated
 from ..arguments.names import Vector, unknown
 from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
+from ..results.not_unique import with_shared
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
 from .choosing import automatic_of_run
@@ -52,7 +53,7 @@ def simulate(
     max_step: float = np.inf,
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
-    dependent_constraints: str = "refuse",
+    dependent_constraints: str = "auto",
     estimate_error: "bool | System" = False,
     sensitivities: Sequence[Any] | None = None,
     **misspelt: Any,
@@ -91,7 +92,9 @@ def simulate(
     stabilisation
         "project": constraints and eigenfactors are restored after every step. "none": the paper.
     dependent_constraints
-        "refuse", or "least_norm": dependent but consistent rows share the multipliers of least norm.
+        "auto": rows that depend on each other from the start, and are consistent, share the multipliers of least norm,
+        and `Solution.not_unique` names them. "least_norm": so do rows that come to depend on each other on the way.
+        "refuse": neither is run.
     estimate_error
         True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
         `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
@@ -137,6 +140,7 @@ def simulate(
 
 def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any) -> Solution:
     """Run a task by the method of that name, with what was asked about its motion."""
+    task, shared = _shared(task) if task.least_norm else (task, ())
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, estimate_error)
@@ -153,10 +157,21 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
         solution = with_error_estimate(task, chosen, checker, run_task)
     if why:
         solution["message"] += why
+    if shared:
+        solution["not_unique"] = shared
+        solution["message"] = with_shared(solution["message"], task.model, shared)
     if asked is not None:
         solution["sensitivity"] = sensitivity(task, solution, asked, chosen)
         solution["sol"] = solution["sol"] if dense else None
     return solution
+
+
+def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
+    """Return the task as it is run, and the rows whose multipliers are not unique from its start."""
+    depend, rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)
+    if not depend and task.least_norm == options.SHARED_FROM_START:
+        task = task._replace(least_norm=options.DEPENDENT["refuse"])
+    return task, rows
 
 
 def _checked(

@@ -12,6 +12,7 @@ from .consistent import Projection
 
 _CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
 _SINGULAR_PIVOT = 1e-13  # EM_SINGULAR_PIVOT
+_LAST_PLACES = 8 * np.finfo(float).eps  # EM_LAST_PLACES_OF_ALL
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
 
 
@@ -149,15 +150,22 @@ class _Start:
             return
         phi, terms = self.model.position(self.t, self.x, self.prepared)
         A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
-        self._refuse("x0 is off holonomic constraint", phi, tolerance * terms + np.abs(A) @ least)
+        allowed = tolerance * terms + np.abs(A) @ least + self._last_places(A, self.x)
+        self._refuse("x0 is off holonomic constraint", phi, allowed)
 
     def _check_velocity(self, tolerance: float, least: Vector) -> None:
         if self.model.m == 0:
             return
         A, b = self.model.pfaffian(self.t, self.x, self.prepared)
         terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
-        allowed = tolerance * terms + np.abs(A) @ least
+        allowed = tolerance * terms + np.abs(A) @ least + self._last_places(A, self.v)
         self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, allowed)
+
+    def _last_places(self, A: Vector, q: Vector) -> Vector:
+        """What a change in the last places of x or v as a whole, in the mass metric, makes of rows."""
+        M = self.model.factored_matrix(self.t, self.x, self.prepared)
+        lengths = np.sqrt(np.abs(np.einsum("ri,ir->r", A, np.linalg.solve(M, A.T))))
+        return np.asarray(_LAST_PLACES * np.sqrt(abs(q @ M @ q)) * lengths)
 
     def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
         pairs = enumerate(zip(residual.tolist(), allowed.tolist(), strict=True))

@@ -97,6 +97,12 @@ class Stepper(Steps):
         return found
 
     @property
+    def not_unique(self) -> tuple[int, ...]:
+        """The constraint rows whose multipliers are one choice of many here, that of least norm."""
+        found: tuple[int, ...] = self.model.redundant(self.t, self.x, self.prepared)[1]
+        return found
+
+    @property
     def outputs(self) -> dict[str, float]:
         """Name of each output -> its value."""
         task, u = self.task, self._inputs()
@@ -129,7 +135,7 @@ def stepper(
     max_step: float = np.inf,
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
-    dependent_constraints: str = "refuse",
+    dependent_constraints: str = "auto",
     **misspelt: Any,
 ) -> Stepper:
     """Open a stepper: this mechanism at time t, which goes on as far as `advance` tells it.

@@ -68,6 +68,11 @@ cdef extern from "eigenmotion.h" nogil:
         double t
         double count
 
+    ctypedef enum em_dependent:
+        EM_REFUSED
+        EM_SHARED
+        EM_SHARED_FROM_START
+
     ctypedef struct em_run:
         double t_start
         double t_end
@@ -160,6 +165,7 @@ cdef extern from "eigenmotion.h" nogil:
         int (*acceleration)(double, const double *, const double *, const double *, const double *, int,
                             double *, double *, em_fault *) noexcept nogil
         int (*project)(double, double *, double *, const double *, int, em_fault *) noexcept nogil
+        int (*redundant)(double, const double *, const double *, int *) noexcept nogil
         void (*energy)(double, const double *, const double *, const double *, double *) noexcept nogil
         int (*eigenfactors)(double, const double *, const double *, double *, double *, em_fault *) noexcept nogil
         int (*output)(double, const double *, const double *, const double *, const double *, int,

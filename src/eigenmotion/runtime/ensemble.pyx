@@ -268,7 +268,7 @@ def energies(PointModel model not None, t, y, v, parameters):
     return e.array.reshape(rows.count, rows.rows, 4)
 
 
-def reactions(PointModel model not None, t, y, v, u, parameters, bint least_norm):
+def reactions(PointModel model not None, t, y, v, u, parameters, int least_norm):
     """a (count, n_rows, n), lambda (count, n_rows, m), outputs (count, n_rows, n_outputs); u (count, n_rows, n_inputs)."""
     cdef _Rows rows = _Rows(model, t, y, parameters)
     cdef Py_ssize_t i, j, k = 0, total = rows.count * rows.rows

@@ -84,10 +84,10 @@ _REMEDY = {
     ),
     StopReason.DEPENDENT_CONSTRAINTS: (
         "Constraint {row} depends on those before it, or vanishes. Where it always does, remove it, or, if the rows "
-        'are consistent, pass dependent_constraints="least_norm". Where it does so here only, the mechanism is in or '
-        "near a singular position (as a dead centre), where rounding decides between branches: start beside it, and "
-        "loosen rtol and atol, with which steps pass it as the smooth motion does; without stabilisation the "
-        "constraints may have drifted there: tighten rtol."
+        'are consistent, pass dependent_constraints="auto" or, where it comes to do so on the way, '
+        'dependent_constraints="least_norm". Where it does so here only, the mechanism is in or near a singular '
+        "position (as a dead centre), where rounding decides between branches: start beside it, and loosen rtol, atol, "
+        "with which steps pass it as the smooth motion does; without stabilisation it may have drifted: tighten rtol."
     ),
     StopReason.COINCIDENT_EIGENVALUES: (
         "Two eigenvalues of the mass matrix coincide, in the block of {first} and {second}: the published right-hand "

@@ -5,9 +5,10 @@ Rows at which a function has no value are NaN.
 """
 
 from libc.math cimport INFINITY, fabs, isnan
+from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport em_fault
+from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
@@ -52,7 +53,29 @@ cdef class CompiledModel(PointModel):
                 self.model.energy(T.data[i], q.row(i), w.row(i), c.c, e.row(i))
         return e.array
 
-    def acceleration_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
+    def redundant(self, double t, x, Prepared c not None):
+        """How many rows that always hold depend on others near x, and those whose multipliers are not unique."""
+        cdef Numbers q = given(x, (self.n,), "x")
+        cdef int *rows
+        cdef int depend
+        if self.m == 0 or self.model.redundant == NULL:
+            return 0, ()
+        rows = <int *> calloc(self.m, sizeof(int))
+        if rows == NULL:
+            raise MemoryError
+        try:
+            depend = self.model.redundant(t, q.data, c.c, rows)
+            return depend, tuple([k for k in range(self.m) if rows[k]])
+        finally:
+            free(rows)
+
+    def shares(self, double t, x, Prepared c not None, int asked):
+        """What becomes of dependent rows at one state, em_dependent: from the start is there, or nowhere."""
+        if asked != EM_SHARED_FROM_START or self.m == 0:
+            return asked
+        return EM_SHARED if self.redundant(t, x, c)[0] else EM_REFUSED
+
+    def acceleration_rows(self, t, x, v, u, Prepared c not None, int least_norm):
         """a (k, n), lambda (k, m)."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
@@ -118,7 +141,7 @@ cdef class CompiledModel(PointModel):
                 self.model.draw(T.data[i], q.row(i), c.c, p.row(i))
         return p.array
 
-    def output_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
+    def output_rows(self, t, x, v, u, Prepared c not None, int least_norm):
         """The outputs as (k, n_outputs)."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
@@ -194,7 +217,7 @@ cdef class CompiledModel(PointModel):
             self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
         return J.array
 
-    def slopes_size(self, double t, y, Prepared c not None, u, bint least_norm, atol):
+    def slopes_size(self, double t, y, Prepared c not None, u, int least_norm, atol):
         """About the root of the sum of squares of da/dx and da/dv at a state y, by differences over atol (n), which is of
         x and of v, and rounding of these; 0 where nothing moves, infinite where something beside does not."""
         cdef em_fault fault
@@ -218,7 +241,7 @@ cdef class CompiledModel(PointModel):
             z.data[k] = was
         return size ** 0.5
 
-    def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
+    def motion_jacobian(self, double t, z, Prepared c not None, u, int least_norm):
         """(2 n, 2 n): d (v, a) / d (x, v)."""
         cdef em_fault fault
         cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")

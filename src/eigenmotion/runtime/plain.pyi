@@ -32,5 +32,5 @@ def task(
     stabilisation: Any,
     stabilisations: dict[str, bool],
     dependent: Any,
-    dependents: dict[str, bool],
+    dependents: dict[str, int],
 ) -> T | None: ...

@@ -13,9 +13,10 @@ from cpython.long cimport PyLong_CheckExact
 from cpython.ref cimport Py_INCREF
 from cpython.tuple cimport PyTuple_SET_ITEM
 from libc.math cimport fabs, floor, isfinite
+from libc.stdlib cimport free, malloc
 from libc.string cimport memcpy
 
-from .abi cimport em_fault
+from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
 from .arrays cimport Numbers, zeros
 from .point cimport PointModel, Prepared
 from .start cimport EM_START_STEPS, em_start, em_start_tolerance
@@ -99,6 +100,19 @@ def energies(PointModel model not None, Prepared defaults not None, x, v, t, par
     return e[0], e[1], e[2], e[3]
 
 
+cdef int redundant_at(PointModel model, double t, const double *x, const double *c) except -1:
+    """How many rows that always hold depend on others."""
+    cdef int depend, *rows
+    if model.model.redundant == NULL:
+        return 0
+    rows = <int *> malloc(model.m * sizeof(int))
+    if rows == NULL:
+        raise MemoryError
+    depend = model.model.redundant(t, x, c, rows)
+    free(rows)
+    return depend
+
+
 def acceleration(PointModel model not None, Prepared defaults not None, x, v, t, parameters, inputs, least_norm):
     """a (n,), lambda (m,) at x, v (n,), t; or None. inputs: None, the defaults, or (n_inputs,)."""
     cdef double at
@@ -106,7 +120,7 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
     cdef const double *c = constants(model, defaults, parameters)
     cdef const double *u = model.model.input_defaults
     cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector), signals, a, multipliers
-    if q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not bool:
+    if q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
         return None
     if inputs is not None:
         signals = vector(inputs, (model.n_inputs,))
@@ -114,6 +128,8 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
             return None
         u = signals.data
     a, multipliers = zeros(model.vector), zeros((model.m,))
+    if least_norm == EM_SHARED_FROM_START and model.m > 0: # from the start is there
+        least_norm = EM_SHARED if redundant_at(model, at, q.data, c) else EM_REFUSED
     if model.model.acceleration(at, q.data, w.data, c, u, least_norm, a.data, multipliers.data, &fault) != 0:
         raise model.failure(&fault)
     return a.array, multipliers.array

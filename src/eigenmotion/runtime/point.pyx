@@ -277,7 +277,7 @@ cdef class PointModel:
             self.model.position(t, q.data, c.c, phi.data, terms.data)
         return phi.array, terms.array
 
-    def acceleration(self, double t, x, v, Prepared c not None, u, bint least_norm):
+    def acceleration(self, double t, x, v, Prepared c not None, u, int least_norm):
         """a, lambda."""
         cdef em_fault fault
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
@@ -286,7 +286,7 @@ cdef class PointModel:
             raise self.failure(&fault)
         return a.array, multipliers.array
 
-    def project(self, double t, x, v, Prepared c not None, bint least_norm):
+    def project(self, double t, x, v, Prepared c not None, int least_norm):
         """x, v: the nearest consistent state in the mass metric."""
         cdef em_fault fault
         cdef Numbers q = given(np.array(x, dtype=np.float64), (self.n,), "x")

@@ -7,7 +7,7 @@ from .point import PointModel, Prepared, Vector
 from .run import Run
 
 def motion_derivatives(
-    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: int
 ) -> tuple[Vector, Vector, Vector, Vector]: ...
 def constraint_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def output_partials(
@@ -22,7 +22,7 @@ def output_partials(
 ) -> Vector: ...
 def quasi_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def tangent(
-    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: bool, S: Vector, P: Vector
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: int, S: Vector, P: Vector
 ) -> Vector: ...
 def act_along(
     model: PointModel,
@@ -31,7 +31,7 @@ def act_along(
     v: ArrayLike,
     c: Prepared,
     u: ArrayLike,
-    least_norm: bool,
+    least_norm: int,
     fired: ArrayLike,
     S: Vector,
     P: Vector,
@@ -52,5 +52,5 @@ def vary(
     S: Vector,
     P: Vector,
     stabilise: bool,
-    least_norm: bool,
+    least_norm: int,
 ) -> tuple[Vector, Vector, Vector, tuple[int, int, int], EvaluationError | None]: ...

@@ -90,7 +90,7 @@ cdef int poll(void *argument) noexcept with gil:
 # --- derivatives by the arguments (n_arguments): x, v, inputs, parameters, time ---
 
 
-def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not None, u, bint least_norm):
+def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm):
     """a (n), lambda (m), da (n, n_arguments), dlambda (m, n_arguments)."""
     cdef em_fault fault
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
@@ -139,7 +139,7 @@ def quasi_partials(PointModel model not None, double t, x, v, Prepared c not Non
 # --- along a motion ---
 
 
-def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint least_norm, S, P):
+def tangent(PointModel model not None, double t, x, v, Prepared c not None, int least_norm, S, P):
     """S (2 n, columns): the nearest directions along which the constraints stay satisfied."""
     cdef em_fault fault
     cdef int columns = S.shape[1]
@@ -153,7 +153,7 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint
     return made.array
 
 
-def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, bint least_norm, fired, S, P):
+def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm, fired, S, P):
     """x, v, Prepared after the events `fired` (n_events) at t, and S (2 n, columns), of directions S, P as they happen."""
     cdef em_fault fault
     cdef Prepared after
@@ -175,7 +175,7 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
 
 
 def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction, double tolerance,
-         double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, bint least_norm):
+         double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, int least_norm):
     """How directions S (2 n, columns) at the first of `stops` go along a run that keeps what is between its rows
     (em_variations.h); None: there is nothing between its stops.
 

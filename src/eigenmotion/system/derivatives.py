@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.names import Vector, vector
+from ..arguments.options import SHARED_FROM_START
 from ..codegen.model.normalise import ModelError, real
 from ..runtime import EvaluationError
 from ..runtime.variations import motion_derivatives
@@ -70,7 +71,9 @@ def rhs_parameter_jacobian(
     t, y = real(t, "t"), vector(y, "y")
     if y.shape != (2 * n,):
         raise ModelError(f"y has shape {y.shape}, but this model needs {(2 * n,)}")
-    _, _, da, _ = motion_derivatives(c, t, y[:n], y[n:], self.prepare(parameters), self.signals(inputs, t), False)
+    _, _, da, _ = motion_derivatives(
+        c, t, y[:n], y[n:], self.prepare(parameters), self.signals(inputs, t), SHARED_FROM_START
+    )
     first = 2 * n + c.n_inputs
     return np.vstack([np.zeros((n, len(c.parameters))), da[:, first : first + len(c.parameters)]])
 

@@ -212,21 +212,23 @@ class System(Description):
         parameters: Parameters = None,
         inputs: Mapping[Any, Any] | ArrayLike | None = None,
         *,
-        dependent_constraints: str = "refuse",
+        dependent_constraints: str = "auto",
     ) -> tuple[Vector, Vector]:
         """Return d2x/dt2 (n,) and multipliers (m,); the constraints push with -A^T lambda (7).
 
         Raises
         ------
         EvaluationError
-            M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
+            M is singular, or constraint rows depend on each other, here only or with "refuse".
         """
         least_norm = least_norm_of(dependent_constraints)
         found = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
         if found is not None:
             return found
         c, t = self.prepare(parameters), number(t, "t")
-        return self._compiled.acceleration(t, *self.start(x, v, t, c), c, self.signals(inputs, t), least_norm)
+        position, rates = self.start(x, v, t, c)
+        least_norm = self._compiled.shares(t, position, c, least_norm)
+        return self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
 
     def project_initial_state(
         self,
@@ -235,7 +237,7 @@ class System(Description):
         t: float = 0.0,
         parameters: Parameters = None,
         *,
-        dependent_constraints: str = "refuse",
+        dependent_constraints: str = "auto",
     ) -> ConsistentState:
         """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
 
@@ -247,8 +249,9 @@ class System(Description):
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
         c, t = self.prepare(parameters), number(t, "t")
-        nearest = Projection(self._compiled, c, t, least_norm_of(dependent_constraints))
-        return nearest(*self.start(x0, v0, t, c))
+        x, v = self.start(x0, v0, t, c)
+        shares = self._compiled.shares(t, x, c, least_norm_of(dependent_constraints))
+        return Projection(self._compiled, c, t, shares)(x, v)
 
     def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T + V [J]."""

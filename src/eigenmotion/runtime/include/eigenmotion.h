@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 17 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 18 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -89,6 +89,9 @@ typedef struct em_model {
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u,
                         int least_norm, double *a, double *lambda, em_fault *fault);      /* (n), (m) */
     int (*project)(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault);
+    /* How many rows that always hold depend on others at the nearest x on the constraints; rows (m) <- 1 for those whose
+     * multipliers are not unique, else 0. */
+    int (*redundant)(double t, const double *x, const double *c, int *rows);
     void (*energy)(double t, const double *x, const double *v, const double *c, double *e); /* (4) T2, T1, T0, V */
     /* C (n, n), s (n): in, a neighbour's eigenfactors to stay continuous with (C = 0: none); out, those of M(x). */
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);

@@ -5,6 +5,7 @@
 #ifndef EM_ACTS_H
 #define EM_ACTS_H
 
+#include "em_newton.h"
 #include "em_strike.h"
 #include "em_watch_partials.h"
 

@@ -10,6 +10,7 @@ EM_RARE static int em_fail_weakest(em_walk *w, double size) {
     return em_blame(w, w->t_new, w->y_new);
 }
 
+static int em_shares(em_walk *w) { return w->asked == EM_SHARED ? EM_SHARED : EM_REFUSED; }
 static int em_keep_constraints(em_walk *w, double t, const double *x) { return (void)w, (void)t, (void)x, 0; }
 static int em_keep_constraints_at_start(em_walk *w) { return (void)w, 0; }
 static int em_check_dependent(em_walk *w) { return (void)w, 0; }

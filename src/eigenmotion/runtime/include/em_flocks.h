@@ -29,12 +29,13 @@ typedef struct em_flocks {
     size_t next;
 } em_flocks;
 
-/* Whether runs of this task are made in lanes. That follows from the task and the model, so that all members' are. */
+/* Whether runs of this task are made in lanes, but for members with redundant rows. That follows from the task and the
+ * model, so that all others' are. */
 static int em_ensemble_has_lanes(const em_ensemble *e) {
     const em_model *model = e->model;
     if (model->enter == NULL || model->lanes == NULL || model->lanes->run == NULL || model->lanes->width < 2) return 0;
     if (e->task.method != EM_DOP853 || model->lanes->width > EM_MOST_LANES) return 0;
-    return (model->m == 0 && model->lanes->remembered == 0) || (e->task.stabilise && !e->task.least_norm);
+    return (model->m == 0 && model->lanes->remembered == 0) || (e->task.stabilise && e->task.least_norm != EM_SHARED);
 }
 
 /* Whether a member's inputs rest, as those of lanes do. */

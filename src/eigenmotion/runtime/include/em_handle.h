@@ -13,7 +13,7 @@ enum { EM_SAVED_PREPARED = 0 };
 
 /* What a run has counted so far, and its mode: the part of it that is saved. */
 typedef struct em_tally {
-    int kept;
+    int kept, least_norm;
     long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
     double t_reached, prepared[EM_SAVED_PREPARED + 1];
 } em_tally;
@@ -94,7 +94,7 @@ EM_ACROSS void em_handle_save(const void *walk, void *saved) {
     const em_run *run = w->run;
     em_tally tally;
     memset(&tally, 0, sizeof tally); /* with what pads it: the same motion gives the same bytes */
-    tally.kept = run->kept, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
+    tally.kept = run->kept, tally.least_norm = run->least_norm, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
     tally.n_bounded = run->n_bounded, tally.n_stiff = run->n_stiff, tally.t_reached = run->t_reached;
     memcpy(tally.prepared, run->prepared, EM_SAVED_PREPARED * sizeof *tally.prepared);
     memcpy(saved, w, EM_SAVED_WALK);
@@ -114,6 +114,7 @@ EM_ACROSS void em_handle_restore(void *walk, const void *saved) {
     }
     w->c_is_known = 0;
     run->kept = tally.kept;
+    run->least_norm = tally.least_norm;
     run->n_rhs = tally.n_rhs;
     run->n_steps = tally.n_steps;
     run->n_rejected = tally.n_rejected;

@@ -2,7 +2,7 @@
 #ifndef EM_KEPT_CONSTRAINTS_H
 #define EM_KEPT_CONSTRAINTS_H
 
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #include "em_walk.h"
 
 #define EM_SAME_ROW 3e-12 /* the part of a row that may be left beside others: rounding, and of positions on the constraints */
@@ -27,6 +27,20 @@ static int em_check_dropped(em_walk *w, const em_root *root, int kept) {
     return 0;
 }
 
+/* What becomes of dependent rows in a run at its start: em_run.least_norm. */
+static int em_shares(em_walk *w) {
+    int rows[EM_SOME_ROWS];
+    if (w->asked != EM_SHARED_FROM_START) return w->asked;
+    return em_redundant(w->run->t_start, w->run->y_start, w->run->prepared, rows) ? w->asked : EM_REFUSED;
+}
+
+/* A row that was kept, and follows from the others here. */
+static int em_fail_dependent_here(em_walk *w, int kept) {
+    int row = 0;
+    while (row + 1 < N_ROWS && !(w->run->kept & ~kept & EM_FIRST_KEPT << row)) ++row;
+    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
+}
+
 /* run->kept <- rows that are independent at x, of which there are as many as at the start. -1 and w->reason where there
  * are more, on the constraints: it was a singular position, and the rows kept do not hold what starts there. */
 static int em_keep_constraints(em_walk *w, double t, const double *x) {
@@ -37,6 +51,7 @@ static int em_keep_constraints(em_walk *w, double t, const double *x) {
     const int rank = em_independent_rows(EM_SOME_ROWS, root.Delta, EM_DEPENDENT, &kept);
     if (kept && rank < N_ROWS && (w->run->stabilise || w->rank == 0) && em_check_dropped(w, &root, kept)) return -1;
     if (w->rank == 0) w->rank = rank;
+    if (rank < w->rank && w->run->least_norm == EM_SHARED_FROM_START) return em_fail_dependent_here(w, kept);
     if (rank == w->rank) w->run->kept = kept;
     if (rank > w->rank && w->run->stabilise) {
         for (int row = 0; row < N_ROWS; ++row)

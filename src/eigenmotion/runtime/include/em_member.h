@@ -31,7 +31,7 @@ static int em_breaks_on_the_way(EM_UNUSED const em_walk *w) {
 EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
     em_walk *const w = em_open(run);
     if (w == NULL) return NULL;
-    if (w->ended || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
+    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
     *mode = w->mode;
     return w;
 }

@@ -35,7 +35,7 @@ EM_COLD int em_solve_push_anew(em_root *root, double *lambda, int flags, em_faul
 
 /* lambda (m) <- (B Q^T)^-1 lambda. 0, or -1 and *fault. */
 EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, em_fault *fault) {
-    const int flags = least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
+    const int flags = em_flags_at(root, least_norm);
     double pushed[N_ROWS * N_ROWS];
     for (int i = 0; i < N_ROWS * N_ROWS; ++i) pushed[i] = root->pushed[i / N_ROWS * EM_PUSHED + i % N_ROWS];
 #ifdef EM_NORMALS

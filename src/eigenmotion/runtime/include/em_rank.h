@@ -10,6 +10,7 @@
 #include "em_linear.h"
 
 #define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
+#define EM_TAKES_PART 1e-6 /* a row's part, at length one, in a combination that vanishes: less is rounding's */
 #define EM_CONTRADICTS 1e-4 /* of the terms that cancel in a row: what is left where rows do not contradict each other */
 
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
@@ -93,6 +94,24 @@ EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
         for (int k = 0; k < n; ++k) along += q[k] * r[k];
         for (int k = 0; k < n; ++k) r[k] -= along * q[k];
     }
+}
+
+/* How many rows depend on others; rows (m) <- 1 for those that take part in a combination that vanishes, else 0. */
+EM_COLD int em_rows_in_doubt(int m, const double *Delta, int *rows) {
+    double unit[m], L[m * m], D[m], z[m];
+    int order[m];
+    memset(L, 0, sizeof L);
+    em_row_units(m, Delta, unit);
+    const int rank = em_pivoted_units(m, Delta, unit, EM_DEPENDENT, L, D, order);
+    for (int i = 0; i < m; ++i) rows[i] = 0;
+    for (int i = rank; i < m; ++i) {
+        for (int j = 0; j < m; ++j) z[j] = 0.0;
+        for (int j = 0; j < rank; ++j) z[order[j]] = -L[order[i] * m + j];
+        z[order[i]] = 1.0;
+        em_pivoted_backward(m, rank, L, order, z);
+        for (int j = 0; j < m; ++j) rows[j] |= fabs(z[j]) > EM_TAKES_PART;
+    }
+    return m - rank;
 }
 
 EM_COLD double em_length(int n, const double *r) {

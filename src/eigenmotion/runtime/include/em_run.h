@@ -81,6 +81,10 @@ typedef struct em_dense_step {
     size_t leg;     /* of em_run's legs */
 } em_dense_step;
 
+/* What becomes of constraint rows that depend on each other: a fault; multipliers of least norm; or these where they do
+ * from the start, a fault where they come to do so on the way. At one state, from the start is there. */
+typedef enum em_dependent { EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START } em_dependent;
+
 struct em_model;
 
 /* One simulation. The caller fills the first part (zero the whole struct before), em_model.simulate the second;
@@ -98,7 +102,7 @@ typedef struct em_run {
     double max_step;             /* INFINITY: none */
     long max_steps;              /* accepted ones */
     int stabilise;               /* 1 "project", 0 "none" */
-    int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
+    int least_norm;              /* em_dependent; once the run has begun, 0 where no rows were redundant at its start */
     int dense;                   /* em_kept: whether to keep every step's interpolant, and for what */
     const double *t_eval;        /* (n_t_eval) in the direction of time, or NULL: a row for every accepted step */
     size_t n_t_eval;

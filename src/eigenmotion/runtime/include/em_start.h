@@ -9,6 +9,8 @@
 #include "em_linear.h"
 #include "em_start_tolerance.h"
 
+#define EM_LAST_PLACES_OF_ALL 8.0 /* of x and v in the mass metric: what is less is rounding, whatever it is in a row */
+
 /* M (n, n) <- what is factored: the mass matrix, or what the model puts in its place. */
 static void em_factored_matrix(const em_model *model, double t, const double *x, const double *c, double *M) {
     (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, x, c, M);
@@ -19,20 +21,41 @@ static void em_factored_gradient(const em_model *model, double t, const double *
     (model->factored_gradient ? model->factored_gradient : model->mass_matrix_gradient)(t, x, c, dM);
 }
 
-static int em_has_inertia(const em_model *model, double t, const double *x, const double *c) {
+/* M = L L^T, as em_cholesky; 0: there is none. */
+static int em_has_inertia(const em_model *model, double t, const double *x, const double *c, double *L, double *r) {
     const int n = model->n;
-    double M[n * n], L[n * n], r[n];
+    double M[n * n];
     em_factored_matrix(model, t, x, c, M);
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0;
 }
 
+/* |L^T x|, the length of x (n) in the mass metric */
+static double em_mass_length(int n, const double *L, const double *x) {
+    double y[n], square = 0.0;
+    for (int i = 0; i < n; ++i) y[i] = x[i];
+    em_transposed(n, L, y);
+    for (int i = 0; i < n; ++i) square += y[i] * y[i];
+    return sqrt(square);
+}
+
+/* |L^-1 a|, that of a row (n) */
+static double em_row_length(int n, const double *L, const double *r, const double *a) {
+    double y[n], square = 0.0;
+    for (int i = 0; i < n; ++i) y[i] = a[i];
+    em_forward(n, L, r, y);
+    for (int i = 0; i < n; ++i) square += y[i] * y[i];
+    return sqrt(square);
+}
+
 /* Whether A v + b = 0 and phi = 0 up to em_start_tolerance of the terms that cancel in them, and to what a change of x
- * and v by EM_START_STEPS atol (n) makes of them; NaN is not. */
+ * and v by EM_START_STEPS atol (n) makes of them, or one in the last places of x and v as a whole: where all that cancels
+ * in a row is rounding, what is left of it is, too. NaN is not. */
 static int em_meets_constraints(const em_model *model, double t, const double *x, const double *v, const double *c,
-                                double rtol, const double *atol) {
+                                const double *L, const double *r, double rtol, const double *atol) {
     const int n = model->n, m = model->m;
     if (m == 0) return 1;
-    const double tolerance = em_start_tolerance(rtol);
+    const double tolerance = em_start_tolerance(rtol), last = EM_LAST_PLACES_OF_ALL * DBL_EPSILON;
+    const double all_x = last * em_mass_length(n, L, x), all_v = last * em_mass_length(n, L, v);
     double A[m * n], b[m], phi[m], terms[m];
     model->pfaffian(t, x, c, A, b);
     if (model->h > 0) model->position(t, x, c, phi, terms);
@@ -44,8 +67,9 @@ static int em_meets_constraints(const em_model *model, double t, const double *x
             size += fabs(a * v[k]);
             reach += fabs(a) * EM_START_STEPS * atol[k];
         }
-        if (!(fabs(residual) <= tolerance * size + reach)) return 0;
-        if (row < model->h && !(fabs(phi[row]) <= tolerance * terms[row] + reach)) return 0;
+        const double length = em_row_length(n, L, r, A + row * n);
+        if (!(fabs(residual) <= tolerance * size + reach + length * all_v)) return 0;
+        if (row < model->h && !(fabs(phi[row]) <= tolerance * terms[row] + reach + length * all_x)) return 0;
     }
     return 1;
 }
@@ -98,7 +122,8 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
                     double rtol, const double *atol, double *y) {
     em_fault fault;
-    if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, rtol, atol)) return 0;
+    double L[model->n * model->n], r[model->n];
+    if (!em_has_inertia(model, t, x, c, L, r) || !em_meets_constraints(model, t, x, v, c, L, r, rtol, atol)) return 0;
     if (em_inside_contact(model, t, x, v, c, rtol, atol) >= 0) return 0;
     if (model->state(t, x, v, c, y, &fault)) return 0;
     for (int k = 0; k < model->n_state; ++k)

@@ -22,6 +22,7 @@ static int em_enter(em_walk *w) {
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
+    run->least_norm = em_shares(w);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     if (em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_enter_mode(w);
@@ -67,6 +68,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->block = block;
     w->c = (em_bundle *)(w + 1);
     w->run = run;
+    w->asked = run->least_norm;
     w->scheme = em_scheme_of(run->model, run->method);
     em_walk_prepare(w);
     w->looks_every = 1;
