@@ -51,7 +51,7 @@ EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) 
         b->terms[row] = r->rate_terms[row];
     }
     for (int i = 0; i < 2 * N_SWITCHES; ++i) { /* contacts, then frictions, which may stand before them */
-        const int k = i % N_SWITCHES, contacts = i < N_SWITCHES;
+        const int contacts = i < N_SWITCHES, k = contacts ? i : i - N_SWITCHES;
         const em_switch *const one = &switches[k];
         const int row = one->row;
         if (em_is_contact(one) != contacts) continue;
