@@ -112,7 +112,7 @@ class SwitchView:
 
     slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none, -2 - k: norm k of multipliers
     idles : the place of how far the row may be off where others keep it
-    poisson : whether it strikes by Poisson's law
+    poisson : whether it strikes by Poisson's law; cone : whether it has two rows, the other behind this one
     """
 
     event: int
@@ -122,6 +122,7 @@ class SwitchView:
     row: int
     idles: int
     poisson: int
+    cone: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +231,7 @@ class Outline:
     @property
     def switched_rows(self) -> str:
         """The bits of the rows that hold at times."""
-        return f"{sum(1 << switch.row for switch in self.switches):#x}"
+        return f"{sum((1 + 2 * switch.cone) << switch.row for switch in self.switches):#x}"
 
     @property
     def turning(self) -> tuple[BlockView, ...]:

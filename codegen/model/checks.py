@@ -269,8 +269,9 @@ def _check_contacts(model: Mechanism) -> None:
     for name, entry in model.contacts:
         if isinstance(entry, Contact) and not entry.gap.has(*model.coordinates):
             raise ModelError(f"gap of contacts[{name}] contains no coordinate: {entry.gap}. Nothing can close it.")
-        if isinstance(entry, Friction) and not (entry.slip.has(*velocities) and has_degree(entry.slip, velocities, 1)):
-            raise ModelError(f"slip of contacts[{name}] is not linear in the velocities (8): {entry.slip}.")
+        for slip in entry.slips if isinstance(entry, Friction) else ():
+            if not (slip.has(*velocities) and has_degree(slip, velocities, 1)):
+                raise ModelError(f"slip of contacts[{name}] is not linear in the velocities (8): {slip}.")
 
 
 def _check_rows(model: Mechanism) -> None:

@@ -72,7 +72,8 @@ class Friction:
     Parameters
     ----------
     slip
-        Linear in the velocities: at which rate it slides.
+        Linear in the velocities: at which rate it slides. Two of them, (slip_1, slip_2) at right angles and of one
+        unit, make a cone: the force goes against the slip, whichever way that is. (Two frictions make a box.)
     limit
         In x, xdot, t and inputs [J / integral of slip]: the friction coefficient times the normal force; with `normal`
         the coefficient alone. Where it is negative nothing presses: there is no friction.
@@ -97,7 +98,7 @@ class Friction:
     limit_at_rest: Any = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "slip", expression(self.slip, "The slip of a friction"))
+        object.__setattr__(self, "slip", _slip(self.slip))
         object.__setattr__(self, "limit", _limit(self.limit))
         object.__setattr__(self, "normal", normal_of(self.normal))
         if self.limit_at_rest is not None:
@@ -109,9 +110,14 @@ class Friction:
         return self.limit if self.limit_at_rest is None else sympy.Max(self.limit, self.limit_at_rest)
 
     @property
+    def slips(self) -> tuple[sympy.Expr, ...]:
+        """One, or the two of a cone."""
+        return self.slip if isinstance(self.slip, tuple) else (self.slip,)
+
+    @property
     def measure(self) -> sympy.Expr:
         """What tells which way it slides: the slip."""
-        return self.slip
+        return self.slips[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,6 +134,7 @@ class Switch:
     level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
     at_rest : up to which force a friction sticks; of a contact, 0
     law : of a contact's impacts, "newton" or "poisson"; of a friction ""
+    cone : whether it is a friction of two slips, whose second row is the next
     """
 
     name: str
@@ -140,6 +147,15 @@ class Switch:
     level: sympy.Expr
     at_rest: sympy.Expr
     law: str
+    cone: bool = False
+
+
+def _slip(given: Any) -> sympy.Expr | tuple[sympy.Expr, ...]:
+    if not isinstance(given, (tuple, list)):
+        return expression(given, "The slip of a friction")
+    if len(given) != len(("slip_1", "slip_2")):
+        raise ModelError(f"The slip of a friction is {shown(given)}. Give one, or the two of a cone.")
+    return tuple(expression(slip, "A slip of a friction") for slip in given)
 
 
 def _limit(given: Any) -> sympy.Expr:
@@ -183,7 +199,8 @@ def switch_of(
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
         over, presses = normals.of(name, entry.normal)
-        return Switch(name, holds, slides, idles, over, presses, row, entry.limit, entry.sticking, "")
+        cone = len(entry.slips) > 1
+        return Switch(name, holds, slides, idles, over, presses, row, entry.limit, entry.sticking, "", cone)
     return Switch(name, holds, slides, idles, None, (), row, entry.rest, sympy.Integer(0), entry.law)
 
 
@@ -192,9 +209,8 @@ def normals_of(fields: Mapping[str, Any]) -> Normals:
     known = dict(fields["parameters"])
     made = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
     contacts = sum(isinstance(entry, Contact) for entry in made)
-    others = {
-        kind: len(fields[kind]) - count for kind, count in zip(KINDS, (contacts, len(made) - contacts), strict=True)
-    }
+    slips = sum(len(entry.slips) for entry in made if isinstance(entry, Friction))
+    others = {kind: len(fields[kind]) - count for kind, count in zip(KINDS, (contacts, slips), strict=True)}
     names = [name for name, entry in fields["contacts"] if isinstance(entry, Contact)]
     return Normals(names, others, fields["constraint_names"])
 
@@ -243,16 +259,32 @@ def _friction(
     normals: Normals,
 ) -> dict[str, Any]:
     holds, slides = _parameters(name, friction)[0], _slides(name)
-    slip, force = in_rates(friction.slip), friction.limit * normals.force(name, friction.normal)
-    pushes = [-slides * force * slip.diff(x.diff()) for x in made["coordinates"]]
+    slips, force = list(map(in_rates, friction.slips)), friction.limit * normals.force(name, friction.normal)
+    along = [slip / _speed(slips, slides) if len(slips) > 1 else sympy.Integer(1) for slip in slips]
+    rows = [
+        sum(part * slip.diff(x.diff()) for part, slip in zip(along, slips, strict=True)) for x in made["coordinates"]
+    ]
+    pushes = [-slides * force * row for row in rows]
+    passes = friction.slip if len(slips) == 1 else _speed(friction.slips, slides)
     return {
-        "nonholonomic_constraints": (*made["nonholonomic_constraints"], holds * friction.slip),
+        "nonholonomic_constraints": (
+            *made["nonholonomic_constraints"],
+            *(holds * slip for slip in friction.slips),
+        ),
         "forces": tuple(Q + push for Q, push in zip(made["forces"], pushes, strict=True)),
-        "events": (*made["events"], (name, Event(slides * friction.slip, -1))),
+        "events": (*made["events"], (name, Event(slides * passes, -1))),
     }
+
+
+def _speed(slips: Sequence[sympy.Expr], slides: sympy.Symbol) -> sympy.Expr:
+    """Return the size of the slip of a cone, where it slides; elsewhere nothing asks for it, but it must not vanish."""
+    return sympy.sqrt(sympy.Add(*(slip**2 for slip in slips)) + 1 - slides)
 
 
 def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:
     """Return what a contact or friction is made of: names, expressions, and whether they may contain velocities."""
-    parts = ("gap", "restitution", "rest") if isinstance(entry, Contact) else ("slip", "limit", "sticking")
-    return tuple((f"{part} of contacts[{name_of(name)}]", getattr(entry, part), part != "gap") for part in parts)
+    of = f"of contacts[{name_of(name)}]"
+    if isinstance(entry, Contact):
+        return tuple((f"{part} {of}", getattr(entry, part), part != "gap") for part in ("gap", "restitution", "rest"))
+    slips = tuple((f"slip {of}", slip, True) for slip in entry.slips)
+    return *slips, (f"limit {of}", entry.limit, True), (f"limit_at_rest {of}", entry.sticking, True)

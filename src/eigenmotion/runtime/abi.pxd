@@ -63,6 +63,7 @@ cdef extern from "eigenmotion.h" nogil:
         int row
         int idles
         int poisson
+        int cone
 
     ctypedef struct em_pile:
         double t

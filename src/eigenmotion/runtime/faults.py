@@ -175,7 +175,10 @@ _INSIDE = "The start is inside contact {event}, whose gap is never negative. Sta
 
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
 
-_POISSON = "The derivative of an impact by Poisson's law, of event {event}, is not known. State Newton's."
+_UNDERIVED = (
+    "The derivative of an impact by Poisson's law, or in which a friction cone slips, is not known: event {event}. "
+    "State Newton's law, or frictions along lines."
+)
 
 _LOWERED_RESTITUTION = (
     "The restitution of event {event} is lowered there, for with friction it would raise the energy: its derivative is "
@@ -216,7 +219,7 @@ _VARIANTS = {
     (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
     (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
     (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
-    (StopReason.IMPACT_UNDEFINED, 3): _POISSON,
+    (StopReason.IMPACT_UNDEFINED, 3): _UNDERIVED,
     (StopReason.DEPENDENT_CONSTRAINTS, -5): _SHARED,
     (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
     (StopReason.CONTACTS_CLASH, -4): _UNSETTLED,

@@ -39,7 +39,7 @@ cdef dict _mode_of(model, parameters):
     """What holds, sticks and slides; what is idle is kept at rest by what holds."""
     cdef dict mode = {}
     for _, holds, slides, _, idles in model.switches:
-        idle = parameters[idles] != 0.0
+        idle = parameters[idles] > 0.0
         mode[model.parameters[holds]] = 1.0 if idle else parameters[holds]
         if slides >= 0:
             mode[model.parameters[slides]] = 0.0 if idle else parameters[slides]

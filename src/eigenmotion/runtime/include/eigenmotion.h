@@ -35,9 +35,9 @@ typedef struct em_deed {
 /* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
  * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
  * presses (-1: of none); the parameter that is how far `row` may be off where other rows keep it, else 0; whether its impacts
- * are by Poisson's law. */
+ * are by Poisson's law; whether it is a cone, of two rows. */
 typedef struct em_switch {
-    int event, holds, slides, over, row, idles, poisson;
+    int event, holds, slides, over, row, idles, poisson, cone;
 } em_switch;
 
 /* What a run knows where events act: its tolerances, rtol and atol (n); what rounding may leave of gaps and slips (n_events),

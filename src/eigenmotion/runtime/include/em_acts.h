@@ -134,7 +134,9 @@ EM_COLD int em_settle_modes(em_acting *a) {
     for (int k = 0; k < N_SWITCHES; ++k)
         if (before[k].holds != after[k].holds || before[k].slides != after[k].slides || before[k].idles != after[k].idles)
             a->fired[switches[k].event] = 1;
-    return em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault);
+    if (em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault)) return -1;
+    for (int k = 0; k < N; ++k) a->v[k] += a->later * a->a_begins[k]; /* without slip a cone's force has no direction */
+    return 0;
 }
 
 /* Resets in the order of the model, each of the state that the one before left. Whether there was one, or -1 and *fault. */

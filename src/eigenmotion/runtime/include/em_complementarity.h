@@ -5,7 +5,8 @@
  *     free row        w = 0
  *     contact         p >= 0, w >= 0, p w = 0
  *     friction        |p| <= L; p = -L where w > 0, p = L where w < 0
- *     sliding         p = -side L
+ *     cone            two rows: |p| <= L; p = -L d where w = beta d, beta > 0, |d| = 1
+ *     sliding         p = -side L (of a cone two rows, side their direction)
  *
  * with L = level + coefficient (over . p), over (k) of the rows that press, or of a rooted row the root of the sum of the squares of
  * these terms (em_leaning.h). A mode says of every row which of these conditions holds as an equation. Each mode is
@@ -29,7 +30,10 @@
 
 enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* rows without pivoting first; modes before giving up */
 
-typedef enum em_row_kind { EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_SLIDES } em_row_kind;
+/* The second row of a cone is EM_ROW_CONE_TOO, next to the first, whose choice holds for both. */
+typedef enum em_row_kind {
+    EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_TOO, EM_ROW_SLIDES
+} em_row_kind;
 
 /* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
 typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
@@ -52,13 +56,13 @@ typedef struct em_mixed {
 } em_mixed;
 
 EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
-    return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION;
+    return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_CONE;
 }
 
 /* A friction whose contacts are open has no force and no condition. */
 EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
     int presses = 0;
-    if ((s->kind[i] != EM_ROW_FRICTION && s->kind[i] != EM_ROW_SLIDES) || s->level[i] != 0.0) return 0;
+    if (s->kind[i] < EM_ROW_FRICTION || s->level[i] != 0.0) return 0;
     for (int j = 0; j < s->k; ++j) {
         if (s->over[i * s->k + j] == 0.0) continue;
         presses = 1;
@@ -69,6 +73,7 @@ EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
 
 EM_COLD int em_row_holds(const em_mixed *s, int i) {
     if (s->kind[i] == EM_ROW_FREE) return 1;
+    if (s->kind[i] == EM_ROW_CONE_TOO) return em_row_holds(s, i - 1);
     return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
 }
 
@@ -76,6 +81,8 @@ EM_COLD int em_row_holds(const em_mixed *s, int i) {
 EM_COLD double em_limit_sign(const em_mixed *s, int i) {
     if (em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
+    if (s->kind[i] == EM_ROW_CONE || s->kind[i] == EM_ROW_CONE_TOO)
+        return s->choice[s->kind[i] == EM_ROW_CONE ? i : i - 1] == EM_FORWARD ? -s->side[i] : 0.0;
     if (s->kind[i] != EM_ROW_FRICTION) return 0.0;
     return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
 }
@@ -190,18 +197,28 @@ EM_COLD double em_rates_of_mode(em_mixed *s) {
     return largest;
 }
 
+/* By how much a cone misses its conditions: more force than its limit, or a slip that does not go against the force. */
+EM_COLD double em_cone_violation(const em_mixed *s, int i) {
+    const double *const d = s->side + i, *const w = s->w + i;
+    if (s->choice[i] == EM_HOLDS_ROW) return hypot(s->p[i], s->p[i + 1]) - em_limit_of_row(s, i, 1);
+    return fmax(-(d[0] * w[0] + d[1] * w[1]), fabs(d[0] * w[1] - d[1] * w[0]));
+}
+
 /* By how much row i misses the inequality of its mode. */
 EM_COLD double em_violation(const em_mixed *s, int i) {
     if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
+    if (s->kind[i] == EM_ROW_CONE) return em_cone_violation(s, i);
     if (s->choice[i] == EM_HOLDS_ROW) return fabs(s->p[i]) - em_limit_of_row(s, i, 1);
     return s->choice[i] == EM_FORWARD ? -s->w[i] : s->w[i];
 }
 
+#include "em_cone_directions.h"
+
 /* Whether the mode chosen has a solution that satisfies all conditions. */
 EM_COLD int em_is_consistent(em_mixed *s) {
     ++s->tried;
-    if (em_forces_of_mode(s)) return 0;
+    if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
     double most = 0.0;
     int worst = -1;
@@ -231,7 +248,8 @@ EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
         const em_choice given = s->choice[i];
         if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) continue;
         const em_choice contact[] = {EM_HOLDS_ROW, EM_OPENS, EM_NO_CHOICE}, friction[] = {EM_HOLDS_ROW, EM_FORWARD, EM_BACK};
-        for (int way = 0; way < 3; ++way) {
+        const int ways = s->kind[i] == EM_ROW_FRICTION ? 3 : 2;
+        for (int way = 0; way < ways; ++way) {
             s->choice[i] = s->kind[i] == EM_ROW_CONTACT ? contact[way] : friction[way];
             if (s->choice[i] == EM_NO_CHOICE || s->choice[i] == given) continue;
             if (em_try_changes(s, i + 1, left - 1, bars)) return 1;
@@ -247,6 +265,10 @@ EM_COLD void em_scale_mixed(em_mixed *s, int back) {
     for (int i = 0; i < s->k; ++i) {
         const double square = s->G[i * s->k + i];
         if (!back) s->unit[i] = square > 0.0 && s->kind[i] != EM_ROW_OUT ? 1.0 / sqrt(square) : 1.0;
+        if (!back && s->kind[i] == EM_ROW_CONE_TOO) /* one unit for both, in which the length of a vector means something */
+            s->unit[i] = s->unit[i - 1] = sqrt(2.0) / hypot(1.0 / s->unit[i], 1.0 / s->unit[i - 1]);
+    }
+    for (int i = 0; i < s->k; ++i) {
         by[i] = back ? 1.0 / s->unit[i] : s->unit[i];
     }
     for (int i = 0; i < s->k; ++i) {

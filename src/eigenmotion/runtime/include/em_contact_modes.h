@@ -14,6 +14,8 @@
 #define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it is closed */
 #define EM_MODE_AGREES 1e-8       /* the part of the terms by which the rate of a dependent row may be off */
 #define EM_ROUNDS (8.0 * DBL_EPSILON) /* the part of its terms that rounding may leave of a gap */
+#define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
+#define EM_CONE_STOPS 2.0        /* times a tolerance: a slip that errors turn around */
 #define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
 
 /* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
@@ -29,6 +31,7 @@ typedef struct em_acting {
     int starts;
     double deep;                       /* how far inside contacts it has started, rows at length one */
     double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
+    double a_begins[N], later;         /* accelerations of the mode, and how long what begins to slide in a cone has done so */
     int moved;                         /* whether velocities have jumped, or places */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
@@ -51,7 +54,9 @@ EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
     }
     for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {
         const int row = switches[k].row;
-        if (em_holds(&switches[k], a->c) || em_is_idle(&switches[k], a->c)) a->still[row] = fmax(a->still[row], 2.0 * fabs(r->rate[row]));
+        if (!em_holds(&switches[k], a->c) && !em_is_idle(&switches[k], a->c)) continue;
+        for (int also = row; also <= row + switches[k].cone; ++also)
+            a->still[also] = fmax(a->still[also], 2.0 * fabs(r->rate[also]));
     }
 }
 
@@ -92,7 +97,7 @@ EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
     if (em_is_contact(s) && !a->closed[k]) return 0;
-    return (came && !a->moved) || fabs(r->rate[s->row]) <= a->still[s->row];
+    return (came && !a->moved) || em_along_switch(s, r->rate) <= em_along_switch(s, a->still);
 }
 
 /* The problem of what may hold at rest. 0, or -1 and *fault. */
@@ -114,14 +119,13 @@ EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *
     }
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
-        const double rate = r->rate[one->row];
         const int at_rest = em_is_at_rest(a, r, k);
         if (em_is_contact(one)) {
             if (!at_rest) continue;
             s->kind[one->row] = EM_ROW_CONTACT;
             s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
         } else {
-            em_friction_row(s, k, level, at_rest ? 0.0 : rate > 0.0 ? 1.0 : -1.0);
+            em_friction_row(s, k, level, at_rest ? NULL : r->rate);
             if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
                 s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;
         }
@@ -159,12 +163,35 @@ EM_COLD double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_
     return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
 }
 
+/* The slip below which a cone has stopped: what tolerances do not tell from none, beyond rounding. */
+EM_COLD double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
+    double slip = 1e-150;
+    for (int row = s->row; row <= s->row + 1; ++row) {
+        slip = fmax(slip, EM_CONE_ROUNDS * r->rate_terms[row]);
+        if (a->atol) slip = fmax(slip, em_reach(a, r->A + row * N, a->v, EM_CONE_STOPS, 0.0));
+    }
+    return slip;
+}
+
+/* A cone that slides: idle where both its rows depend on what holds; else down to which slip, with which it begins. */
+EM_COLD double em_cone_slack(em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one) {
+    const int row = one->row, begins = s->kind[row] == EM_ROW_CONE;
+    const double one_slack = begins ? em_idle_slack(a, r, s, row, 0) : 0.0;
+    const double other = one_slack > 0.0 ? em_idle_slack(a, r, s, row + 1, 0) : 0.0;
+    if (other > 0.0) return fmax(one_slack, other);
+    const double stops = em_cone_stops(a, r, one);
+    if (!begins) return -fmin(stops, 0.25 * em_along_switch(one, r->rate));
+    a->later = fmax(a->later, 4.0 * stops / em_along_switch(one, s->w));
+    return -stops;
+}
+
 /* What the solution makes of a switch. */
-EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
+EM_COLD em_state_of_switch em_switch_after(em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
     const em_switch *const one = &switches[k];
     const int row = one->row, contact = em_is_contact(one);
     em_state_of_switch after = {em_row_holds(s, row), 0, 0.0};
     if (s->kind[row] == EM_ROW_OUT || after.holds || em_is_unloaded(s, row)) return after;
+    if (one->cone) return after.slides = 1, after.idles = em_cone_slack(a, r, s, one), after;
     if (!contact) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
     if (em_is_choice_row(s, row)) after.idles = em_idle_slack(a, r, s, row, contact);
     return after;
@@ -177,6 +204,16 @@ EM_COLD int em_event_of_row(int row) {
     return -1;
 }
 
+/* a_begins <- M^-1 (what moves freely + B^T p) */
+EM_COLD void em_accelerations_of(em_acting *a, const em_all_rows *r, const em_mixed *s) {
+    double gamma[EM_SOME_ROWS];
+    motion_bias(a->t, a->x, a->v, r->c, a->u, a->a_begins, gamma);
+    em_forward(N, r->root.L, r->root.r, a->a_begins);
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int k = 0; k < N; ++k) a->a_begins[k] += r->root.B[row * N + k] * s->p[row];
+    em_backward(N, r->root.L, r->root.r, a->a_begins);
+}
+
 /* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
 EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
@@ -185,6 +222,7 @@ EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
     const int found = em_solve_mixed(&s);
     if (found < 1)
         return em_fail(a->fault, EM_CONTACTS_CLASH, em_event_of_row(s.clash[0]), found < 0 ? -2 : em_event_of_row(s.clash[1]), NAN);
+    em_accelerations_of(a, r, &s);
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
     return em_set_mode(a->c, mode, a->fault);
 }

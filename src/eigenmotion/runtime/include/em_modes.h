@@ -19,7 +19,12 @@ EM_COLD int em_is_contact(const em_switch *s) { return s->slides < 0; }
 
 EM_COLD int em_holds(const em_switch *s, const double *c) { return c[s->holds] != 0.0; }
 
-EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] != 0.0; }
+EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] > 0.0; }
+
+/* The size of what a friction's row has, or the two rows of a cone. */
+EM_COLD double em_along_switch(const em_switch *s, const double *of_rows) {
+    return s->cone ? hypot(of_rows[s->row], of_rows[s->row + 1]) : fabs(of_rows[s->row]);
+}
 
 /* Up to which force a friction sticks. */
 EM_COLD double em_limit(const em_switch *s, double level, const double *lambda) {
@@ -72,7 +77,7 @@ EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const d
         const em_switch *const s = &switches[k];
         if (!em_holds(s, c)) continue;
         const double limit = em_is_contact(s) ? 0.0 : em_limit(s, level[EM_LEVELS * k + 2], lambda);
-        g[s->event] = em_is_contact(s) ? -lambda[s->row] : limit - fabs(lambda[s->row]);
+        g[s->event] = em_is_contact(s) ? -lambda[s->row] : limit - em_along_switch(s, lambda);
     }
     return 0;
 }
@@ -104,7 +109,7 @@ EM_COLD int em_unswitched(const em_all_rows *r, int without, double *Delta, int 
     int any = 0;
     memcpy(Delta, r->root.Delta, sizeof r->root.Delta);
     for (int k = 0; k < N_ROWS; ++k) switched[k] = 0;
-    for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = 1;
+    for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = switched[switches[k].row + switches[k].cone] = 1;
     for (int i = 0; i < N_ROWS; ++i) {
         any |= !switched[i];
         for (int j = 0; j <= i; ++j)
@@ -166,18 +171,21 @@ EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     }
 }
 
-/* A friction's row, with what it may take. */
-EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, double side) {
+/* A friction's row, or the two of a cone, with what they may take. rate (m): of what slides, NULL: it is at rest. */
+EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const double *rate) {
     const em_switch *const friction = &switches[k];
-    const int row = friction->row, norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0;
-    s->kind[row] = side == 0.0 ? EM_ROW_FRICTION : EM_ROW_SLIDES;
-    s->side[row] = side;
-    s->choice[row] = EM_HOLDS_ROW;
-    if (friction->over >= 0) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
-    s->rooted[row] = norm >= 0;
-    for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_STRUCK_ROWS + j] = em_is_among(norm, j);
-    (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
-    (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
+    const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0;
+    for (int row = friction->row; row <= friction->row + friction->cone; ++row) {
+        const int first = row == friction->row;
+        s->kind[row] = rate ? EM_ROW_SLIDES : !friction->cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_TOO;
+        s->side[row] = rate ? rate[row] / em_along_switch(friction, rate) : 0.0;
+        s->choice[row] = EM_HOLDS_ROW;
+        if (friction->over >= 0) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
+        s->rooted[row] = norm >= 0;
+        for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_STRUCK_ROWS + j] = em_is_among(norm, j);
+        (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
+        (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
+    }
 }
 
 #endif

@@ -103,6 +103,8 @@ EM_COLD int em_pivot_modes(em_mixed *s, int bars) {
     int contact[EM_MIXED_ROWS], friction[EM_MIXED_ROWS], nc = 0, nf = 0;
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS], A[EM_PIVOTED * EM_PIVOTED] = {0.0}, b[EM_PIVOTED];
     double fixed[EM_MIXED_ROWS]; /* the sign of p / L where it is known */
+    for (int i = 0; i < k; ++i)
+        if (s->kind[i] == EM_ROW_CONE) return 0; /* no linear problem */
     if (em_without_free(s, G, q)) return 0;
     for (int i = 0; i < k; ++i) {
         const int barred = bars && s->barred[i] == EM_HOLDS_ROW;

@@ -1,0 +1,86 @@
+/* em_cone_directions.h: in which direction each cone begins to slide: w = beta d, by Newton's method on the angles of d.
+ *
+ * The force -L d of a cone decides w, and w has to have the direction of d. */
+#ifndef EM_CONE_DIRECTIONS_H
+#define EM_CONE_DIRECTIONS_H
+
+#define EM_TURN 6.283185307179586
+
+enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40 };
+
+/* The cones that slide in this mode: their first rows. How many. */
+EM_COLD int em_sliding_cones(const em_mixed *s, int *cones) {
+    int count = 0;
+    for (int i = 0; i < s->k; ++i)
+        if (s->kind[i] == EM_ROW_CONE && s->choice[i] == EM_FORWARD && !em_is_unloaded(s, i)) cones[count++] = i;
+    return count;
+}
+
+/* off (count) <- angles from d to w where d has these angles; the largest, or -1: the mode's rows depend on each other. */
+EM_COLD double em_off_directions(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
+    double largest = 0.0;
+    for (int c = 0; c < count; ++c) s->side[cones[c]] = cos(angle[c]), s->side[cones[c] + 1] = sin(angle[c]);
+    if (em_forces_of_mode(s)) return -1.0;
+    em_rates_of_mode(s);
+    for (int c = 0; c < count; ++c) {
+        const double *const d = s->side + cones[c], *const w = s->w + cones[c];
+        off[c] = atan2(d[0] * w[1] - d[1] * w[0], d[0] * w[0] + d[1] * w[1]);
+        largest = fmax(largest, fabs(off[c]));
+    }
+    return largest;
+}
+
+/* step (count) <- Newton's, with slopes by differences. 0, or -1. */
+EM_COLD int em_direction_step(em_mixed *s, int count, const int *cones, const double *angle, const double *off, double *step) {
+    double A[EM_MIXED_ROWS * EM_MIXED_ROWS], near[EM_MIXED_ROWS], there[EM_MIXED_ROWS];
+    const double apart = 1e-7;
+    for (int c = 0; c < count; ++c) {
+        memcpy(near, angle, count * sizeof *near);
+        near[c] += apart;
+        if (em_off_directions(s, count, cones, near, there) < 0.0) return -1;
+        for (int i = 0; i < count; ++i) A[i * count + c] = remainder(there[i] - off[i], EM_TURN) / apart;
+    }
+    for (int c = 0; c < count; ++c) step[c] = -off[c];
+    return em_solve_mode(count, A, step);
+}
+
+/* From these angles. Whether directions were found. */
+EM_COLD int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
+    double off[EM_MIXED_ROWS], step[EM_MIXED_ROWS], next[EM_MIXED_ROWS], then[EM_MIXED_ROWS];
+    double size = em_off_directions(s, count, cones, angle, off);
+    for (int k = 0; k < EM_DIRECTION_STEPS && size > 4.0 * DBL_EPSILON; ++k) {
+        if (size < 0.0 || em_direction_step(s, count, cones, angle, off, step)) return 0;
+        double part = 1.0, after = INFINITY;
+        for (; part > 1e-3; part *= 0.5) {
+            for (int c = 0; c < count; ++c) next[c] = angle[c] + part * fmax(-1.0, fmin(1.0, step[c]));
+            after = em_off_directions(s, count, cones, next, then);
+            if (after >= 0.0 && after < size) break;
+        }
+        if (!(after >= 0.0 && after < size)) break;
+        size = after;
+        memcpy(angle, next, count * sizeof *next), memcpy(off, then, count * sizeof *then);
+    }
+    em_off_directions(s, count, cones, angle, off);
+    return size >= 0.0 && size < 1e-9;
+}
+
+/* side of the cones that slide <- their directions: first from those without their friction, then from others all around. 0, or -1:
+ * none were found. */
+EM_COLD int em_find_directions(em_mixed *s) {
+    int cones[EM_MIXED_ROWS];
+    double first[EM_MIXED_ROWS], angle[EM_MIXED_ROWS];
+    const int count = em_sliding_cones(s, cones);
+    if (count == 0) return 0;
+    for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
+    if (em_forces_of_mode(s)) return -1;
+    em_rates_of_mode(s);
+    for (int c = 0; c < count; ++c) first[c] = atan2(s->w[cones[c] + 1], s->w[cones[c]]);
+    for (int start = 0; start < (count > 1 ? EM_DIRECTIONS * EM_DIRECTIONS : EM_DIRECTIONS); ++start) {
+        for (int c = 0; c < count; ++c)
+            angle[c] = first[c] + EM_TURN / EM_DIRECTIONS * (c % 2 ? start / EM_DIRECTIONS : start % EM_DIRECTIONS);
+        if (em_iterate_directions(s, count, cones, angle)) return 0;
+    }
+    return -1;
+}
+
+#endif
