@@ -34,6 +34,7 @@ class Trial:
     turns : (n,) after which a coordinate is the same again, 0: never; None: no coordinate is an angle that may wind
     periods : how many the span holds, 0 where they are few or have no meaning
     inputs : over the model's defaults
+    nearby : whether starts near this one are ones, by which kappa is measured: of what begins in contact they are not
     """
 
     label: str
@@ -48,6 +49,7 @@ class Trial:
     turns: Vector | None = None
     periods: float = 0.0
     inputs: Mapping[str, Signal] = field(default_factory=dict)
+    nearby: bool = True
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,16 @@
 """All cases, by name."""
 
-from . import charts, degenerate, kinks, places, spans, stiffness
+from . import charts, contacts, degenerate, kinks, places, spans, stiffness
 
 CASES = {
     case.name: case
-    for case in (*stiffness.CASES, *charts.CASES, *kinks.CASES, *places.CASES, *degenerate.CASES, *spans.CASES)
+    for case in (
+        *stiffness.CASES,
+        *charts.CASES,
+        *kinks.CASES,
+        *places.CASES,
+        *degenerate.CASES,
+        *spans.CASES,
+        *contacts.CASES,
+    )
 }

@@ -17,6 +17,7 @@ from ..running.simulate import simulate
 from ..runtime import EvaluationError, StopReason
 from ..system.system import System
 from .case import Case, Trial
+from .conditions import missed
 from .expected import Expected, expected_of
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
@@ -90,10 +91,21 @@ def _cell(case: Case, expected: Expected, system: System | str, variant: Variant
     done = replace(blank, nsteps=int(solution.nsteps), nfev=int(solution.nfev), seconds=time.perf_counter() - begin)
     if not solution.success:
         return replace(done, reason=str(solution.stop), message=solution.message)
-    return _compared(done, expected, system, solution)
+    compared = _compared(done, expected, system, solution)
+    if not solution.modes:
+        return compared
+    at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
+    return _watched(compared, missed(at_every_step, system, expected.trial.parameters))
 
 
-def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str) -> Solution:
+def _watched(compared: Cell, by: float) -> Cell:
+    """Return a cell whose contacts and frictions miss their conditions by so much."""
+    if compared.bound is None or by <= compared.bound:
+        return compared
+    return replace(compared, outcome=Outcome.WRONG, reason="contacts and frictions", message=f"off by {by:.2g}")
+
+
+def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str, every_step: bool = False) -> Solution:
     tolerance = case.tolerances[method]
     options: dict[str, Any] = variant.run
     with warnings.catch_warnings(), np.errstate(all="ignore"):
@@ -108,7 +120,7 @@ def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str
             method=method,
             rtol=tolerance,
             atol=tolerance * trial.units,
-            t_eval=trial.times,
+            t_eval=None if every_step else trial.times,
             max_steps=case.max_steps,
             **options,
         )

@@ -76,6 +76,8 @@ def _growth(expected: Expected, start: Vector, times: Vector) -> float:
 
 def _perturbed(trial: Trial, system: System | None) -> list[Vector]:
     """Return starts (2n,) near the trial's, each moved in a random direction, back onto the constraints."""
+    if not trial.nearby:
+        return []
     random, n = np.random.default_rng(0), len(trial.x0)
     start, sizes = np.concatenate([trial.x0, trial.v0]), np.tile(trial.units, 2)
     starts = [start + _DELTA * (sizes + np.abs(start)) * random.choice((-1.0, 1.0), 2 * n) for _ in range(DIRECTIONS)]

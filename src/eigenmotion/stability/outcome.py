@@ -29,7 +29,8 @@ RULES = {
     "the residuals of constraints and eigenfactors, each relative to its own terms. (A frequency that is off by such "
     "a drift is out of phase by that.)",
     Outcome.WRONG: "The run says it succeeded with an error above all that; or it ended without a row for every time "
-    "asked for, or with numbers that are not finite, or without a named reason.",
+    "asked for, or with numbers that are not finite, or without a named reason; or a contact or a friction does what "
+    "it may not at an accepted step.",
 }
 
 

@@ -1,0 +1,169 @@
+"""Mechanisms whose contacts close, open, stick and slide, with what `conditions` reads of them as outputs."""
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from sympy import Expr, Integer, Matrix, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from ..codegen.model import Contact, Friction, Model, t
+
+SLOW = 1e-6  # [m/s] rebounds no faster than that stay
+x, y, p = dynamicsymbols("x y p")
+m, g, J, b, h, mu = symbols("m g J b h mu", positive=True)
+
+
+def watched(contacts: Mapping[str, Contact | Friction], **fields: Any) -> Model:
+    """Return a model with outputs of its contacts: NAME_gap, NAME_opens; of frictions: NAME_slip, NAME_limit, NAME_on.
+
+    The last is the number of the contact whose force the limit is counted in, -1 where there is none.
+    """
+    outputs: dict[str, Expr] = {}
+    row = {name: k for k, name in enumerate(name for name, entry in contacts.items() if isinstance(entry, Contact))}
+    for name, entry in contacts.items():
+        if isinstance(entry, Contact):
+            outputs |= {f"{name}_gap": entry.gap, f"{name}_opens": entry.gap.diff(t, 2)}
+        else:
+            on = Integer(-1) if entry.normal is None else Integer(row[entry.normal])
+            outputs |= {f"{name}_slip": entry.slip, f"{name}_limit": entry.limit, f"{name}_on": on}
+    return Model(contacts=dict(contacts), outputs=outputs, **fields)
+
+
+@cache
+def box_on_slope() -> Model:
+    """Return a box on two rough feet on a slope.
+
+    ::
+
+            ____
+           |    |  2 h         x down the slope, y off it, p turns it downhill
+           |_  _|
+        ----^--^----  slope al
+            2 b
+    """
+    al = symbols("al", nonnegative=True)
+    low, high = (_foot(side) for side in (1, -1))
+    return watched(
+        name="box_on_slope",
+        coordinates=[x, y, p],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
+        potential_energy=m * g * (y * cos(al) - x * sin(al)),
+        contacts={
+            "low": Contact(low[1], rest=SLOW), "high": Contact(high[1], rest=SLOW),
+            "rub_low": Friction(low[0].diff(t), mu, "low"), "rub_high": Friction(high[0].diff(t), mu, "high"),
+        },
+        parameters={m: 1.0, g: 9.81, mu: 2.0, b: 0.2, h: 1.0, J: 0.4, al: 0.5},
+        initial={y: 1.0},
+    )  # fmt: skip
+
+
+def _foot(side: int) -> Matrix:
+    """Return where a foot of the box is: the lower one of a box turned by p clockwise, or the upper one."""
+    return Matrix([x + side * b * cos(p) - h * sin(p), y - side * b * sin(p) - h * cos(p)])
+
+
+@cache
+def drawer() -> Model:
+    """Return a drawer between two rough guides, pushed by F beside its middle: opposite corners press and rub.
+
+    Jams where 2 mu e > l, whatever the push; else x'' = F (1 - 2 mu e / l) / m.
+    """
+    F, e, l, w = symbols("F e l w", positive=True)
+    front = Matrix([x + l / 2 * cos(p) - w / 2 * sin(p), y + l / 2 * sin(p) + w / 2 * cos(p)])
+    back = Matrix([x - l / 2 * cos(p) + w / 2 * sin(p), y - l / 2 * sin(p) - w / 2 * cos(p)])
+    return watched(
+        name="drawer",
+        coordinates=[x, y, p],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
+        forces={x: F, p: F * e},
+        contacts={
+            "front": Contact(w / 2 - front[1], rest=SLOW), "back": Contact(back[1] + w / 2, rest=SLOW),
+            "rub_front": Friction(front[0].diff(t), mu, "front"), "rub_back": Friction(back[0].diff(t), mu, "back"),
+        },
+        parameters={m: 2.0, J: 0.3, F: 3.0, e: 0.2, l: 0.4, w: 0.5, mu: 0.5},
+    )  # fmt: skip
+
+
+@cache
+def two_brakes() -> Model:
+    """Return a mass driven by A sin(w t) that two brakes hold: one brake of both limits, whatever the share of each."""
+    A, w, total, share = symbols("A w total share", positive=True)
+    return watched(
+        name="two_brakes",
+        coordinates=[x],
+        kinetic_energy=m * x.diff() ** 2 / 2,
+        forces={x: A * sin(w * t)},
+        contacts={"one": Friction(x.diff(), share * total), "two": Friction(x.diff(), (1 - share) * total)},
+        parameters={m: 1.0, A: 2.0, w: 2.0, total: 1.2, share: 0.5},
+    )
+
+
+@cache
+def jaws() -> Model:
+    """Return a block that two jaws press with less and less force P - k t: stuck as long as (mu_1 + mu_2) P > m g."""
+    left, right = dynamicsymbols("left right")
+    M, P, k, mu_1, mu_2 = symbols("M P k mu_1 mu_2", positive=True)
+    return watched(
+        name="jaws",
+        coordinates=[left, x, right, y],
+        kinetic_energy=M * (left.diff() ** 2 + right.diff() ** 2) / 2 + m * (x.diff() ** 2 + y.diff() ** 2) / 2,
+        potential_energy=m * g * y,
+        forces={left: P - k * t, right: k * t - P},
+        contacts={
+            "from_left": Contact(x - left, rest=SLOW), "from_right": Contact(right - x, rest=SLOW),
+            "rub_left": Friction(y.diff(), mu_1, "from_left"), "rub_right": Friction(y.diff(), mu_2, "from_right"),
+        },
+        parameters={m: 1.0, M: 5.0, g: 9.81, P: 30.0, k: 20.0, mu_1: 0.4, mu_2: 0.4},
+    )  # fmt: skip
+
+
+@cache
+def stopped() -> Model:
+    """Return a mass driven by A sin(w t) on a rough floor, with a stop at x = 1: the row of both is the same."""
+    A, w, limit = symbols("A w limit", positive=True)
+    e, rest = symbols("e rest", nonnegative=True)
+    return watched(
+        name="stopped",
+        coordinates=[x],
+        kinetic_energy=m * x.diff() ** 2 / 2,
+        forces={x: A * sin(w * t)},
+        contacts={"stop": Contact(1 - x, e, rest), "rough": Friction(x.diff(), limit)},
+        parameters={m: 1.0, A: 10.0, w: 1.0, limit: 3.0, e: 0.0, rest: 1e-3},
+    )
+
+
+@cache
+def painleves_rod() -> Model:
+    """Return a slender rod of length 2 l that slides on its tip, which it pushes ahead of it; p from upright.
+
+    No motion is consistent beyond mu = (1 + 3 sin^2 p) / (3 sin p cos p), 1.40 at 0.6.
+    """
+    l = symbols("l", positive=True)
+    tip = Matrix([x + l * sin(p), y - l * cos(p)])
+    return watched(
+        name="painleves_rod",
+        coordinates=[x, y, p],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + (l * p.diff()) ** 2 / 3) / 2,
+        potential_energy=m * g * y,
+        contacts={"tip": Contact(tip[1], rest=SLOW), "rub": Friction(tip[0].diff(t), mu, "tip")},
+        parameters={m: 1.0, g: 9.81, l: 1.0, mu: 0.3},
+        initial={p: 0.6, y: cos(0.6), x.diff(): 3.0},
+    )
+
+
+@cache
+def rocking_block() -> Model:
+    """Return Housner's block, homogeneous, which rocks from corner to corner and does not slide; p turns it left."""
+    left, right = (Matrix([x + s * b * cos(p) + h * sin(p), y + s * b * sin(p) - h * cos(p)]) for s in (-1, 1))
+    return watched(
+        name="rocking_block",
+        coordinates=[x, y, p],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + (b**2 + h**2) / 3 * p.diff() ** 2) / 2,
+        potential_energy=m * g * y,
+        contacts={
+            "left": Contact(left[1], rest=SLOW), "right": Contact(right[1], rest=SLOW),
+            "rub_left": Friction(left[0].diff(t), mu, "left"), "rub_right": Friction(right[0].diff(t), mu, "right"),
+        },
+        parameters={m: 1.0, g: 9.81, b: 0.2, h: 1.0, mu: 5.0},
+    )  # fmt: skip

@@ -1,0 +1,114 @@
+"""The contact cases of the stability matrix: what is right in them, and that a missed condition is seen."""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import quad, solve_ivp
+
+from eigenmotion import Solution
+from eigenmotion.stability import Outcome, Variant, contacts, described, examine
+from eigenmotion.stability.by_pieces import Rocking, Rubbed
+from eigenmotion.stability.case import EXPLICIT, Case
+from eigenmotion.stability.conditions import missed
+from eigenmotion.stability.contact_models import painleves_rod
+from eigenmotion.stability.variants import CONTACTS
+
+from .generation import system_for
+
+BY_DAY = ("brakes", "housner")
+
+
+def check(case: Case, values: tuple[float, ...]) -> None:
+    """All runs are right, but where there is no motion: those are refused by name."""
+    for value in values:
+        point = examine(case, value)
+        bad = [f"{described(c)} {c.message}" for c in point.cells if c.outcome is not wanted(point.reference_error)]
+        assert not bad, "\n".join(bad)
+
+
+def wanted(reference_error: float) -> Outcome:
+    return Outcome.RIGHT if np.isfinite(reference_error) else Outcome.REFUSED
+
+
+@pytest.mark.usefixtures("hurried")
+@pytest.mark.parametrize("case", [case for case in contacts.CASES if case.name in BY_DAY], ids=lambda case: case.name)
+def test_contacts_are_right_in_some_cases(case):
+    check(replace(case, variants=(Variant("lagrange"),), tolerances=EXPLICIT), case.reduced)
+
+
+@pytest.mark.nightly
+@pytest.mark.usefixtures("hurried")
+@pytest.mark.parametrize("case", contacts.CASES, ids=lambda case: case.name)
+def test_contacts_are_right_in_all_cases(case):
+    check(replace(case, variants=CONTACTS), case.values)
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.4])
+def test_a_block_comes_down_when_its_energy_says(alpha):
+    """t = integral of da / a', a'^2 = 3/2 g (height lost) / (b^2 + h^2); Housner's acosh for slender ones."""
+    block, p = Rocking(np.tan(alpha), 1.0, 9.81), 0.4 * alpha
+    height = lambda a: block.b * np.sin(a) + block.h * np.cos(a)  # noqa: E731
+    rate = lambda a: np.sqrt(1.5 * block.g * (height(p) - height(a)) / (block.b**2 + block.h**2))  # noqa: E731
+    falls = quad(lambda s: 2 * s / rate(p - s**2), 0.0, np.sqrt(p), epsabs=1e-12)[0]
+    assert block.until_the_first(p) == pytest.approx(falls, rel=1e-9)
+    slender = np.arccosh(1 / (1 - 0.4)) / np.sqrt(0.75 * block.g / np.hypot(block.b, block.h))
+    assert falls == pytest.approx(slender, rel=alpha**2)
+
+
+@pytest.mark.parametrize(("e", "limit"), [(None, 1.2), (0.5, 3.0)])
+def test_slides_between_events_are_those_of_newtons_law(e, limit):
+    """Where neither is at rest nor struck, the rate of v is the force over m; and v is that of x."""
+    mass, times = Rubbed(2.0, 10.0, 1.0, limit, e, 1e-3), np.linspace(0.0, 5.0, 40001)
+    x, v = mass(np.zeros(2), times).T
+    assert np.abs(np.gradient(x, times) - v)[np.abs(np.gradient(v, times)) < 20].max() < 1e-3
+    a, slides = np.gradient(v, times), np.abs(v) > 1e-2
+    smooth = slides & (np.abs(a) < 20) & np.append(slides[1:], False) & np.append(False, slides[:-1])
+    off = 2.0 * a - 10.0 * np.sin(times) + limit * np.sign(v)
+    assert np.quantile(np.abs(off[smooth]), 0.999) < 1e-3
+    if e is not None:
+        assert x.max() <= 1.0 + 1e-12
+
+
+@cache
+def slid() -> tuple[Any, Solution, dict[str, float]]:
+    trial, system = contacts.slides(0.5), system_for(painleves_rod(), "lagrange")
+    run = system.simulate((0.0, 0.03), x0=trial.x0, v0=trial.v0, parameters=trial.parameters, rtol=1e-8, atol=1e-8)
+    assert run.success
+    return system, run, dict(trial.parameters)
+
+
+def test_conditions_hold_in_a_run_that_is_right():
+    system, run, parameters = slid()
+    assert missed(run, system, parameters) < 1e-7
+
+
+@pytest.mark.parametrize("what", ["multipliers", "tip_gap", "tip_opens", "rub_slip"])
+def test_a_missed_condition_is_seen(what):
+    """Turned round, or moved: a force that pulls, a gap that is inside or accelerates, a slip the wrong way."""
+    system, run, parameters = slid()
+    wrong = Solution(run._source, dict(run))
+    if what == "multipliers":
+        wrong["multipliers"] = -run.multipliers
+    else:
+        moved = -run.outputs[what] if what == "rub_slip" else run.outputs[what] - 0.1
+        wrong["outputs"] = run.outputs | {what: moved}
+    assert missed(wrong, system, parameters) > 0.01
+
+
+def test_the_rod_slides_as_newtons_law_says():
+    """Contact and friction forces by a linear system at each state, integrated by SciPy."""
+    mu, g = 0.5, 9.81
+    trial = contacts.slides(mu)
+
+    def rates(_: float, z: np.ndarray) -> np.ndarray:
+        s, c, w = np.sin(z[2]), np.cos(z[2]), z[5]
+        rows = np.array([[1, 0, 0, mu], [0, 1, 0, -1], [0, 0, 1 / 3, mu * c - s], [0, 1, s, 0]])
+        a = np.linalg.solve(rows, [0, -g, 0, -c * w**2])
+        return np.append(z[3:], a[:3])
+
+    start = np.append(trial.x0, trial.v0)
+    end = solve_ivp(rates, (0.0, 0.03), start, "DOP853", rtol=1e-12, atol=1e-12).y[:, -1]
+    assert trial.truth.rows(start, np.array([0.0, 0.03]), 0)[-1] == pytest.approx(end, abs=1e-10)
