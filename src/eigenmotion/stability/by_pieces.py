@@ -28,6 +28,18 @@ class Followed:
 
 
 @dataclass(frozen=True)
+class Pinned:
+    """Rows that are known at some times alone: (k, 1 + 2n), the time before them."""
+
+    table: Vector
+    how: str
+    own: float = 1e-10
+
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, they are what they are
+        return np.vstack([start, self.table[np.searchsorted(self.table[:, 0], times[1:]), 1:]])
+
+
+@dataclass(frozen=True)
 class Rubbed:
     """A mass m under A sin(w t) on a floor that takes up to `limit`, with a stop at x = 1 that gives back a part e.
 

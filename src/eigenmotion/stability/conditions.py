@@ -75,7 +75,7 @@ class _Watched:
     def others(self, k: int) -> float:
         """Return by how much the best forces of the same sum in row k miss their limits [N]."""
         t, x, on = self.solution.t[k], self.solution.x[:, k], self.outputs("_on")[:, k].astype(int)
-        modes = dict.fromkeys((name for name in self.solution.modes[0][1] if not name.endswith("_slides")), 1.0)
+        modes = dict.fromkeys((name for name in self.solution.modes[0][1] if name.endswith(("_held", "_stuck"))), 1.0)
         A = self.system.pfaffian(x, t, dict(self.parameters) | modes)[0]
         c, limit, way = len(self.held), self.outputs("_limit")[:, k], np.nan_to_num(self.ways[:, k])
         shown = -self.solution.multipliers[:, k]

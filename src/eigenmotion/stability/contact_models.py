@@ -167,3 +167,40 @@ def rocking_block() -> Model:
         },
         parameters={m: 1.0, g: 9.81, b: 0.2, h: 1.0, mu: 5.0},
     )  # fmt: skip
+
+
+@cache
+def woodpecker() -> Model:
+    """Return Glocker's woodpecker: a sleeve on a pole, and on its spring a bird that pecks at the pole.
+
+    ::
+
+        M (y, phi_M, phi_S)'' linear, as published; the sleeve has clearance: its lower or upper edge comes to the pole
+
+    Leine, Glocker, van Campen, Nonlinear dynamics of the woodpecker toy, DETC2001/VIB-21608, (6)-(10) and their data:
+    period 0.1452 s, phi_S down to -0.53; of its eight events the sleeve jams last.
+    """
+    y, phi_M, phi_S = dynamicsymbols("y phi_M phi_S")
+    m_M, m_S, J_M, J_S, c = symbols("m_M m_S J_M J_S c", positive=True)
+    r_0, r_M, h_M, l_M, l_G, h_S, l_S = symbols("r_0 r_M h_M l_M l_G h_S l_S", positive=True)
+    e = symbols("e", nonnegative=True)
+    bird = (y + l_M * phi_M + l_G * phi_S).diff(t)
+    edge = (y + r_M * phi_M).diff(t)
+    spun = J_M * phi_M.diff() ** 2 + J_S * phi_S.diff() ** 2
+    return watched(
+        name="woodpecker",
+        coordinates=[y, phi_M, phi_S],
+        kinetic_energy=(m_M * y.diff() ** 2 + m_S * bird**2 + spun) / 2,
+        potential_energy=c * (phi_M - phi_S) ** 2 / 2 + g * ((m_M + m_S) * y + m_S * (l_M * phi_M + l_G * phi_S)),
+        contacts={
+            "beak": Contact(l_M + l_G - l_S - r_0 - h_S * phi_S, e, rest=SLOW),
+            "lower": Contact(r_M - r_0 + h_M * phi_M, rest=SLOW), "upper": Contact(r_M - r_0 - h_M * phi_M, rest=SLOW),
+            "rub_beak": Friction((y + l_M * phi_M + (l_G - l_S) * phi_S).diff(t), mu, "beak"),
+            "rub_lower": Friction(edge, mu, "lower"), "rub_upper": Friction(edge, mu, "upper"),
+        },
+        parameters={
+            m_M: 3e-4, J_M: 5e-9, m_S: 4.5e-3, J_S: 7e-7, g: 9.81, c: 5.6e-3, r_0: 2.5e-3, r_M: 3.1e-3, h_M: 5.8e-3,
+            l_M: 0.01, l_G: 0.015, h_S: 0.02, l_S: 0.0201, mu: 0.3, e: 0.5,
+        },
+        initial={phi_M: -0.6 / 5.8, phi_S: -0.53},
+    )  # fmt: skip

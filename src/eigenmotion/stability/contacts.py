@@ -8,9 +8,10 @@ from ..arguments.names import Vector
 from ..codegen.model import Model
 from ..reference.extended import Extended
 from ..reference.integration import NotReachedError
-from .by_pieces import Followed, Rocking, Rubbed
+from .by_pieces import Followed, Pinned, Rocking, Rubbed
 from .case import Case, Trial, rows, start_of
-from .contact_models import box_on_slope, drawer, jaws, painleves_rod, rocking_block, stopped, two_brakes
+from .contact_models import box_on_slope, drawer, jaws, painleves_rod, rocking_block, stopped, two_brakes, woodpecker
+from .pecking import ROWS
 from .truth import ClosedForm, Integrated, Truth
 from .variants import CONTACTS
 
@@ -142,6 +143,17 @@ def rocks(slenderness: float) -> Trial:
     return _trial(rocking_block(), f"{slenderness:g}", {"b": b, "h": h}, end, truth, x0, np.zeros(3))
 
 
+def pecks(friction: float) -> Trial:
+    """Glocker's woodpecker goes down its pole."""
+    model = woodpecker()
+    x0, v0 = start_of(model)
+    truth = Pinned(ROWS, "matrix exponentials between published events")
+    units = np.array([0.01, 1.0, 1.0])
+    return Trial(
+        f"{friction:g}", {"mu": friction}, x0, v0, units, 0.0, ROWS[:, 0], truth, conserves=False, nearby=False
+    )
+
+
 _SHARES = (0.01, 0.1, 0.3, 0.5, 0.9)
 
 CASES = (
@@ -188,5 +200,11 @@ CASES = (
         "A homogeneous block that rocks on two corners and does not slide; friction takes impulses as it lands.",
         "atan(width / height) [rad]", (0.05, 0.1, 0.2, 0.4), lambda _: rocking_block(), rocks, variants=CONTACTS,
         reduced=(0.2,),
+    ),
+    Case(
+        "woodpecker", "Glocker's woodpecker",
+        "A sleeve on a pole and a bird on its spring: it jams, slides, lets go, strikes above, pecks, strikes again. "
+        "Impacts with friction, in the published order.",
+        "friction coefficient", (0.3,), lambda _: woodpecker(), pecks, variants=CONTACTS, reduced=(0.3,),
     ),
 )  # fmt: skip
