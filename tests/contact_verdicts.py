@@ -1,0 +1,169 @@
+"""What a run of a case is worth, by the oracle alone: right, wrong, refused where there is a motion, or named."""
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+
+from eigenmotion import ModelError
+from eigenmotion.runtime import EvaluationError
+
+from .contact_cases import Case
+from .contact_models import Row, rows_of, simulated
+from .oracles.contact_check import off
+from .oracles.contact_cones import solutions
+from .oracles.contact_impacts import STILL, After, struck
+from .oracles.contact_modes import Problem
+from .oracles.feet import Body, State, point, problem, strike, turned
+
+SPAN = 1e-3
+MOMENT = 1e-7
+CLOSED = 1e-9
+AGREES = 1e-6
+"""Relative, of accelerations and velocities; runs are made at 1e-9."""
+
+
+class Verdict(StrEnum):
+    """Of one run."""
+
+    RIGHT = "right"
+    ONE_OF_SEVERAL = "one of several"
+    NAMED = "none exists, and named"
+    WRONG = "wrong"
+    REFUSED = "refused where one motion exists"
+    REFUSED_OF_SEVERAL = "refused where several exist"
+    BLURRED = "not judged"
+
+
+FATAL = (Verdict.WRONG, Verdict.REFUSED, Verdict.REFUSED_OF_SEVERAL)
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A verdict, and what it is about."""
+
+    verdict: Verdict
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class Start:
+    """What came of a start: `rows` at its time, the last after all impacts, and the row at the end.
+
+    None: `why` it was refused. `modes` is how many changes there were later. What is apart by rounding is closed a
+    moment later: the time of the start lasts so long.
+    """
+
+    rows: tuple[Row, ...]
+    end: Row | None
+    modes: int
+    why: str = ""
+
+
+def closed(body: Body, s: State, rate: float = np.inf) -> list[int]:
+    """Contacts that are closed in a state and open no faster than `rate`."""
+    points = [point(foot, s) for foot in body.feet]
+    return [
+        k for k, (foot, at) in enumerate(zip(body.feet, points, strict=True))
+        if foot.presses and abs(at.gap) <= CLOSED and at.rate <= rate
+    ]  # fmt: skip
+
+
+def here(body: Body, s: State) -> Problem:
+    """The problem of accelerations in a state in which nothing strikes."""
+    slips = [point(foot, s).slip for foot in body.feet]
+    moving = {k: slip for k, slip in enumerate(slips) if np.abs(slip).max(initial=0.0) > STILL}
+    return problem(body, s, closed(body, s, STILL), moving)
+
+
+def velocities(body: Body, s: State) -> After:
+    """All velocities (6,) that a state may go on with."""
+    after = struck(*strike(body, s, closed(body, s)))
+    return replace(after, found=tuple(full(body, u) for u in after.found))
+
+
+def full(body: Body, u: np.ndarray) -> np.ndarray:
+    whole = np.zeros(6)
+    whole[body.kept] = u
+    return whole
+
+
+def started(case: Case, formulation: str = "lagrange") -> Start:
+    """Run a case for a short time."""
+    try:
+        run = simulated(case, SPAN, formulation)
+    except (ModelError, EvaluationError) as error:
+        return Start((), None, 0, str(error))
+    return of_run(case, run)
+
+
+def of_run(case: Case, run: Any) -> Start:
+    """Read a run."""
+    rows = rows_of(case, run)
+    if rows[-1].t <= MOMENT and not run.success:
+        return Start((), None, 0, run.message)
+    begun, modes = (sum(t / case.units[2] > MOMENT for t in times) for times in (run.t, [t for t, _ in run.modes]))
+    return Start(tuple(rows[: len(rows) - begun]), rows[-1], modes, "" if run.success else run.message)
+
+
+def judged(case: Case, start: Start) -> Judged:
+    """Return what a start is worth."""
+    if not start.rows:
+        return of_refusal(case.body, case.state, start.why)
+    now, after = start.rows[-1], velocities(case.body, case.state)
+    if not any(close(now.u, u) for u in after.found):
+        if after.clear:
+            return Judged(Verdict.WRONG, f"velocities {now.u}, allowed {after.found}")
+        return Judged(Verdict.BLURRED, "velocities")
+    one = here(case.body, replace(case.state, u=now.u))
+    missed = off(one, now.a[case.body.kept])
+    if not missed <= AGREES * size_of(one, now.a):
+        return Judged(Verdict.WRONG, f"accelerations {now.a[case.body.kept]}, off by {missed:.2g}; {allowed(one)}")
+    if not follows(start):
+        return Judged(Verdict.WRONG, "velocities do not follow the accelerations")
+    alone = after.clear and len(after.found) == 1
+    return Judged(Verdict.RIGHT if alone else Verdict.ONE_OF_SEVERAL, start.why)
+
+
+def follows(start: Start) -> bool:
+    """Whether what was said of accelerations is what velocities did, where no mode changed."""
+    now, end = start.rows[-1], start.end
+    if end is None or start.modes or end.t == now.t:
+        return True
+    change = end.u - now.u - (now.a + end.a) * (end.t - now.t) / 2
+    return bool(np.abs(change).max() <= 1e-4 * SPAN * (1 + np.abs(now.a).max() ** 2))
+
+
+def of_refusal(body: Body, s: State, why: str) -> Judged:
+    """Return what it is worth that a run does not go beyond a state."""
+    if not why:
+        return Judged(Verdict.WRONG, "ended without a reason")
+    after, count, clear = velocities(body, s), 0, True
+    for u in after.found:
+        found = solutions(here(body, replace(s, u=u)))
+        count, clear = count + found.count, clear and found.clear
+    if count > 1:
+        return Judged(Verdict.REFUSED_OF_SEVERAL, why)
+    if not (clear and after.clear):
+        return Judged(Verdict.BLURRED, why)
+    return Judged(Verdict.REFUSED if count else Verdict.NAMED, why)
+
+
+def allowed(one: Problem) -> str:
+    """Say what would be right."""
+    found = solutions(one)
+    return f"allowed {[each.a.round(6).tolist() for each in found.found]}{'' if found.clear else ', perhaps more'}"
+
+
+def close(a: np.ndarray, b: np.ndarray) -> bool:
+    return bool(np.abs(a - b).max() <= AGREES * (1 + np.abs(b).max()))
+
+
+def size_of(one: Problem, a: np.ndarray) -> float:
+    """Return the size of the forces that have to balance."""
+    return float(1 + np.abs(one.h).max() + np.abs(one.M).max() * np.abs(a).max())
+
+
+def state_of(row: Row) -> State:
+    return State(row.x, turned(row.angles), row.u, row.t)
