@@ -116,7 +116,7 @@ def judged(case: Case, start: Start) -> Judged:
         if after.clear:
             return Judged(Verdict.WRONG, f"velocities {now.u}, allowed {after.found}")
         return Judged(Verdict.BLURRED, "velocities")
-    one = here(case.body, replace(case.state, u=now.u))
+    one = here(case.body, state_of(now))
     missed = off(one, now.a[case.body.kept])
     if not missed <= AGREES * size_of(one, now.a):
         return Judged(Verdict.WRONG, f"accelerations {now.a[case.body.kept]}, off by {missed:.2g}; {allowed(one)}")
