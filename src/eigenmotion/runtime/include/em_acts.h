@@ -112,11 +112,12 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     return 0;
 }
 
-/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too. */
+/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what it begins with. */
 EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
-    if (!contact && em_is_at_rest(a, r, k)) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
+    if (switches[k].cone) a->rounding[switches[k].event] = 8.0 * em_cone_stops(a, r, &switches[k]);
+    else if (!contact && em_is_at_rest(a, r, k)) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
 /* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
@@ -135,7 +136,7 @@ EM_COLD int em_settle_modes(em_acting *a) {
         if (before[k].holds != after[k].holds || before[k].slides != after[k].slides || before[k].idles != after[k].idles)
             a->fired[switches[k].event] = 1;
     if (em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault)) return -1;
-    for (int k = 0; k < N; ++k) a->v[k] += a->later * a->a_begins[k]; /* without slip a cone's force has no direction */
+    for (int k = 0; k < N; ++k) a->v[k] += a->begins[k];
     return 0;
 }
 

@@ -31,7 +31,7 @@ typedef struct em_acting {
     int starts;
     double deep;                       /* how far inside contacts it has started, rows at length one */
     double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
-    double a_begins[N], later;         /* accelerations of the mode, and how long what begins to slide in a cone has done so */
+    double begins[N], later;           /* the velocities with which cones begin to slide, of a moment later */
     int moved;                         /* whether velocities have jumped, or places */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
@@ -204,14 +204,24 @@ EM_COLD int em_event_of_row(int row) {
     return -1;
 }
 
-/* a_begins <- M^-1 (what moves freely + B^T p) */
-EM_COLD void em_accelerations_of(em_acting *a, const em_all_rows *r, const em_mixed *s) {
-    double gamma[EM_SOME_ROWS];
-    motion_bias(a->t, a->x, a->v, r->c, a->u, a->a_begins, gamma);
-    em_forward(N, r->root.L, r->root.r, a->a_begins);
+/* begins (n) <- the least change of velocities with which cones that begin to slide have the slip of a moment later, and what
+ * holds goes on to: without slip the force of a cone has no direction. */
+EM_COLD void em_begin_slips(em_acting *a, const em_all_rows *r, const em_mixed *mode) {
+    em_mixed s;
+    memset(a->begins, 0, sizeof a->begins);
+    if (a->later == 0.0) return;
+    em_begin_mixed(r, &s);
+    for (int row = 0; row < N_ROWS; ++row) {
+        const int first = mode->kind[row] == EM_ROW_CONE_TOO ? row - 1 : row;
+        const int slips = mode->kind[first] == EM_ROW_CONE && !em_row_holds(mode, row) && !em_is_unloaded(mode, first);
+        if (em_row_holds(mode, row) || slips) s.kind[row] = EM_ROW_FREE;
+        s.q[row] = slips ? -a->later * mode->w[row] : 0.0;
+        s.size[row] = fabs(s.q[row]);
+    }
+    if (em_solve_mixed(&s) < 1) return;
     for (int row = 0; row < N_ROWS; ++row)
-        for (int k = 0; k < N; ++k) a->a_begins[k] += r->root.B[row * N + k] * s->p[row];
-    em_backward(N, r->root.L, r->root.r, a->a_begins);
+        for (int k = 0; k < N; ++k) a->begins[k] += r->root.B[row * N + k] * s.p[row];
+    em_backward(N, r->root.L, r->root.r, a->begins);
 }
 
 /* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
@@ -222,8 +232,8 @@ EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
     const int found = em_solve_mixed(&s);
     if (found < 1)
         return em_fail(a->fault, EM_CONTACTS_CLASH, em_event_of_row(s.clash[0]), found < 0 ? -2 : em_event_of_row(s.clash[1]), NAN);
-    em_accelerations_of(a, r, &s);
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
+    em_begin_slips(a, r, &s);
     return em_set_mode(a->c, mode, a->fault);
 }
 
