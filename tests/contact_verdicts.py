@@ -51,7 +51,7 @@ class Judged:
 class Start:
     """What came of a start: `rows` at its time, the last after all impacts, and the row at the end.
 
-    None: `why` it was refused. `modes` is how many changes there were later. What is apart by rounding is closed a
+    None: `why` it was refused. `modes` is how many changes and impacts there were later. What is apart by rounding is closed a
     moment later: the time of the start lasts so long.
     """
 
@@ -103,7 +103,8 @@ def of_run(case: Case, run: Any) -> Start:
     rows = rows_of(case, run)
     if rows[-1].t <= MOMENT and not run.success:
         return Start((), None, 0, run.message)
-    begun, modes = (sum(t / case.units[2] > MOMENT for t in times) for times in (run.t, [t for t, _ in run.modes]))
+    times = run.t, [*(t for t, _ in run.modes), *np.concatenate(run.t_events)]
+    begun, modes = (sum(t / case.units[2] > MOMENT for t in one) for one in times)
     return Start(tuple(rows[: len(rows) - begun]), rows[-1], modes, "" if run.success else run.message)
 
 

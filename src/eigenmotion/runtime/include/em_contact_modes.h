@@ -207,20 +207,21 @@ EM_COLD int em_event_of_row(int row) {
 /* begins (n) <- the least change of velocities with which cones that begin to slide have the slip of a moment later, and what
  * holds goes on to: without slip the force of a cone has no direction. */
 EM_COLD void em_begin_slips(em_acting *a, const em_all_rows *r, const em_mixed *mode) {
-    em_mixed s;
+    double Delta[EM_SOME_ROWS * EM_SOME_ROWS], p[EM_SOME_ROWS];
+    int rows[EM_SOME_ROWS];
     memset(a->begins, 0, sizeof a->begins);
     if (a->later == 0.0) return;
-    em_begin_mixed(r, &s);
     for (int row = 0; row < N_ROWS; ++row) {
         const int first = mode->kind[row] == EM_ROW_CONE_TOO ? row - 1 : row;
         const int slips = mode->kind[first] == EM_ROW_CONE && !em_row_holds(mode, row) && !em_is_unloaded(mode, first);
-        if (em_row_holds(mode, row) || slips) s.kind[row] = EM_ROW_FREE;
-        s.q[row] = slips ? -a->later * mode->w[row] : 0.0;
-        s.size[row] = fabs(s.q[row]);
+        rows[row] = slips || em_row_holds(mode, row);
+        p[row] = slips ? a->later * mode->w[row] : 0.0;
+        for (int j = 0; j <= row; ++j)
+            Delta[row * N_ROWS + j] = rows[row] && rows[j] ? mode->G[row * mode->k + j] : row == j;
     }
-    if (em_solve_mixed(&s) < 1) return;
+    em_least_norm(EM_SOME_ROWS, Delta, p, NULL);
     for (int row = 0; row < N_ROWS; ++row)
-        for (int k = 0; k < N; ++k) a->begins[k] += r->root.B[row * N + k] * s.p[row];
+        for (int k = 0; k < N && rows[row]; ++k) a->begins[k] += r->root.B[row * N + k] * p[row];
     em_backward(N, r->root.L, r->root.r, a->begins);
 }
 
