@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
-/* body sha256:54b30f2d56144177664920379eb0572496a2ae0a5b43fb99defa7e04bf6bd267 */
+/* body sha256:c73f8d031d25e0583ecc73f93d62894cb2d9a7c62e4b2b5df9cf50be23d7155d */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -484,12 +484,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0}, {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -666,7 +667,6 @@ const em_model block_on_incline_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

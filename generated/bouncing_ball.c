@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
-/* body sha256:1724289650488badddabddd23a8766bb6784ddb23370445c4e7c8d36e1d70da0 */
+/* body sha256:2c7a24e28bb2dbca2e5bebbfce1afaa5eefb4c1bd01d3db73b884a17c115b53e */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -472,12 +472,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0}, {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -660,7 +661,6 @@ const em_model bouncing_ball_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
-/* body sha256:1d79b1d6ec7e0df4842e55e1f49e0442473dc2da8ff00ca8aeafb2a724d849cc */
+/* body sha256:50b263f7935e54279dc9ca0e4b3b1a842e2dfbcf7275fb999c345e51c4632a51 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -497,12 +497,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0}, {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -683,7 +684,6 @@ const em_model clock_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:ca5534d7f570fd7ef1da56360810ccc56b3e9062760d79bde1c41a32edab85ac */
+/* body sha256:d26824f0fe771eea870ee1bc8ccb38b967f22e130cf6e132ec9368392695d192 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -623,12 +623,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, -1, 1, 1}, {1, -1, -1, 1, 1}, {2, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -790,7 +791,6 @@ const em_model newtons_cradle_4_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

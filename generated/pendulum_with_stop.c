@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
-/* body sha256:45f1ee69788a94feb1e7d88dd6d0d61e84545c7a95a545917fb2f89f10351769 */
+/* body sha256:48bc84e18f801134b03549b1adbe70f5bf0deb775ccc0179604a80f9555037cb */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -501,12 +501,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0}, {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -686,7 +687,6 @@ const em_model pendulum_with_stop_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

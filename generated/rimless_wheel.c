@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:21bfcc718de281ab8967e897f088c15787ecdfa58dbbcdc6db551830192d4167 */
+/* body sha256:6d6418a2fa49aca6f8367a3c2be7721c7ac90c5125502105005d5628a84bd04a */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -466,12 +466,13 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds */
-EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0} };
+ * parameter of being idle; whether Poisson's law holds; whether it is a
+ * cone */
+EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, 0} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_derivatives.h"
@@ -624,7 +625,6 @@ const em_model rimless_wheel_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
-    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
