@@ -51,8 +51,8 @@ class Judged:
 class Start:
     """What came of a start: `rows` at its time, the last after all impacts, and the row at the end.
 
-    None: `why` it was refused. `modes` is how many changes and impacts there were later. What is apart by rounding is closed a
-    moment later: the time of the start lasts so long.
+    None: `why` it was refused. `modes` is how many changes and impacts there were later. What is apart by rounding is
+    closed a moment later: the time of the start lasts so long.
     """
 
     rows: tuple[Row, ...]
