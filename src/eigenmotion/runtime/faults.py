@@ -167,12 +167,10 @@ _KICKED = (
 )
 
 _TOO_MANY_MODES = (
-    "Of so many contacts and frictions at once, of which {event} is one, no consistent mode was found among those "
-    "tried. Start with fewer of them closed, or leave out those that others make idle."
+    "Of so many contacts and frictions at once, {event} among them, none of the modes tried is consistent. Close fewer."
 )
 
 _INSIDE = "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
-
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
 
 _UNDERIVED = (
@@ -297,7 +295,7 @@ def explain(
     number = second if stop is StopReason.RESET_OFF else first
     row = rows[number] if 0 <= number < len(rows) else f"row {number}" if number >= 0 else "(row unknown)"
     row += " (counted from 0)" if row == f"row {number}" else ""
-    of_events = {"event": name(first, events), "other": name(second, events)}
-    of_events["other_too"] = f", the next that of {name(second, events)}" if second >= 0 else ""
+    too = f", the next that of {name(second, events)}" if second >= 0 else ""
+    of_events = {"event": name(first, events), "other": name(second, events), "other_too": too}
     text = words.format(first=name(first), second=name(second), row=row, at=at, **of_events)
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

@@ -41,7 +41,8 @@ EM_COLD int em_direction_step(em_mixed *s, int count, const int *cones, const do
         for (int i = 0; i < count; ++i) A[i * count + c] = remainder(there[i] - off[i], EM_TURN) / apart;
     }
     for (int c = 0; c < count; ++c) step[c] = -off[c];
-    return em_solve_mode(count, A, step);
+    int sign;
+    return em_solve_mode(count, A, step, &sign);
 }
 
 /* From these angles. Whether directions were found. */
