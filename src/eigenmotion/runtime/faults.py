@@ -183,10 +183,7 @@ _LOWERED_RESTITUTION = (
     "not known. Give a restitution of 0, or less friction."
 )
 
-_JAMMED = (
-    "Friction jams: no acceleration satisfies contacts and constraints with it (Painleve's paradox). Lower the "
-    "friction coefficient, or let the bodies give way a little."
-)
+_JAMMED = "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower its coefficient."
 
 _NO_RATES = (
     "The reset of event {event} gives quasi-velocities where P of y = P(x) xdot (3) is singular, so that nothing "
