@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
-/* body sha256:c73f8d031d25e0583ecc73f93d62894cb2d9a7c62e4b2b5df9cf50be23d7155d */
+/* body sha256:d8f615e6fbed0bdc4b1f0a6dbdb52a56e2467409f0abc6919083fef10e220791 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -490,7 +490,7 @@ EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0, 0}, {-1, -1, -1,
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -667,6 +667,7 @@ const em_model block_on_incline_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
-/* body sha256:2c7a24e28bb2dbca2e5bebbfce1afaa5eefb4c1bd01d3db73b884a17c115b53e */
+/* body sha256:3ec2c2da98bd7a86fb77c11fa4a72803361b9e45b7603d2ae69d4321892694bc */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -478,7 +478,7 @@ EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, 0}, {-1, -1, -1
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -661,6 +661,7 @@ const em_model bouncing_ball_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

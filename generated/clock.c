@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
-/* body sha256:50b263f7935e54279dc9ca0e4b3b1a842e2dfbcf7275fb999c345e51c4632a51 */
+/* body sha256:1909247c8c419710df7837887ac9092dde3d4210e09fabe3696964ebfa04cd0e */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -503,7 +503,7 @@ EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0, 0}, {-1, -1, -1,
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -684,6 +684,7 @@ const em_model clock_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
-/* body sha256:48bc84e18f801134b03549b1adbe70f5bf0deb775ccc0179604a80f9555037cb */
+/* body sha256:4ca62d513bd654e30c80308db0521e35e83721b96abc4704649c2679e8e0a7f1 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -507,7 +507,7 @@ EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0, 0}, {-1, -1, -1
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_mechanics.h"
+#include "em_redundant.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
@@ -687,6 +687,7 @@ const em_model pendulum_with_stop_model = {
     .position = position,
     .acceleration = em_acceleration,
     .project = em_project,
+    .redundant = em_redundant,
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
