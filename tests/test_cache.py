@@ -237,3 +237,41 @@ def test_the_command_without_a_cache(folder, capsys):
     assert capsys.readouterr().out.startswith(f"{folder}\n")
     assert main(["cache", "--clear"]) == 0
     assert not folder.exists()
+
+
+@pytest.mark.parametrize("whose", ["somebody else's", "open to others", "a link"])
+def test_a_file_that_is_not_ours_alone_is_made_anew_and_never_loaded(monkeypatch, whose):
+    """Its folder was looked at alone, and the library in it loaded, whoever it belonged to."""
+    entry = made()
+    text, real = entry / "text", os.stat
+
+    def stat(path, *given, **named):
+        found = real(path, *given, **named)
+        if whose == "somebody else's" and os.fspath(path) == os.fspath(text) and found.st_ino == ours.st_ino:
+            return os.stat_result((*found[:4], os.geteuid() + 4321, *found[5:]))
+        return found
+
+    ours = real(text)
+    if whose == "open to others":
+        text.chmod(0o666)
+    if whose == "a link":
+        text.rename(entry.parent / "elsewhere")
+        text.symlink_to(entry.parent / "elsewhere")
+    monkeypatch.setattr(os, "stat", stat)
+    filled = []
+    cache.entry("things", KEY, lambda folder: (filled.append(folder), fill(folder)))
+    assert filled
+    assert not text.is_symlink()
+    assert text.stat().st_mode & 0o022 == 0
+    cache.entry("things", KEY, filled.append)
+    assert len(filled) == 1
+
+
+def test_what_a_umask_lets_others_write_is_ours_alone(monkeypatch):
+    before = os.umask(0o002)
+    try:
+        entry = made()
+    finally:
+        os.umask(before)
+    assert not [file for file in entry.iterdir() if file.stat().st_mode & 0o022]
+    assert cache.entry("things", KEY, lambda folder: pytest.fail("made anew")) == entry

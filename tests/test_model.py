@@ -284,3 +284,14 @@ def test_functions_that_c_has_not_are_written_in_those_it_has(written, meant):
     assert changed(potential_energy=written).potential_energy == meant
     values = {r: Rational(13, 10), L: Rational(1, 2)}
     assert float(written.subs(values)) == pytest.approx(float(meant.subs(values)), rel=1e-14)
+
+
+@pytest.mark.parametrize("other", [t - 0.1, 2 * t, sympy.Integer(0), t - Symbol("delay")])
+def test_a_coordinate_at_another_time_is_a_delay_and_no_other_symbol(other):
+    x = dynamicsymbols("x")
+    given = {"name": "delayed", "coordinates": [x], "kinetic_energy": x.diff() ** 2}
+    words = r"Model 'delayed': forces\[x\] contains x\(.*\), the coordinate 'x' at another time than now. Delays"
+    with pytest.raises(ModelError, match=words):
+        Model(**given, forces={x: -x.func(other)})
+    with pytest.raises(ModelError, match="Delays are not supported"):
+        Model(**given, forces={x: -x.func(other).diff(t)} if other.has(t) and other != 2 * t else {x: x.func(other)})

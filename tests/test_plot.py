@@ -1,11 +1,15 @@
 """Pictures: what they say about a run, read back from the figure."""
 
+from xml.etree import ElementTree
+
 import numpy as np
 import pytest
 from sympy import Symbol
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from eigenmotion.pages.figures import save
+from eigenmotion.results import spread
 from eigenmotion.results.plot import coordinates
 
 from .generation import system_for, system_of
@@ -91,3 +95,19 @@ def test_names_that_are_no_mathematics_are_written_as_they_are():
     figure.canvas.draw()
     assert all(Symbol(name).name.strip("_")[0] in text.get_text() for name, text in
                zip(system.coordinates, figure.axes[0].texts, strict=True))  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore:Glyph")
+@pytest.mark.parametrize("name", ["a\x1bb", "\x0c", "$\\foo$", "a$b"])
+def test_any_name_can_be_read_in_a_picture(tmp_path, name):
+    """A control character made an .svg unreadable, and mathematics that is none ended a sweep after its runs."""
+    values = np.array([1.0, 2.0, 3.0])
+    x = np.ones((3, 1, 2))
+    pictures = [
+        spread.over_time(name.replace("$", ""), [name], values[:2], x),
+        spread.ends("ends", [name], {name: values}, x[:, :, 0]),
+        spread.over_grid("grid", [name], {"b": [1.0], name: values.tolist()}, x[:, :, 0]),
+    ]
+    for picture in pictures:
+        root = ElementTree.parse(save(picture, tmp_path / "ends.svg")).getroot()
+        assert root.tag.endswith("svg")

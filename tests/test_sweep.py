@@ -209,3 +209,23 @@ def test_ctrl_c_keeps_what_is_done(scene):
     assert run.returncode == 130
     assert "--resume goes on" in said
     assert json.loads((parts / "sweep.json").read_text())["grid"]["g"][0] == 1.0
+
+
+CLASH = """\
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model
+x, p, q = dynamicsymbols("x"), Symbol("x'"), Symbol("p'")
+model = Model(name="clash", coordinates=[x], kinetic_energy=p * x.diff() ** 2 / 2, potential_energy=q * x,
+              parameters={p: 1.0, q: 1.0})
+"""
+
+
+def test_a_name_of_two_things_is_refused_and_one_with_a_mark_is_taken(scene, capsys):
+    scene.write_text(CLASH)
+    assert main(["run", "scene.py", "--formulation", "lagrange", "--set", "x'=1"]) == 2
+    assert "--set x': of clash two things have that name" in capsys.readouterr().err
+    assert main([*SWEEP, "--sweep", "p'=1,2", "-o", "runs.npz"]) == 0
+    with np.load("runs.npz") as found:
+        assert found["swept_p'"].tolist() == [1.0, 2.0]
+        assert np.allclose(found["x"][:, 0, 0], [-0.5, -1.0])

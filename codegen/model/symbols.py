@@ -129,6 +129,11 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
     if name == t.name:
         return f"{what} contains a symbol named {name!r} that is not the time. Use eigenmotion.t."
     kinds = {name_of(known): kind for kind, known in declared(model)}
+    if name in kinds and isinstance(symbol, AppliedUndef) and len(symbol.args) == 1 and symbol.args != (t,):
+        return (
+            f"{what} contains {shown(symbol)}, the {kinds[name]} {name!r} at another time than now. Delays are not "
+            "supported: a motion follows from where it is now alone."
+        )
     if name in kinds:
         return (
             f"{what} contains {name!r}, a different symbol from the {kinds[name]} of that name: two symbols of one "

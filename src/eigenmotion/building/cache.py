@@ -196,11 +196,17 @@ def _is_foreign(found: os.stat_result) -> bool:
 
 
 def _is_sound(folder: Path) -> bool:
-    """Whether an entry is there, ours, and to the last bit what was put there."""
+    """Whether an entry is there, it and all in it ours alone, and to the last bit what was put there."""
     try:
-        return not _is_open(folder.stat()) and (folder / SUMS).read_bytes() == _sums(folder)
+        if any(_is_open(found) or stat.S_ISLNK(found.st_mode) for found in (folder.lstat(), *_stats(folder))):
+            return False
+        return (folder / SUMS).read_bytes() == _sums(folder)
     except OSError:
         return False
+
+
+def _stats(folder: Path) -> list[os.stat_result]:
+    return [file.lstat() for file in folder.iterdir()]
 
 
 def _sums(folder: Path) -> bytes:
@@ -219,6 +225,8 @@ def _fill(folder: Path, fill: Callable[[Path], None]) -> None:
     try:
         fill(temporary)
         (temporary / SUMS).write_bytes(_sums(temporary))
+        for file in temporary.iterdir():  # whatever the user's umask lets others do
+            file.chmod(stat.S_IMODE(file.stat().st_mode) & ~(stat.S_IWGRP | stat.S_IWOTH))
         _clear_the_way(folder)
         temporary.rename(folder)
     finally:

@@ -52,4 +52,4 @@ def _described(found: Equilibrium, given: Mapping[str, float]) -> str:
 def _solved(found: Equilibrium, free: tuple[str, ...]) -> list[str]:
     """Say what inputs and parameters were found, where these were solved for."""
     given = found.inputs | found.parameters
-    return [f"{name} = {given[name]:.9g}" for name in free if name in given]
+    return [f"{name} = {given[name] + 0.0:.9g}" for name in free if name in given]

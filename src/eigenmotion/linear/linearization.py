@@ -125,4 +125,5 @@ class Linearization:
 
 def written(value: complex) -> str:
     """Return an eigenvalue, or a pair of them, as text."""
-    return f"{value.real:.4g} ± {value.imag:.4g} i" if value.imag else f"{value.real:.4g}"
+    real = value.real + 0.0  # no -0
+    return f"{real:.4g} ± {value.imag:.4g} i" if value.imag else f"{real:.4g}"

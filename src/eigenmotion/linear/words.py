@@ -27,7 +27,7 @@ def state_rows(coordinates: Sequence[str], x: Vector, v: Vector, a: Vector) -> I
 def _modes(found: Linearization) -> Iterator[str]:
     yield f"{'eigenvalue [1/s]':24} {'[Hz]':>10} {'damping':>10}  mode"
     for mode in found.modes():
-        numbers = f"{mode.frequency:10.4g} {'' if mode.neutral else f'{mode.damping:.4g}':>10}"
+        numbers = f"{mode.frequency:10.4g} {'' if mode.neutral else f'{mode.damping + 0.0:.4g}':>10}"
         yield f"{written(mode.eigenvalue):24} {numbers}  {mode.words}"
 
 

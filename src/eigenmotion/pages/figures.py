@@ -1,6 +1,7 @@
 """Figures: colours that any colour vision tells apart, axes, files. Needs the extra `plot` (matplotlib)."""
 
 import io
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -69,11 +70,22 @@ def apart(ends: Sequence[float] | NDArray[np.float64], gap: float) -> NDArray[np
     return places
 
 
+def as_it_is(name: str) -> str:
+    """Return a name such that matplotlib takes no part of it for mathematics."""
+    return name.replace("$", r"\$")
+
+
+def readable(svg: str) -> str:
+    """Return a picture without the control characters that names may hold, and no XML: matplotlib writes them."""
+    return re.sub("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]", "\ufffd", svg)
+
+
 def save(figure: Any, path: Path) -> Path:
     """Write a figure to a file whose ending names one of FORMATS, in full or not at all."""
     content = io.BytesIO()
     figure.savefig(content, format=path.suffix[1:], dpi=150)
-    write(path, content.getvalue())
+    found = content.getvalue()
+    write(path, readable(found.decode()).encode() if path.suffix == ".svg" else found)
     return path
 
 
@@ -87,4 +99,5 @@ def picture(figure: Any, stem: str, title: str, text: str) -> Picture:
         figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
         figure.set_layout_engine("none")  # where all stands is found, which takes half the time of a picture
         figure.savefig(png, format="png", dpi=150)
-    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
+    drawn = readable(svg.getvalue())
+    return Picture(stem, title, text, drawn[drawn.index("<svg") :], png.getvalue())

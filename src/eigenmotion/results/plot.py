@@ -8,7 +8,7 @@ import numpy as np
 from sympy import Symbol, latex
 
 from ..arguments.names import Vector
-from ..pages.figures import COLOURS, STYLES, apart, blank, uncluttered
+from ..pages.figures import COLOURS, STYLES, apart, as_it_is, blank, uncluttered
 from .drawing import Drawing
 from .sketch import Sketch
 from .solution import Solution
@@ -95,7 +95,7 @@ def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Ve
     strip.eventplot(
         found, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False
     )
-    strip.set(yticks=range(len(names)), yticklabels=names, ylim=(len(names) - 0.5, -0.5))
+    strip.set(yticks=range(len(names)), yticklabels=list(map(as_it_is, names)), ylim=(len(names) - 0.5, -0.5))
     strip.tick_params(axis="y", length=0)
     strip.spines[["top", "right", "left"]].set_visible(False)
     if sum(map(len, found)) <= _FEW:
@@ -111,7 +111,7 @@ def _label(name: str) -> str:
     try:
         MathTextParser("path").parse(label)
     except ValueError:
-        return name.replace("$", r"\$")
+        return as_it_is(name)
     return label
 
 

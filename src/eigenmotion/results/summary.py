@@ -104,7 +104,7 @@ def _final_state(system: "System", solution: Solution) -> str:
     table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
     lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]
     for name, *numbers in zip(system.coordinates, *table.values(), strict=True):
-        lines.append(f"{name:<{width}} " + " ".join(f"{number:>23.16g}" for number in numbers))
+        lines.append(f"{name:<{width}} " + " ".join(f"{number + 0.0:>23.16g}" for number in numbers))
     if estimate is None or np.isnan(estimate.scaled) or estimate.t != solution.t[-1]:
         return "\n".join(lines)
     errors = ["errors of x, xdot", *(f"{x:>14.1e} {v:>8.1e}" for x, v in zip(estimate.x, estimate.v, strict=True))]
