@@ -11,6 +11,7 @@ from .c.lower import Defaults, lower, outlined
 from .c.program import Program
 from .choices import STANDARD, Choices
 from .model import Model, ModelError
+from .model.assumptions import ANY, allowed, declared
 from .model.depth import with_room
 from .model.normalise import name_of
 from .physics.derive import derive
@@ -124,6 +125,7 @@ def _origin(model: Model, choices: Choices) -> str:
 def _defaults(model: Model) -> Defaults:
     return Defaults(
         parameters=tuple((symbol.name, value) for symbol, value in model.parameters),
+        declared=_declared(model),
         inputs=tuple((name_of(u), value) for u, value in model.inputs),
         x=model.initial_x,
         v=model.initial_v,
@@ -132,3 +134,10 @@ def _defaults(model: Model) -> Defaults:
         switches=model.switches,
         rows=model.row_names,
     )
+
+
+def _declared(model: Model) -> tuple[tuple[int, str], ...]:
+    """Which numbers parameters, coordinates and inputs may have; () where they may have any."""
+    symbols = (*(p for p, _ in model.parameters), *model.coordinates, *(u for u, _ in model.inputs))
+    bits = [allowed(symbol) for symbol in symbols]
+    return () if all(one == ANY for one in bits) else tuple((one, declared(one)) for one in bits)

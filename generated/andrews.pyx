@@ -1,5 +1,5 @@
 # eigenmotion generate andrews.py
-# input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2
+# input sha256:771d14621a5f8d802c5503cd56f4fa403aba4e013c8e286a7a5a274fd30492b0
 # body sha256:67ad1cea1838603849c1c305aa98bd719ad433228ca25bfb3c34197f61a8300b
 # cython: language_level=3
 """andrews, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
-/* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:532d345042417d63911303161099295a4d703dd738ddcd69e52d337896fa975d */
+/* input sha256:086a2e7d83260e45b545b8ae0bfffd95f92bbe57b7720c7c4a3f813b1553452d */
+/* body sha256:0d2b5322e410aa8bd8430e317d13b7e885a52905e7d88c805fed27f4ea9d8b5e */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -9238,6 +9238,7 @@ EM_WEAK em_lanes bicycle_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &bicycle_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0, 0, 0, 0, 0 };
@@ -9482,9 +9483,48 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[153] = (1.0/3.0)*r_R; /* c_127 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -11011,6 +11051,7 @@ const em_model bicycle_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

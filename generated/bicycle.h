@@ -1,5 +1,5 @@
 /* eigenmotion generate bicycle.py */
-/* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
+/* input sha256:086a2e7d83260e45b545b8ae0bfffd95f92bbe57b7720c7c4a3f813b1553452d */
 /* body sha256:1f5709c4827615b9b96a7aba42838e951d157afb01ee94154d6a3a96bf27f7da */
 /* bicycle: 8 coordinates, 5 constraint rows, 88 states.
  * Link bicycle.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate bicycle.py
-# input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e
+# input sha256:086a2e7d83260e45b545b8ae0bfffd95f92bbe57b7720c7c4a3f813b1553452d
 # body sha256:11eabdf6fa8a87fbee28d8e7d06b59b8f6884b2c9f972c9b1ca84003d2a003da
 # cython: language_level=3
 """bicycle, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
-/* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
-/* body sha256:d8f615e6fbed0bdc4b1f0a6dbdb52a56e2467409f0abc6919083fef10e220791 */
+/* input sha256:4e77346be5abf3a7f0fe4d15f59885874f78e36aee412330700bde3f765b0ca6 */
+/* body sha256:11cb5dfa065eca26b14abe4ad66c74110f4248a355b79530e32eddd06740df95 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -394,6 +394,7 @@ EM_WEAK em_lanes block_on_incline_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &block_on_incline_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -432,9 +433,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[22] = cos_alpha + sin_alpha; /* c_11 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -701,6 +715,7 @@ const em_model block_on_incline_model = {
     .tangent = em_tangent,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

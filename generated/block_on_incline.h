@@ -1,5 +1,5 @@
 /* eigenmotion generate block_on_incline.py */
-/* input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07 */
+/* input sha256:4e77346be5abf3a7f0fe4d15f59885874f78e36aee412330700bde3f765b0ca6 */
 /* body sha256:3ec1e78ac72b0e680533cb974351397983b9a838b17bb0ca3208adee5c918bab */
 /* block_on_incline: 1 coordinates, 1 constraint rows, 2 states.
  * Link block_on_incline.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate block_on_incline.py
-# input sha256:b1b408a7f9d0e26e3df392fc98624d7649fdd16a31ca9f2dc5d2843090a3fb07
+# input sha256:4e77346be5abf3a7f0fe4d15f59885874f78e36aee412330700bde3f765b0ca6
 # body sha256:1308f920d794b25ae602c2c26fd1046d7592d5a0fffaf52c837c15d17895b50a
 # cython: language_level=3
 """block_on_incline, compiled: `system` is its System (eigenfactor)."""

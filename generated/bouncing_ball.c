@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
-/* body sha256:3ec2c2da98bd7a86fb77c11fa4a72803361b9e45b7603d2ae69d4321892694bc */
+/* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
+/* body sha256:5864279d7f986bf493d86288687eb8db731bc1e299a3fc369aac6aad35d39a58 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -389,6 +389,7 @@ EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &bouncing_ball_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -412,9 +413,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[15] = z_0; /* c_1 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {63, ""},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -695,6 +709,7 @@ const em_model bouncing_ball_model = {
     .tangent = em_tangent,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

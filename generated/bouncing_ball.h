@@ -1,5 +1,5 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d */
+/* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
 /* body sha256:812cbe837e3685689499e161d8b4fa1075f2cde268790b5b8cfdfb24b7d17c62 */
 /* bouncing_ball: 2 coordinates, 1 constraint rows, 4 states.
  * Link bouncing_ball.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate bouncing_ball.py
-# input sha256:046381444cf87d7a85c96fc78dc1733f78968300e4d0417856a7fde5b497e77d
+# input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439
 # body sha256:cbae5523b71267a25b90b97c9c88ef82b011dd4c082a81df9188888caec2167d
 # cython: language_level=3
 """bouncing_ball, compiled: `system` is its System (eigenfactor)."""

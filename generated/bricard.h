@@ -1,5 +1,5 @@
 /* eigenmotion generate bricard.py */
-/* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
+/* input sha256:84c95ed96c00d0f879f20a64f2de802bc07fecba092ce5dcb4db62e1a3957270 */
 /* body sha256:9a0428135fff93aac2f7a67542bf5b8726b0af5b5d0a80716cd94c3f2bb2a497 */
 /* bricard: 5 coordinates, 4 constraint rows, 40 states.
  * Link bricard.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate bricard.py
-# input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9
+# input sha256:84c95ed96c00d0f879f20a64f2de802bc07fecba092ce5dcb4db62e1a3957270
 # body sha256:0d66ef3a20d4fe41a185a0d19fe180d1aa73f53cf00c722e720caa87f38cacad
 # cython: language_level=3
 """bricard, compiled: `system` is its System (eigenfactor)."""

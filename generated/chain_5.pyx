@@ -1,5 +1,5 @@
 # eigenmotion generate chain.py
-# input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0
+# input sha256:0506ee54a3c19fd207366e2d62591b27b9b329b4734ce46f7572381b4a1eb82f
 # body sha256:c649ed9140abf8b5eaac5e4ae5bd19cd83ebb7d9342b1472aebc5173f3d0214b
 # cython: language_level=3
 """chain_5, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
-/* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
-/* body sha256:1909247c8c419710df7837887ac9092dde3d4210e09fabe3696964ebfa04cd0e */
+/* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
+/* body sha256:a9497728134d0497a42f0062cdc44e05ce4807e8ebfde4903b6241a7ff29358c */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -412,6 +412,7 @@ EM_WEAK em_lanes clock_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &clock_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -443,9 +444,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[18] = (1.0/12.0)*l; /* c_6 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -718,6 +733,7 @@ const em_model clock_model = {
     .tangent = em_tangent,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

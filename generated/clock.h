@@ -1,5 +1,5 @@
 /* eigenmotion generate clock.py */
-/* input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2 */
+/* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
 /* body sha256:f7760144f65f7b7c14f512044bc5c0d7af0ead6e17cacbc5711b4a21ae803326 */
 /* clock: 1 coordinates, 1 constraint rows, 2 states.
  * Link clock.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate clock.py
-# input sha256:110c66963cf43bcc00b065904661a3cf0632fc8f6d6d305ae7955ece57e307a2
+# input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185
 # body sha256:34fec3cd08dbece5b0fe86d8acacc6c91ad35831a694c9ba4a28997ac79a47f2
 # cython: language_level=3
 """clock, compiled: `system` is its System (eigenfactor)."""

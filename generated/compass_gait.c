@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
-/* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:e5105dd51472f9dc7bb5d69ad66e450efe398def6e7cce8125aece29737d2a63 */
+/* input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400 */
+/* body sha256:9b9c137e4e97836f433895a8d6e4da23474e772db35ffe016f47948565cbc2a7 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -756,6 +756,7 @@ EM_WEAK em_lanes compass_gait_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &compass_gait_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0 };
@@ -802,9 +803,21 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[21] = (1.0/40.0)*l; /* c_16 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1115,6 +1128,7 @@ const em_model compass_gait_model = {
     .motion_along = em_motion_along,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 # eigenmotion generate compass_gait.py
-# input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912
+# input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400
 # body sha256:fcb418ba600cabb6b8d3ea577281b715158da582240d28d452491f3ae32aa21d
 # cython: language_level=3
 """compass_gait, compiled: `system` is its System (eigenfactor)."""

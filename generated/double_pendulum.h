@@ -1,5 +1,5 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
+/* input sha256:2aa8c78fd5de9dcc95b82b3b59485521f0f69d4545624273923556883aeddf96 */
 /* body sha256:efe953b9e143c7ce3504a865f3f0d045d31e77715979a811e29b3ca165452624 */
 /* double_pendulum: 2 coordinates, 0 constraint rows, 10 states.
  * Link double_pendulum.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate double_pendulum.py
-# input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95
+# input sha256:2aa8c78fd5de9dcc95b82b3b59485521f0f69d4545624273923556883aeddf96
 # body sha256:4752a0763ff093c19259e39e58b2b58a12726b9151983c84666453b3c8e27c47
 # cython: language_level=3
 """double_pendulum, compiled: `system` is its System (eigenfactor)."""

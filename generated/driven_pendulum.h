@@ -1,5 +1,5 @@
 /* eigenmotion generate driven_pendulum.py */
-/* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
+/* input sha256:4e9893cc5e7c5dc0d481cf1470a3ef3a5e1a3b84e5f7e00dadf8b82698fb15df */
 /* body sha256:170511dd9fa6be8c5ee1cef709b9c25d4882978200cfe3abde7ea7d62df810c7 */
 /* driven_pendulum: 2 coordinates, 1 constraint rows, 4 states.
  * Link driven_pendulum.c with a program of your own,

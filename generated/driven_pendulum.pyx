@@ -1,5 +1,5 @@
 # eigenmotion generate driven_pendulum.py
-# input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0
+# input sha256:4e9893cc5e7c5dc0d481cf1470a3ef3a5e1a3b84e5f7e00dadf8b82698fb15df
 # body sha256:9b73536c138f7703be709faf20d42dbae1c8fc42ad4d454ca38ad69bef138046
 # cython: language_level=3
 """driven_pendulum, compiled: `system` is its System (eigenfactor)."""

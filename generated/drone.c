@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
-/* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:ad0e903494bfd4cfd6237ee9122ea820d29ebd708115d2cacbed2b62747f6eb8 */
+/* input sha256:4f11df1f7d176811d0bb3694586688568505c1f4ec024bed8c913586a1914019 */
+/* body sha256:cefb4b5f8a666c6a77001cb4b24ed3f33ea1e762511586c1fc19e322b1b31ced */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -168,7 +168,7 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real yaw_dot = v[3];
     const real z_33 = yaw_dot*yaw_dot;
     const real z_34 = c_3*z_17;
-    f2[1] = -((cos_roll*z_32 + sin_roll*z_31) - ((sin_pitch*z_12 - sin_pitch*(J*z_14) -
+    f2[1] = -((sin_roll*z_31 + cos_roll*z_32) - ((sin_pitch*z_12 - sin_pitch*(J*z_14) -
         sin_pitch*(J_up*z_20))*z_33 - yaw_dot*(z_10*z_34) - yaw_dot*roll_dot*z_12));
     f2[2] = z_30 + (z_15*z_33*z_34 + yaw_dot*pitch_dot*(c_3*(z_20 - z_14)) - pitch_dot*pitch_dot*z_34);
 }
@@ -431,7 +431,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real yaw_dot = v[3];
     const real z_38 = yaw_dot*yaw_dot;
     const real z_14 = shared[15];
-    f2[1] = -((cos_roll*z_37 + sin_roll*z_36) - ((sin_pitch*z_22 - z_15*z_23 - sin_pitch*(J_up*z_26))*z_38 -
+    f2[1] = -((sin_roll*z_36 + cos_roll*z_37) - ((sin_pitch*z_22 - z_15*z_23 - sin_pitch*(J_up*z_26))*z_38 -
         yaw_dot*(z_21*z_14) - yaw_dot*roll_dot*z_22));
     f2[2] = z_35 + (z_8*z_38*z_14 + yaw_dot*pitch_dot*(c_3*(z_26 - z_23)) - pitch_dot*pitch_dot*z_14);
 }
@@ -813,7 +813,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_42 = z_35*z_41;
     const double z_43 = yaw_dot*roll_dot;
     const double c_5 = c[13];
-    bias[4] = -(((cos_roll*z_25 + sin_roll*z_24) - ((cos_pitch*z_37 - z_38*z_37 - sin_pitch*J_up*z_39)*z_40 -
+    bias[4] = -(((sin_roll*z_24 + cos_roll*z_25) - ((cos_pitch*z_37 - z_38*z_37 - sin_pitch*J_up*z_39)*z_40 -
         c_3*z_42 - J*cos_pitch*z_43)) - (c_3*(z_42 + z_38*z_43 - z_39*z_43) + c_5*(pitch_dot*z_31)));
     bias[5] = (z_23 + (c_3*z_29*z_40*z_30 + c_3*(z_39 - z_38)*z_41 - z_30*(c_3*z_34))) + yaw_dot*J*z_26;
     const double x_dot = v[0];
@@ -1328,12 +1328,12 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     D[47] = sin_pitch*z_46 + z_47*z_28;
     const double z_48 = f1 + f3 - f2 - f4;
     D[48] = -z_48*z_26;
-    const double z_49 = sin_roll*drag;
-    const double z_50 = cos_roll*a_;
+    const double z_49 = cos_roll*a_;
+    const double z_50 = sin_roll*drag;
     D[52] = z_49 + z_50;
-    D[53] = -z_49;
-    D[54] = z_49 - z_50;
-    D[55] = -z_49;
+    D[53] = -z_50;
+    D[54] = -(z_49 - z_50);
+    D[55] = -z_50;
     const double z_51 = roll_dot*z_34;
     const double z_52 = yaw_dot*yaw_dot;
     const double z_53 = z_52*(sin_pitch*cos_pitch);
@@ -1436,6 +1436,7 @@ EM_WEAK em_lanes drone_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &drone_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1, 1, 1, 0, 0 };
@@ -1473,9 +1474,34 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[19] = 0.25*a_; /* c_11 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1800,6 +1826,7 @@ const em_model drone_model = {
     .output_partials = output_partials,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

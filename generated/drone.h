@@ -1,5 +1,5 @@
 /* eigenmotion generate drone.py */
-/* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
+/* input sha256:4f11df1f7d176811d0bb3694586688568505c1f4ec024bed8c913586a1914019 */
 /* body sha256:3ad24b684a10dd454519be0fa4e11db2f38d97c5065c5833afe83ab0a4da0439 */
 /* drone: 8 coordinates, 0 constraint rows, 58 states.
  * Link drone.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate drone.py
-# input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9
+# input sha256:4f11df1f7d176811d0bb3694586688568505c1f4ec024bed8c913586a1914019
 # body sha256:165e0e338f3befec29b9235f390a556396c96745503de3a652dc7e85df50afb6
 # cython: language_level=3
 """drone, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:958cc4dcf059449c5ad8b5b8d82b252c31322f5fb109713dac2ebf5762853c85 */
+/* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
+/* body sha256:569288fc5b4ec2be2fa7c5d3621f2aa65c898af5673db6d6fc75cd3d6ad3fe30 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -966,6 +966,7 @@ EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &dual_link_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
@@ -998,9 +999,27 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[19] = (1.0/10.0)*l1; /* c_6 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -1318,6 +1337,7 @@ const em_model dual_link_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

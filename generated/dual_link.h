@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
+/* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
 /* body sha256:16eba669bcae2820a80578cada7551ec66a2716cce6301165033ac9a46d427d8 */
 /* dual_link: 4 coordinates, 1 constraint rows, 20 states.
  * Link dual_link.c with a program of your own,

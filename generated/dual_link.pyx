@@ -1,5 +1,5 @@
 # eigenmotion generate dual_link.py
-# input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940
+# input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063
 # body sha256:f05b7911c70e5eefd1489f4c4dff5dc00983cd8ba810a115c71f7a81be166b96
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (eigenfactor)."""

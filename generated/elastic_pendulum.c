@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:3a7729bb0d0594ce36160403a979af590da759b335680667bbfc748f2ed59256 */
+/* body sha256:68de1848d42334fa034f9f5f99beb70cdbd0804ccdaff18d5315235a14e07b7d */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -407,6 +407,7 @@ EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &elastic_pendulum_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -432,9 +433,20 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[11] = (1.0/10.0)*L; /* c_3 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -665,6 +677,7 @@ const em_model elastic_pendulum_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

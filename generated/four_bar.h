@@ -1,5 +1,5 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
+/* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
 /* body sha256:45a651c9b5971534774c6bd15ce89889ce609fb44d9aa6733ecfac7060b4d8b4 */
 /* four_bar: 3 coordinates, 2 constraint rows, 12 states.
  * Link four_bar.c with a program of your own,

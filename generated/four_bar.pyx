@@ -1,5 +1,5 @@
 # eigenmotion generate four_bar.py
-# input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e
+# input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387
 # body sha256:b9878d8f96c30fe541bf67f8249ed731817346ee39ab32598ba10afb7a28baf3
 # cython: language_level=3
 """four_bar, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
-/* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:f8db4311969b1115fb202e3c9f2dcf5a68b39e27065d0787aa4753e3c8bc5814 */
+/* input sha256:bcb90918768aa4b82cabda26a10ffab302d61bd800ad437e9fa9db3f90eb0350 */
+/* body sha256:ae55f0fbbb4c3ae597fa276f57ffcf12777bb94c0f4cf3e07c036d948cbbc672 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1067,6 +1067,7 @@ EM_WEAK em_lanes four_bars_2_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &four_bars_2_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 0, 1 };
@@ -1103,9 +1104,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M3[N
     prepared[18] = (1.0/30.0)*l; /* c_11 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M3[N3][N3];
     prepared_constants(parameters, M3, c);
@@ -1610,6 +1624,7 @@ const em_model four_bars_2_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

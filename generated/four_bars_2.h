@@ -1,5 +1,5 @@
 /* eigenmotion generate four_bars.py */
-/* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
+/* input sha256:bcb90918768aa4b82cabda26a10ffab302d61bd800ad437e9fa9db3f90eb0350 */
 /* body sha256:5c64f43ba2f9633e78efd7cecda1f2ce27003d55e9d28e5bf2c3c08c5cbc0acb */
 /* four_bars_2: 5 coordinates, 4 constraint rows, 22 states.
  * Link four_bars_2.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate four_bars.py
-# input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee
+# input sha256:bcb90918768aa4b82cabda26a10ffab302d61bd800ad437e9fa9db3f90eb0350
 # body sha256:7e84677ad3a0edfdd5c78e9edd8f853b3c2d7904bcbe2f05c9b0433baff36fa1
 # cython: language_level=3
 """four_bars_2, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
-/* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:2d204882a1457e675b67f7fd49aca5bed356a4e2ece75bcf314e026d80960447 */
+/* input sha256:ff36814f2b05e1933e30609683e774f079afb7c3e2680d8a3357697eb6b0dfaf */
+/* body sha256:6f01bfedd76b69b71386851eb5c18bfa0836f8c0bfa58df70b4fd04cd173a397 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -560,6 +560,7 @@ EM_WEAK em_lanes furuta_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &furuta_pendulum_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0 };
@@ -589,9 +590,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[14] = 0.125*l; /* c_6 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -848,6 +865,7 @@ const em_model furuta_pendulum_model = {
     .output_partials = output_partials,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 /* eigenmotion generate furuta_pendulum.py */
-/* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
+/* input sha256:ff36814f2b05e1933e30609683e774f079afb7c3e2680d8a3357697eb6b0dfaf */
 /* body sha256:95889465be9d3f31b9410b849b6d69c08ab5607945fc9555f116c1ef758af391 */
 /* furuta_pendulum: 2 coordinates, 0 constraint rows, 10 states.
  * Link furuta_pendulum.c with a program of your own,

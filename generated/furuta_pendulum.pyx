@@ -1,5 +1,5 @@
 # eigenmotion generate furuta_pendulum.py
-# input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a
+# input sha256:ff36814f2b05e1933e30609683e774f079afb7c3e2680d8a3357697eb6b0dfaf
 # body sha256:3ff5ae93297dfa3fb40d466c8aa79e4a32f16c4e2fef8c81a34bad82011b6d8a
 # cython: language_level=3
 """furuta_pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
-/* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:4994fa2ae89bab7abaf637c810d3030f200e8e7fd660e7bd9fd4b332d22c121a */
+/* input sha256:202dd52e577d65d0bddec872924c315ac3164fbae4484a324e9d7f2fd425c856 */
+/* body sha256:b3c023a12ccb1a78eeb5cfbe2d36c1ca8c25fb7209db119c480c1474e189ecee */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -833,6 +833,7 @@ EM_WEAK em_lanes governor_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &governor_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 3 };
@@ -876,9 +877,27 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[34] = 2.0*b; /* c_13 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2], M3[N3][N3], M4[N4][N4];
     prepared_constants(parameters, M2, M3, M4, c);
@@ -1139,6 +1158,7 @@ const em_model governor_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

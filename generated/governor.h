@@ -1,5 +1,5 @@
 /* eigenmotion generate governor.py */
-/* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
+/* input sha256:202dd52e577d65d0bddec872924c315ac3164fbae4484a324e9d7f2fd425c856 */
 /* body sha256:75401853d2c989fedc94aff8d63dec091bcbcd04c18734814ab805a625349758 */
 /* governor: 4 coordinates, 0 constraint rows, 8 states.
  * Link governor.c with a program of your own,

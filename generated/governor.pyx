@@ -1,5 +1,5 @@
 # eigenmotion generate governor.py
-# input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34
+# input sha256:202dd52e577d65d0bddec872924c315ac3164fbae4484a324e9d7f2fd425c856
 # body sha256:f9bead8c765368797197046ccb8261dc00b2b52dabf24499d691c0dd60f2e493
 # cython: language_level=3
 """governor, compiled: `system` is its System (eigenfactor)."""

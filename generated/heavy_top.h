@@ -1,5 +1,5 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
+/* input sha256:7ccdfa2536616d76d097f61367fff237e8a3488b5040ecad7c5299584f0ca358 */
 /* body sha256:dd359d6590cc628c9466b0dfd5a07f79c60daebb3991750c34002ad416fd877a */
 /* heavy_top: 3 coordinates, 0 constraint rows, 12 states.
  * Link heavy_top.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate heavy_top.py
-# input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3
+# input sha256:7ccdfa2536616d76d097f61367fff237e8a3488b5040ecad7c5299584f0ca358
 # body sha256:bf19b70c6cde5a71b4a171a85168c4b02c9f089ffb3759d35fe0973d9960eec3
 # cython: language_level=3
 """heavy_top, compiled: `system` is its System (eigenfactor)."""

@@ -1,5 +1,5 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
+/* input sha256:f744e812ddbbe356574aebfde26a89931e0d70e4b66e96c84fbd1461918df3df */
 /* body sha256:23fdd01b0deeba1302e289edd34e4ab3c48722b851c52b5110cb8a4b3d24b352 */
 /* jansen: 7 coordinates, 6 constraint rows, 70 states.
  * Link jansen.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate jansen.py
-# input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350
+# input sha256:f744e812ddbbe356574aebfde26a89931e0d70e4b66e96c84fbd1461918df3df
 # body sha256:5a281a991a6aad4c88a6df8d4be595cc50be1809e451325b93fec2cefd7ce0c4
 # cython: language_level=3
 """jansen, compiled: `system` is its System (eigenfactor)."""

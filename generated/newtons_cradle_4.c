@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
-/* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:f1eddb0e79dd76efb072821d1e88c78a332bb2e409b4f367f4954f9952071c53 */
+/* input sha256:b7b2f2f815633c0c13ec47b71b8d50d30eeb9cbde0c35a3d76e313769a9245db */
+/* body sha256:7800ebc2e22a53e60ddc941a3dec64da005761dd2cafc7ad85d2dbca6f47e010 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -525,6 +525,7 @@ EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &newtons_cradle_4_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 3 };
@@ -557,9 +558,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[26] = 6.0*r; /* c_5 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2], M3[N3][N3], M4[N4][N4];
     prepared_constants(parameters, M1, M2, M3, M4, c);
@@ -823,6 +838,7 @@ const em_model newtons_cradle_4_model = {
     .motion_along = em_motion_along,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 # eigenmotion generate newtons_cradle.py
-# input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77
+# input sha256:b7b2f2f815633c0c13ec47b71b8d50d30eeb9cbde0c35a3d76e313769a9245db
 # body sha256:5a2a62b4a5ad2a2fee7e5747b9bae159b371b23de33fbe01eb0d5cd9a4dfdbab
 # cython: language_level=3
 """newtons_cradle_4, compiled: `system` is its System (eigenfactor)."""

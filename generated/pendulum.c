@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:4d651750a43c297f785196e80e0022cd5e905f48c86fcad26499486190def53b */
+/* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
+/* body sha256:269d66f5ea53292310042b6300fdb9c786efee804aa2587e7557e5dd46031945 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -278,6 +278,7 @@ EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &pendulum_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -302,9 +303,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[10] = (1.0/10.0)*l; /* c_3 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -523,6 +533,7 @@ const em_model pendulum_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

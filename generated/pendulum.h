@@ -1,5 +1,5 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
+/* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
 /* body sha256:25fe38f1db4c2b2897d945a8653cd317dc07e0928fb55dd455e2625cbc01005b */
 /* pendulum: 1 coordinates, 0 constraint rows, 2 states.
  * Link pendulum.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum.py
-# input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3
+# input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab
 # body sha256:09037d51b2b2b2550ff8094f27bf8bb2ad11c1611dea9c9fa59879e08f99317b
 # cython: language_level=3
 """pendulum, compiled: `system` is its System (eigenfactor)."""

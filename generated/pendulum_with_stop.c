@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
-/* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
-/* body sha256:4ca62d513bd654e30c80308db0521e35e83721b96abc4704649c2679e8e0a7f1 */
+/* input sha256:b44ef6b31bf1b97df0a8fc11e904ff67a8797029c5ee104a80e2ef00721a809e */
+/* body sha256:a456deef31585d1479671846e7832c62a5b74e6e4db8c94c84df245ce50c5bd4 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -407,6 +407,7 @@ EM_WEAK em_lanes pendulum_with_stop_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &pendulum_with_stop_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -441,9 +442,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[19] = (1.0/10.0)*l; /* c_8 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -721,6 +735,7 @@ const em_model pendulum_with_stop_model = {
     .tangent = em_tangent,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 /* eigenmotion generate pendulum_with_stop.py */
-/* input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd */
+/* input sha256:b44ef6b31bf1b97df0a8fc11e904ff67a8797029c5ee104a80e2ef00721a809e */
 /* body sha256:6119cef16726203361276eaef26e2a7611e185f0c747ad6cab298483932012a9 */
 /* pendulum_with_stop: 1 coordinates, 1 constraint rows, 2 states.
  * Link pendulum_with_stop.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum_with_stop.py
-# input sha256:96f15be48b86c6215654e00a5f375071dfab39de7f4d0f3ef60b1bd7711716fd
+# input sha256:b44ef6b31bf1b97df0a8fc11e904ff67a8797029c5ee104a80e2ef00721a809e
 # body sha256:f08ce14904e1bac0556911ffdf1e36b31008b878738231c44899013c62422711
 # cython: language_level=3
 """pendulum_with_stop, compiled: `system` is its System (eigenfactor)."""

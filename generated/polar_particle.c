@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:f9b40377f24cc6ae886b4b08f162b36928410587e1412b1e6df3f0ce4f53f4d7 */
+/* input sha256:2ebb6373cfc4d6f8793f1aa682c138d933aea6a77484dc28ef97956eddbfc9f3 */
+/* body sha256:2b671cd8b7b81109b50088966883bb8321e93c6496377410078a5badd552deb1 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -382,6 +382,7 @@ EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &polar_particle_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -403,9 +404,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[7] = m*mu; /* c_1 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -635,6 +645,7 @@ const em_model polar_particle_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

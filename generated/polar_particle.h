@@ -1,5 +1,5 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
+/* input sha256:2ebb6373cfc4d6f8793f1aa682c138d933aea6a77484dc28ef97956eddbfc9f3 */
 /* body sha256:e214a16f4ad8005b5014445bd8cbb8569e236ab3031da859d45d3e7897938563 */
 /* polar_particle: 2 coordinates, 0 constraint rows, 4 states.
  * Link polar_particle.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate polar_particle.py
-# input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d
+# input sha256:2ebb6373cfc4d6f8793f1aa682c138d933aea6a77484dc28ef97956eddbfc9f3
 # body sha256:1ffd528941677918bda82f9db62249b8698defcc0d76634f3e7906e1533800b6
 # cython: language_level=3
 """polar_particle, compiled: `system` is its System (eigenfactor)."""

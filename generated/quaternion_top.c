@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:ffe68c90cecdf196488e5df74ccb0dc932a44514e0d536c1f1cad06e19ba18a8 */
+/* input sha256:0cb8bde97f7a54b959afa6233ef8b22ba968fd2b37b477c410a8abc46e5c03d5 */
+/* body sha256:e696520e53c3462da50767f9c68808ed8705ce1dc9494974e380926bb18111fc */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -944,6 +944,7 @@ EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &quaternion_top_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0 };
@@ -982,9 +983,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[18] = (3.0/5.0)*l; /* c_13 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1418,6 +1433,7 @@ const em_model quaternion_top_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

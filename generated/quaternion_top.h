@@ -1,5 +1,5 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
+/* input sha256:0cb8bde97f7a54b959afa6233ef8b22ba968fd2b37b477c410a8abc46e5c03d5 */
 /* body sha256:9f3e5faefc2e06a8e9a635e2b5f049d3ef4f084be277cf4d5e8bcadbdf394345 */
 /* quaternion_top: 4 coordinates, 1 constraint rows, 28 states.
  * Link quaternion_top.c with a program of your own,

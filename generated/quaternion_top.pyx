@@ -1,5 +1,5 @@
 # eigenmotion generate quaternion_top.py
-# input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141
+# input sha256:0cb8bde97f7a54b959afa6233ef8b22ba968fd2b37b477c410a8abc46e5c03d5
 # body sha256:a5b16b1e02bcf0f96f0db8440e0b2c1f94518942798bbb1854ad3bbde51e3e58
 # cython: language_level=3
 """quaternion_top, compiled: `system` is its System (eigenfactor)."""

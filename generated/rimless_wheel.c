@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
-/* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:5f8a23e3c5fcfaa30172c3440eea43bd49497783f5eafa70db65f20b636e8f27 */
+/* input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b */
+/* body sha256:148f8592500312bd5ddc533e4f0d32be590252493eab913f85a5757a919b3cd0 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -380,6 +380,7 @@ EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &rimless_wheel_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -417,9 +418,20 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[21] = (1.0/10.0)*l; /* c_12 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -657,6 +669,7 @@ const em_model rimless_wheel_model = {
     .motion_along = em_motion_along,
     .act_along = em_act_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 /* eigenmotion generate rimless_wheel.py */
-/* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
+/* input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b */
 /* body sha256:c25d0019782e662a8618b111bff91c0228a7dbc78ff8c7d1fcab7d37e23d437a */
 /* rimless_wheel: 1 coordinates, 0 constraint rows, 2 states.
  * Link rimless_wheel.c with a program of your own,

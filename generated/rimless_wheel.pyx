@@ -1,5 +1,5 @@
 # eigenmotion generate rimless_wheel.py
-# input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c
+# input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b
 # body sha256:e718ed7cb64303c5ca8457199013aeae71e1611e5dc1f39c468215b737960c61
 # cython: language_level=3
 """rimless_wheel, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:154f5ae5a03b66df42c13c0ddc0a2d738dc97967de09f3532bffa803f214a2ef */
+/* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
+/* body sha256:ebf673f56124576bb73c451bf74d9ad949082b5169abf6dd5acef9f804275009 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -941,6 +941,7 @@ EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &rolling_disk_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0, 0 };
@@ -977,9 +978,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[18] = 8.0*r; /* c_15 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1290,6 +1304,7 @@ const em_model rolling_disk_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

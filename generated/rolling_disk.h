@@ -1,5 +1,5 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
+/* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
 /* body sha256:275e56244c40f9518fed1b48e3020861b72a3311671329ffbf70265ff7c3671e */
 /* rolling_disk: 5 coordinates, 2 constraint rows, 40 states.
  * Link rolling_disk.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate rolling_disk.py
-# input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02
+# input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c
 # body sha256:bffc5ee6c7bd3bba7c27ac8343456692afaa97845629efeff6577967438b082e
 # cython: language_level=3
 """rolling_disk, compiled: `system` is its System (eigenfactor)."""

@@ -1,5 +1,5 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
+/* input sha256:a672e66f4b0d29e372c07c590c827762e68aba35fb998dc3ed2bf848d498158e */
 /* body sha256:8f47ef5adcfd6088575f48b4de88c2f820f4db86c33aa59c19bd3e49d211683e */
 /* rotating_hoop: 1 coordinates, 0 constraint rows, 2 states.
  * Link rotating_hoop.c with a program of your own,

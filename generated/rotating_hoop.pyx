@@ -1,5 +1,5 @@
 # eigenmotion generate rotating_hoop.py
-# input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6
+# input sha256:a672e66f4b0d29e372c07c590c827762e68aba35fb998dc3ed2bf848d498158e
 # body sha256:befb0f10f88e297befef38d1155908065354ed4546f873a6069b74a9f4527c68
 # cython: language_level=3
 """rotating_hoop, compiled: `system` is its System (eigenfactor)."""

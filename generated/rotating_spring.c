@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
-/* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:dd26c3bf3774ad49b4e80dccd2bc43cc117304a6303f5c007ecea375c68c7774 */
+/* input sha256:eececf7da8524af92b5fbfbe220e13e1ff2df8274451addce864432085de9820 */
+/* body sha256:388799c0af44f6272fdb1613f3c70f88063c5f2d851dfc3b1a0685537c51c451 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -344,6 +344,7 @@ EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &rotating_spring_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -373,9 +374,20 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[16] = 0.5*m; /* c_4 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -600,6 +612,7 @@ const em_model rotating_spring_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,5 +1,5 @@
 # eigenmotion generate rotating_spring.py
-# input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2
+# input sha256:eececf7da8524af92b5fbfbe220e13e1ff2df8274451addce864432085de9820
 # body sha256:465acb7f3bf147e62b010abbde7dbcaeda7430290437557116c7285f2feda8cc
 # cython: language_level=3
 """rotating_spring, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
-/* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:2aeb4f1ec28e03ece376dd5d8a45bcd025f89a346acf9868951ee9299ccbbf2f */
+/* input sha256:ec762a02c93cc8269d579033fc99edddab6d23bbe9acf64e06e026178f6ef306 */
+/* body sha256:a6a6319b07d5502d0d1ef2ab577570cb1346f30793529cf218ee77cbb9be489d */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -717,6 +717,7 @@ EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &slider_crank_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1 };
@@ -762,9 +763,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[26] = (1.0/3.0)*r; /* c_16 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -1148,6 +1163,7 @@ const em_model slider_crank_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

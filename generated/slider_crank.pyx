@@ -1,5 +1,5 @@
 # eigenmotion generate slider_crank.py
-# input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587
+# input sha256:ec762a02c93cc8269d579033fc99edddab6d23bbe9acf64e06e026178f6ef306
 # body sha256:797ef149b3d9dea834adfaf2fee84d33be115a4205bc2bef12a6b282ed89b62e
 # cython: language_level=3
 """slider_crank, compiled: `system` is its System (eigenfactor)."""

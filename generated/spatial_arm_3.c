@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:71c19b5703e4ae443d2753c896c9654c62648b90de4ac1d6a08b0ec7153ba3cc */
+/* input sha256:123f02a70e5ee10d7729d33f668f9b52f582ed1181b23d7ac380899a4ad2caa6 */
+/* body sha256:d3edcdad97275e0ed9b96886f15db6ac444503743aad5b1930060359e939ff29 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1293,6 +1293,7 @@ EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &spatial_arm_3_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0 };
@@ -1360,9 +1361,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[37] = z_14; /* c_29 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {60, "positive"},
+    {62, "nonnegative"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1660,6 +1677,7 @@ const em_model spatial_arm_3_model = {
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

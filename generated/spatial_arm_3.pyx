@@ -1,5 +1,5 @@
 # eigenmotion generate spatial_arm.py
-# input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f
+# input sha256:123f02a70e5ee10d7729d33f668f9b52f582ed1181b23d7ac380899a4ad2caa6
 # body sha256:e9dd28d1d362b6d16753ffec3b8f93f8e71d237b0f3d7f541b1da0649a55086f
 # cython: language_level=3
 """spatial_arm_3, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:0c295a6d815fe633eb45d315936657da41da8f40a6815d58adeb0a45ed9fb40d */
+/* input sha256:87fcfceb530674a524220a6812c1bd35ccba13b97f87d16d8ddc76de85c67965 */
+/* body sha256:8dbfa8955017e45d03bd2ce84123b411c36b11291789cf70ad0378f633a2e3b2 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1327,6 +1327,7 @@ EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 EM_ACROSS const em_lanes *lanes_here(void) { return &sphere_lanes; }
 
 #include "em_blocks.h"
+#include "em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 2, 2 };
@@ -1374,9 +1375,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[30] = 2.0*cos_alpha; /* c_18 */
 }
 
+/* Which numbers parameters, coordinates and inputs were declared to have. */
+static const em_declared declared[] = {
+    {60, "positive"},
+    {60, "positive"},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""},
+    {63, ""}
+};
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
+    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -1727,6 +1742,7 @@ const em_model sphere_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .further = em_further,
+    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

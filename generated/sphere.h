@@ -1,5 +1,5 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
+/* input sha256:87fcfceb530674a524220a6812c1bd35ccba13b97f87d16d8ddc76de85c67965 */
 /* body sha256:715e95222b93b42eb0eef4379905c8faaec29aecb405a1e1f52718cfa28e8b26 */
 /* sphere: 5 coordinates, 2 constraint rows, 22 states.
  * Link sphere.c with a program of your own,

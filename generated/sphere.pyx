@@ -1,5 +1,5 @@
 # eigenmotion generate sphere.py
-# input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b
+# input sha256:87fcfceb530674a524220a6812c1bd35ccba13b97f87d16d8ddc76de85c67965
 # body sha256:913666d32f7b1c8f0bedede469dd3df1439cba132305e6db137738240d71b597
 # cython: language_level=3
 """sphere, compiled: `system` is its System (eigenfactor)."""

@@ -30,8 +30,11 @@ beta, theta, gamma, phi, delta, omega, epsilon = angles = dynamicsymbols("beta t
 masses, inertias = symbols("m1:8", positive=True), symbols("I1:8", positive=True)
 xa, ya, xb, yb, xc, yc = symbols("xa ya xb yb xc yc")
 d, da, e, ea, rr, ra, ss, sa, sb, sc, sd = symbols("d da e ea rr ra ss sa sb sc sd", positive=True)
-ta, tb, u, ua, ub, zf, zt, fa = symbols("ta tb u ua ub zf zt fa", positive=True)
-c0, l0, mom = symbols("c0 l0 mom", positive=True)
+ta, tb, u, ua, ub, zf, zt = symbols("ta tb u ua ub zf zt", positive=True)
+fa = symbols("fa", nonnegative=True)
+l0 = symbols("l0", positive=True)
+c0 = symbols("c0", nonnegative=True)
+mom = symbols("mom", real=True)
 
 
 def turned(x: Expr, y: Expr, angle: Expr) -> Matrix:

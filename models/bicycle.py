@@ -27,7 +27,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 x, y, psi, phi, theta, delta, spin_r, spin_f = coordinates = dynamicsymbols("x y psi phi theta delta spin_r spin_f")
-w, c, tilt, g = symbols("w c tilt g", positive=True)
+w, c = symbols("w c", positive=True)
+tilt, g = symbols("tilt g", real=True)
 r_R, r_F, m_R, m_B, m_H, m_F = symbols("r_R r_F m_R m_B m_H m_F", positive=True)
 x_B, z_B, x_H, z_H = symbols("x_B z_B x_H z_H", positive=True)
 R_xx, R_yy, B_xx, B_yy, B_zz, B_xz = symbols("R_xx R_yy B_xx B_yy B_zz B_xz")

@@ -18,7 +18,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Friction, Model, draw
 
 s = dynamicsymbols("s")
-m, g, alpha, mu = symbols("m g alpha mu", positive=True)
+m = symbols("m", positive=True)
+mu = symbols("mu", nonnegative=True)
+g, alpha = symbols("g alpha", real=True)
 length = Rational(3, 2)
 along, across = (cos(alpha), sin(alpha)), (-sin(alpha), cos(alpha))
 

@@ -17,7 +17,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Contact, Model, draw
 
 x, z = dynamicsymbols("x z")
-m, g, e, r = symbols("m g e r", positive=True)
+m, r = symbols("m r", positive=True)
+e = symbols("e", nonnegative=True)
+g = symbols("g", real=True)
 
 model = Model(
     name="bouncing_ball",

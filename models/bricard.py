@@ -28,7 +28,8 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, draw, t
 
-m, l, g = symbols("m l g", positive=True)
+m, l = symbols("m l", positive=True)
+g = symbols("g", real=True)
 angles = dynamicsymbols("q1:6")
 AXES = (1, 2, 0, 1, 2)
 EDGES = (Matrix([1, 0, 0]), Matrix([0, 1, 0]), Matrix([0, 0, 1]), Matrix([-1, 0, 0]), Matrix([0, -1, 0]))

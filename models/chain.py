@@ -29,7 +29,7 @@ def model(n: int = 5) -> Model:
     """Return the chain of n links."""
     theta = dynamicsymbols(f"theta_1:{n + 1}")
     masses, lengths = symbols(f"m_1:{n + 1}", positive=True), symbols(f"l_1:{n + 1}", positive=True)
-    g = symbols("g", positive=True)
+    g = symbols("g", real=True)
 
     x = y = T = V = Integer(0)
     drawing: list[object] = [draw.Ground((0, 0))]

@@ -22,7 +22,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Event, Friction, Model, draw
 
 theta = dynamicsymbols("theta")
-m, l, g, tau, E = symbols("m l g tau E", positive=True)
+m, l = symbols("m l", positive=True)
+tau, E = symbols("tau E", nonnegative=True)
+g = symbols("g", real=True)
 
 bob = l * sin(theta), -l * cos(theta)
 turn = theta.diff()

@@ -24,7 +24,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Event, Model, draw, t
 
 theta, phi = dynamicsymbols("theta phi")
-M, m, l, g, gamma = symbols("M m l g gamma", positive=True)
+M, m, l = symbols("M m l", positive=True)
+g, gamma = symbols("g gamma", real=True)
 rates = Matrix([theta.diff(), phi.diff()])
 
 hip = Matrix([-l * sin(theta), l * cos(theta)])

@@ -22,7 +22,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 theta1, theta2 = dynamicsymbols("theta1 theta2")
-m1, m2, l1, l2, g = symbols("m1 m2 l1 l2 g", positive=True)
+m1, m2, l1, l2 = symbols("m1 m2 l1 l2", positive=True)
+g = symbols("g", real=True)
 
 position1 = l1 * Matrix([sin(theta1), -cos(theta1)])
 position2 = position1 + l2 * Matrix([sin(theta2), -cos(theta2)])

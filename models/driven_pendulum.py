@@ -22,7 +22,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 x, y = dynamicsymbols("x y")
-m, l, g, a, w = symbols("m l g a w", positive=True)
+m, l = symbols("m l", positive=True)
+g, a, w = symbols("g a w", real=True)
 
 pivot = a * cos(w * t)
 values = {m: 1.0, l: 1.0, g: 9.81, a: 0.25, w: 5.0}

@@ -23,7 +23,9 @@ from eigenmotion import Model, draw, t
 
 x, y, z, yaw, pitch, roll, sway, heave = coordinates = dynamicsymbols("x y z yaw pitch roll sway heave")
 thrusts = dynamicsymbols("f1:5")
-m, load, J, J_up, a, drag, L, g = symbols("m load J J_up a drag L g", positive=True)
+m, J, J_up, a, L = symbols("m J J_up a L", positive=True)
+load, drag = symbols("load drag", nonnegative=True)
+g = symbols("g", real=True)
 
 centre = Matrix([x, y, z])
 R = rot_ccw_axis3(yaw) * rot_ccw_axis2(pitch) * rot_ccw_axis1(roll)

@@ -28,7 +28,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 theta1, theta2, theta3, theta4 = dynamicsymbols("theta1:5")
-m1, m2, m3, l1, l2, l3, K1, K2, K3 = symbols("m1:4 l1:4 K1:4", positive=True)
+m1, m2, m3, l1, l2, l3 = symbols("m1:4 l1:4", positive=True)
+K1, K2, K3 = symbols("K1:4", nonnegative=True)
 
 half = Rational(1, 2)
 reach = l1 + theta3

@@ -26,7 +26,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 q1, q2, q3 = dynamicsymbols("q1:4")
-a, b, c, d, density, g = symbols("a b c d density g", positive=True)
+a, b, c, d, density = symbols("a b c d density", positive=True)
+g = symbols("g", real=True)
 
 
 def bar(length: Expr, angle: Expr) -> Matrix:

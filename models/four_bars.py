@@ -23,7 +23,8 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, draw, t
 
-m, l, g = symbols("m l g", positive=True)
+m, l = symbols("m l", positive=True)
+g = symbols("g", real=True)
 
 
 def bar(angle: Expr) -> Matrix:

@@ -21,7 +21,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw
 
 theta, phi, u = dynamicsymbols("theta phi u")
-J0, J, m, r, l, g, b0, b1 = symbols("J0 J m r l g b0 b1", positive=True)
+J0, J, m, r, l = symbols("J0 J m r l", positive=True)
+b0, b1 = symbols("b0 b1", nonnegative=True)
+g = symbols("g", real=True)
 
 half = Rational(1, 2)
 arm = r * cos(theta), r * sin(theta), 0

@@ -26,7 +26,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 phi, a1, a2, s = coordinates = dynamicsymbols("phi a1 a2 s")
-M, m, J, l, b, k, c, L, g = symbols("M m J l b k c L g", positive=True)
+M, m, J, l, b, L = symbols("M m J l b L", positive=True)
+k, c = symbols("k c", nonnegative=True)
+g = symbols("g", real=True)
 
 
 def arm(sign: int, angle: Expr, length: Expr) -> Matrix:

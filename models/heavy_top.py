@@ -24,7 +24,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw
 
 phi, theta, psi = dynamicsymbols("phi theta psi")
-m, l, g, J, J3 = symbols("m l g J J3", positive=True)
+m, l, J, J3 = symbols("m l J J3", positive=True)
+g = symbols("g", real=True)
 
 across = theta.diff() ** 2 + (phi.diff() * sin(theta)) ** 2
 along = psi.diff() + phi.diff() * cos(theta)

@@ -35,7 +35,8 @@ NUMBERS = {
 }  # fmt: skip
 theta, aj, ab, ak, ac, af, ag = coordinates = dynamicsymbols("theta aj ab ak ac af ag")
 lengths = dict(zip(NUMBERS, symbols("a b c d e f g h i j k l m", positive=True), strict=True))
-density, J, torque, gravity = symbols("density J torque gravity", positive=True)
+density, J = symbols("density J", positive=True)
+torque, gravity = symbols("torque gravity", real=True)
 
 
 def bar(length: str, angle: Expr) -> Matrix:

@@ -21,7 +21,9 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, draw
 
-m, l, g, e, r = symbols("m l g e r", positive=True)
+m, l, r = symbols("m l r", positive=True)
+e = symbols("e", nonnegative=True)
+g = symbols("g", real=True)
 
 
 def model(n: int = 4) -> Model:

@@ -20,7 +20,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw
 
 theta = dynamicsymbols("theta")
-m, l, g = symbols("m l g", positive=True)
+m, l = symbols("m l", positive=True)
+g = symbols("g", real=True)
 
 position = l * sin(theta), -l * cos(theta)
 

@@ -20,7 +20,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Contact, Model, draw
 
 theta = dynamicsymbols("theta")
-m, l, g, e, stop = symbols("m l g e stop", positive=True)
+m, l = symbols("m l", positive=True)
+e = symbols("e", nonnegative=True)
+g, stop = symbols("g stop", real=True)
 
 position = l * sin(theta), -l * cos(theta)
 wall = l * sin(stop), -l * cos(stop)

@@ -22,7 +22,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw
 
 r, theta = dynamicsymbols("r theta")
-m, mu = symbols("m mu", positive=True)
+m = symbols("m", positive=True)
+mu = symbols("mu", nonnegative=True)
 eccentricity = Rational(9, 10)
 pericentre = 1 - eccentricity
 

@@ -26,7 +26,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 q = dynamicsymbols("q_0:4")
-m, l, g, J, J3 = symbols("m l g J J3", positive=True)
+m, l, J, J3 = symbols("m l J J3", positive=True)
+g = symbols("g", real=True)
 
 real, vector = q[0], Matrix(q[1:])
 omega = 2 * (real * vector.diff(t) - real.diff(t) * vector - vector.cross(vector.diff(t)))

@@ -20,7 +20,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Event, Model, draw
 
 theta = dynamicsymbols("theta")
-m, l, g, alpha, gamma = symbols("m l g alpha gamma", positive=True)
+m, l = symbols("m l", positive=True)
+g, alpha, gamma = symbols("g alpha gamma", real=True)
 
 hub = l * sin(theta), l * cos(theta)
 spokes = [tuple(h - l * f(theta + 2 * k * alpha) for h, f in zip(hub, (sin, cos), strict=True)) for k in range(-3, 5)]

@@ -24,7 +24,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 x, y, phi, theta, psi = dynamicsymbols("x y phi theta psi")
-m, r, g = symbols("m r g", positive=True)
+m, r = symbols("m r", positive=True)
+g = symbols("g", real=True)
 
 left = Matrix([-sin(phi), cos(phi), 0])
 centre = Matrix([x, y, 0]) + r * (cos(theta) * Matrix([0, 0, 1]) + sin(theta) * left)

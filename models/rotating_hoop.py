@@ -22,7 +22,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 theta = dynamicsymbols("theta")
-m, R, Omega, g = symbols("m R Omega g", positive=True)
+m, R = symbols("m R", positive=True)
+Omega, g = symbols("Omega g", real=True)
 
 across = Matrix([cos(Omega * t), sin(Omega * t), 0])
 bead = R * (sin(theta) * across - cos(theta) * Matrix([0, 0, 1]))

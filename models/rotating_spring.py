@@ -20,7 +20,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 x, y = dynamicsymbols("x y")
-m, k_x, k_y, Omega = symbols("m k_x k_y Omega", positive=True)
+m = symbols("m", positive=True)
+k_x, k_y = symbols("k_x k_y", nonnegative=True)
+Omega = symbols("Omega", real=True)
 
 inertial_x, inertial_y = x.diff() - Omega * y, y.diff() + Omega * x
 

@@ -27,7 +27,9 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 theta, phi, x = dynamicsymbols("theta phi x")
-r, l, m_c, m_r, m_s, g = symbols("r l m_c m_r m_s g", positive=True)
+r, l, m_r = symbols("r l m_r", positive=True)
+m_c, m_s = symbols("m_c m_s", nonnegative=True)
+g = symbols("g", real=True)
 
 pin = r * Matrix([cos(theta), sin(theta)])
 rod = l * Matrix([cos(phi), -sin(phi)])

@@ -27,7 +27,8 @@ def model(n: int = 3) -> Model:
     """Return the arm of n links."""
     joints = dynamicsymbols(f"q_1:{n + 1}")
     masses, lengths = symbols(f"m_1:{n + 1}", positive=True), symbols(f"l_1:{n + 1}", positive=True)
-    rho, g = symbols("rho g", positive=True)
+    rho = symbols("rho", nonnegative=True)
+    g = symbols("g", real=True)
 
     # of the joint, in the axes of the link: velocity, angular velocity, upward direction, height
     velocity, omega, up, height = Matrix([0, 0, 0]), Matrix([0, 0, 0]), AXIS_Z, Integer(0)

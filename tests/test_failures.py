@@ -185,7 +185,9 @@ def test_every_reason_is_tested_here():
         StopReason.RESET_OFF,
         StopReason.RESET_INSIDE,
         StopReason.MODEL_JUMPS,
-    }  # test_events, test_ensemble, test_impacts, test_breaks, test_friction
+        StopReason.VALUE_REFUSED,
+        StopReason.CONTACTS_CLASH,
+    }  # test_events, test_ensemble, test_impacts, test_breaks, test_friction, test_assumptions
     assert own | elsewhere == set(StopReason)
 
 

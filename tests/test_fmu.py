@@ -1,11 +1,14 @@
 """Functional Mock-up Units: what fmpy, which knows nothing of us, says of them and makes of them."""
 
+import re
 import shutil
 from pathlib import Path
 from zipfile import ZipFile
 
 import numpy as np
 import pytest
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import ModelError
@@ -178,3 +181,36 @@ def test_options_that_no_unit_has(tmp_path):
     ):
         with pytest.raises(ModelError, match=words):
             em.export_fmu(MODELS / "pendulum.py", tmp_path / "a.fmu", **options)
+
+
+@pytest.mark.parametrize("name", ["a\x1bb", "a\nb", "a\tb", "\ufffe", "\x85"])
+def test_a_name_that_no_xml_holds_is_refused_by_name(tmp_path, name):
+    """One of a control character made the description of a unit unreadable."""
+    x, p = dynamicsymbols("x"), Symbol(name)
+    model = em.Model(name="named", coordinates=[x], kinetic_energy=p * x.diff() ** 2, parameters={p: 1.0})
+    with pytest.raises(ModelError, match=f"named: {re.escape(repr(name))} has a character.*XML"):
+        em.export_fmu(model, tmp_path / "named.fmu", formulation="lagrange")
+
+
+DECLARED = """\
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model
+x, u = dynamicsymbols("x", positive=True), dynamicsymbols("u", nonnegative=True)
+m, teeth = Symbol("m", positive=True), Symbol("teeth", integer=True)
+model = Model(name="declared", coordinates=[x], kinetic_energy=m * x.diff() ** 2 / 2, potential_energy=teeth * x,
+              forces={x: u}, parameters={m: 1.0, teeth: 3.0}, inputs={u: 0.0}, initial={x: 2.0})
+"""
+
+
+def test_numbers_that_were_not_declared_are_refused_by_name(scene, tmp_path):
+    """A parameter declared positive, or an integer, is that in a unit, too, as it is set."""
+    scene.write_text(DECLARED)
+    unit = Unit(em.export_fmu("scene.py", "declared.fmu", formulation="lagrange"), tmp_path / "declared")
+    for name, value in (("m", -1.0), ("teeth", 0.5), ("x", 0.0), ("u", -1.0)):
+        with pytest.raises(fmpy.fmi1.FMICallException):
+            unit.set(**{name: value})
+    unit.begin(m=2.0, teeth=-1.0, x=1.0, u=1.0).step(0.0, 1.0)
+    assert unit.get("x") == pytest.approx([1.5])
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        unit.set(u=-1.0)

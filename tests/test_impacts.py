@@ -15,7 +15,7 @@ from eigenmotion import Event, Model, ModelError, StopReason, System, t
 from .generation import model_of, system_for, system_of
 
 x, z = dynamicsymbols("x z")
-g, e = symbols("g e", positive=True)
+g, e = symbols("g e", real=True)
 
 
 def ball(name: str, **more) -> Model:
@@ -238,7 +238,7 @@ def test_what_no_event_does_is_refused_by_name(event, words):
 def test_a_rimless_wheel_comes_to_its_closed_form_speed():
     model = model_of("rimless_wheel")
     run = system_for(model).simulate((0.0, 30.0), rtol=1e-10, atol=1e-12)
-    alpha, gamma = (dict(model.parameters)[symbols(name, positive=True)] for name in ("alpha", "gamma"))
+    alpha, gamma = (dict(model.parameters)[symbols(name, real=True)] for name in ("alpha", "gamma"))
     speed = np.sqrt(4 * 9.81 * np.sin(alpha) * np.sin(gamma)) / np.tan(2 * alpha)
     assert run.y_after_events[0][-1, 1] == pytest.approx(speed, rel=1e-9)
 

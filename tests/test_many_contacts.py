@@ -21,7 +21,7 @@ SHARED = {"dependent_constraints": "least_norm"}
 def box(feet: tuple[int, ...], rough: bool = False) -> System:
     """A plank on feet, dropped aslant."""
     x, y, phi = dynamicsymbols("x y phi")
-    m, g, l, e, mu = symbols("m g l e mu", positive=True)
+    m, g, l, e, mu = symbols("m g l e mu", nonnegative=True)
     contacts = {f"foot{k}": Contact(y + at * l * sin(phi), e, Rational(1, 100)) for k, at in enumerate(feet)}
     rubs = {f"rub{k}": Friction(x.diff() - at * l * sin(phi) * phi.diff(), mu, f"foot{k}") for k, at in enumerate(feet)}
     return system_for(
@@ -88,7 +88,7 @@ def test_members_of_an_ensemble_have_modes_of_their_own(at, method):
 def stack() -> System:
     """Three blocks of height 1 on one another, which do not bounce on the floor for long, but do on each other."""
     z = dynamicsymbols("z1:4")
-    m, g, e, r = symbols("m g e r", positive=True)
+    m, g, e, r = symbols("m g e r", nonnegative=True)
     gaps = {"floor": (z[0], r), "lower": (z[1] - z[0] - 1, e), "upper": (z[2] - z[1] - 1, e)}
     return system_for(
         Model(name="stack_of_blocks", coordinates=list(z), kinetic_energy=m * sum(one.diff() ** 2 for one in z) / 2,

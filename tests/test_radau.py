@@ -100,7 +100,7 @@ def test_van_der_pol_relaxes_as_published(build, method, rtol):
 def link(**more):
     """A pendulum on a spring of stiffness 1e10 with damping 1e6 along it, driven by a torque."""
     theta, r, u = dynamicsymbols("theta r u")
-    m, k, d, g, L = symbols("m k d g L", positive=True)
+    m, k, d, g, L = symbols("m k d g L", nonnegative=True)
     return em.Model(
         name="driven_link", coordinates=[theta, r],
         kinetic_energy=Rational(1, 2) * m * (r.diff() ** 2 + r**2 * theta.diff() ** 2),

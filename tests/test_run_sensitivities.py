@@ -43,7 +43,7 @@ def test_against_differences_of_runs(name, by, formulation):
 
 def oscillator() -> em.Model:
     x, u = dynamicsymbols("x u")
-    k, d = symbols("k d", positive=True)
+    k, d = symbols("k d", nonnegative=True)
     return em.Model(
         name="oscillator", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
         forces=[u - d * x.diff()], inputs={u: 0.0}, parameters={k: 4.0, d: 0.0}, initial={x: 1.0},

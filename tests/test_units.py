@@ -15,7 +15,8 @@ from .generation import FORMULATIONS, system_for
 from .honest import X, Y, plane
 from .models_table import BY_NAME
 
-L, M, G, X0, Y0 = symbols("L m g x_0 y_0", positive=True)
+L, M, G = symbols("L m g", positive=True)
+X0, Y0 = symbols("x_0 y_0", real=True)
 SWING, GRAVITY, SPAN = 0.9, 9.81, 10.0
 HUNG = {  # length and pivot, in units of the length
     "at the origin": (1.0, 0.0, 0.0),

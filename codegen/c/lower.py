@@ -12,7 +12,7 @@ from ..model.event import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, EventView, Named, Outline, Program, ShapeView, SwitchView
+from .program import BlockView, Declared, EventView, Named, Outline, Program, ShapeView, SwitchView
 from .roles import Kernels, Stages
 
 
@@ -20,11 +20,13 @@ from .roles import Kernels, Stages
 class Defaults:
     """The numbers of a model that the generated file carries.
 
-    parameters, inputs : name -> value; x, v : (n); y : (n) or (); events : name -> Event;
+    parameters, inputs : name -> value; declared : (parameters, x, inputs) or (), which numbers each may have,
+    as bits and in words; x, v : (n); y : (n) or (); events : name -> Event;
     switches : what changes with a mode; rows : names of constraint rows, () where none has one
     """
 
     parameters: tuple[tuple[str, float], ...]
+    declared: tuple[tuple[int, str], ...]
     inputs: tuple[tuple[str, float], ...]
     x: tuple[float, ...]
     v: tuple[float, ...]
@@ -63,7 +65,8 @@ def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
         n_memory=layout.n_memory, n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
         coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
-        inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
+        inputs=_named(defaults.inputs), declared=tuple(Declared(*one) for one in defaults.declared),
+        outputs=tuple(name for name, _ in mechanics.outputs),
         events=_events(scene, defaults), n_impacts=len(mechanics.impacts), pushes=mechanics.pushes, rows=defaults.rows,
         normals=tuple(tuple(int(row in rows) for row in range(scene.m)) for rows in mechanics.norms),
         resets=tuple(int(reset.quasi) for reset in mechanics.resets), switches=_switches(scene, defaults),

@@ -87,6 +87,14 @@ class Named:
 
 
 @dataclass(frozen=True, slots=True)
+class Declared:
+    """Which numbers a symbol may have: bits of em_assumptions.h, and in words."""
+
+    bits: int
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
 class EventView:
     """An event's name, direction and whether it ends the run; what it does.
 
@@ -188,6 +196,7 @@ class Outline:
     velocities: tuple[str, ...]
     parameters: tuple[Named, ...]
     inputs: tuple[Named, ...]
+    declared: tuple[Declared, ...]
     outputs: tuple[str, ...]
     events: tuple[EventView, ...]
     n_impacts: int

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from .assumptions import check_assumptions
 from .contacts import Contact, Friction
 from .degree import has_degree
 from .normalise import ModelError, name_of, nearest, shown, t
@@ -50,6 +51,7 @@ def check(model: Mechanism) -> None:
     _check_parameters(model)
     _check_names(model)
     _check_initial(model)
+    check_assumptions(model)
     _check_scales(model)
     check_symbols(model)
     _check_quasi_velocities(model)

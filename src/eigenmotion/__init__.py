@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
     from .running.stepper import Stepper as Stepper
+    from .runtime import EvaluationError as EvaluationError
     from .runtime import StopReason as StopReason
     from .system.system import System as System
 
@@ -44,6 +45,7 @@ _HOME = {
     "CompilerNotFoundError": ".building.errors",
     "Contact": ".codegen.model",
     "Ensemble": ".results.ensemble",
+    "EvaluationError": ".runtime",
     "Event": ".codegen.model",
     "Friction": ".codegen.model",
     "Linearization": ".linear.linearization",
@@ -70,6 +72,8 @@ _HOME = {
     "simulate_ensemble": ".ensembles.simulate_ensemble",
     "t": ".codegen.model",
 }
+
+__all__ = list(_HOME)  # what `from eigenmotion import *` gives
 
 
 def __getattr__(name: str) -> object:

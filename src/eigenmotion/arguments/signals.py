@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..codegen.model.normalise import ModelError, number, shown
+from ..runtime import CompiledModel
 from .names import Vector, by_name, is_named, vector
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
@@ -192,6 +193,15 @@ class Inputs:
             if min(start, end) < first or (signal.kind != "hold" and max(start, end) > last):
                 return k, f"is sampled on [{first:g}, {last:g}]"
         return None
+
+
+def check_samples(model: CompiledModel, inputs: Inputs) -> None:
+    """Raise EvaluationError where an input is given a value that its symbol was not declared to have."""
+    for k, signal in enumerate(inputs.signals if any(model.declared) else ()):
+        given = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Sampled) else (signal,)
+        u = np.array(model.input_defaults)
+        for u[k] in np.asarray(given, dtype=np.float64):
+            model.check_inputs(u)
 
 
 def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:

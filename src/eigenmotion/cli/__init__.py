@@ -93,7 +93,7 @@ def _exit_code(error: Exception) -> int:
         return MISTAKE
     if isinstance(error, em.BuildError):  # before ModelError: a missing compiler is both
         return FAILURE
-    return MISTAKE if isinstance(error, em.ModelError) else FAILURE
+    return MISTAKE if isinstance(error, em.ModelError | em.EvaluationError) else FAILURE
 
 
 def _words(error: Exception) -> str:
@@ -101,6 +101,6 @@ def _words(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}"
     if isinstance(error, MemoryError):
         return f"memory ran out ({error}). Ask for fewer rows, runs or values at a time"
-    if isinstance(error, em.BuildError | em.ModelError | OSError):
+    if isinstance(error, em.BuildError | em.ModelError | em.EvaluationError | OSError):
         return str(error)
     return f"{type(error).__name__}: {error} (internal; EIGENMOTION_DEBUG=1 shows where)"

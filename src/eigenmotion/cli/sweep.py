@@ -22,6 +22,7 @@ from eigenmotion.results import spread
 from eigenmotion.results.parts import Parts
 from eigenmotion.results.stores import STORES, arrays_of, check_names, finish, is_done, require
 from eigenmotion.running.methods import AUTO, METHODS
+from eigenmotion.runtime import EvaluationError
 from eigenmotion.system.system import System
 
 from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
@@ -112,7 +113,7 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
             whole = work.run(workers, executor)
         except KeyboardInterrupt:
             whole = False
-        except ModelError:
+        except (ModelError, EvaluationError):
             work.parts.give_up()
             raise
     if not whole:

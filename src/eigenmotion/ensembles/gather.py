@@ -7,9 +7,9 @@ import numpy as np
 
 from ..arguments.members import Column, Members
 from ..arguments.names import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
-from ..arguments.signals import Signal, as_signal
+from ..arguments.signals import Inputs, Signal, as_signal, check_samples
 from ..codegen.model.normalise import ModelError, shown
-from ..runtime import EvaluationError, Prepared
+from ..runtime import CompiledModel, EvaluationError, Prepared
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -102,6 +102,7 @@ def gather(system: "System", t: float, x0: Any, v0: Any, parameters: Any, inputs
     if isinstance(parameters, Prepared):
         parameters = np.array(system.prepare(parameters).parameters)
     p = found.table(parameters, c.parameters, c.parameter_defaults, "parameter")
+    _check_shared(c, p)
     x = found.table(x0, c.coordinates, c.initial_x, "coordinate of x0", "(0)")
     v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
     quick = _rates(system, v0)
@@ -117,6 +118,18 @@ def gather(system: "System", t: float, x0: Any, v0: Any, parameters: Any, inputs
     refused[list(reasons)] = True
     swept = {name: np.broadcast_to(column, count) for name, column in found.swept.items() if count > 1}
     return Members(count, P, X, V, signals, refused, reasons, swept)
+
+
+def _check_shared(c: CompiledModel, given: Table) -> None:
+    """Raise EvaluationError where a value that all members share is not such as its symbol was declared to have.
+
+    One of some members is their failure alone.
+    """
+    if isinstance(given, dict):
+        shared = {name: column for name, column in given.items() if column.size == 1}
+        c.check_parameters(_filled(shared, c.parameters, c.parameter_defaults)[0])
+    elif len(given) == 1:
+        c.check_parameters(given[0])
 
 
 def _rates(system: "System", v0: Any) -> bool:
@@ -169,8 +182,12 @@ def _signals(system: "System", inputs: Any, found: _Given) -> tuple[Column, ...]
     if not is_named(inputs):
         raise ModelError(f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values) or Signal")
     named = by_name(inputs, names, "input")
-    return tuple(_column(named[name], name, found) if name in named else float(default)
-                 for name, default in zip(names, defaults, strict=True))  # fmt: skip
+    columns = tuple(_column(named[name], name, found) if name in named else float(default)
+                    for name, default in zip(names, defaults, strict=True))  # fmt: skip
+    for k, column in enumerate(columns if any(system.compiled.declared) else ()):
+        for one in column if isinstance(column, list | np.ndarray) else (column,):
+            check_samples(system.compiled, Inputs((*defaults[:k].tolist(), one, *defaults[k + 1 :].tolist())))
+    return columns
 
 
 def _column(given: Any, name: str, found: _Given) -> Column:

@@ -78,7 +78,8 @@ static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
         "finished", "terminal event", "step size underflow", "too many steps", "the state is not finite",
         "singular mass matrix", "dependent constraints", "coincident eigenvalues", "position not reached", "interrupted",
         "out of memory", "eigenfactors drifted", "an event has no value", "energy drifted", "constraints drifted",
-        "no motion starts there", "events pile up", "an impact has no solution", "a reset leaves the constraints"};
+        "no motion starts there", "events pile up", "an impact has no solution", "a reset leaves the constraints",
+        "the model jumps", "a reset ends inside an impact", "a value that was not declared"};
     const size_t count = sizeof reasons / sizeof *reasons, status = (size_t)fault->status;
     const int row = fault->status == EM_DEPENDENT_CONSTRAINTS || fault->status == EM_POSITION_NOT_REACHED ||
                     fault->status == EM_CONSTRAINTS_DRIFTED;
@@ -125,6 +126,21 @@ static int em_unit_open(em_unit *unit) {
     return failed;
 }
 
+/* Whether a number is none of those that its symbol was declared to have; then words. */
+static int em_unit_refuses(em_unit *unit, unsigned reference, double value) {
+    const em_model *const m = unit->model;
+    const unsigned n = (unsigned)m->n, x = (unsigned)m->n_parameters, v = x + n, inputs = v + n;
+    em_fault fault;
+    if (m->declared == NULL || reference >= em_unit_given(m) || (reference >= v && reference < inputs)) return 0;
+    const unsigned place = reference < v ? reference : reference - n;
+    if (!em_refuse(m->declared, (int)place, 1, &value, &fault)) return 0;
+    const char *const name = reference < x        ? m->parameters[reference]
+                             : reference < inputs ? m->coordinates[reference - x]
+                                                  : m->inputs[reference - inputs];
+    snprintf(unit->words, sizeof unit->words, "%s = %.9g, but it was declared %s", name, value, m->declared[place].words);
+    return 1;
+}
+
 /* A number by its reference. 0, or -1 and words. */
 static int em_unit_set(em_unit *unit, unsigned reference, double value) {
     const size_t inputs = (size_t)(unit->model->n_parameters + 2 * unit->model->n);
@@ -134,6 +150,7 @@ static int em_unit_set(em_unit *unit, unsigned reference, double value) {
                                                                                : "no number that can be set");
         return -1;
     }
+    if (em_unit_refuses(unit, reference, value)) return -1;
     if (reference < inputs) em_unit_close(unit);
     unit->given[reference] = value;
     return 0;

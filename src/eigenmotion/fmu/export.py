@@ -173,6 +173,8 @@ def _unit(
     system: "System", texts: Mapping[str, str], method: Method, tolerances: tuple[float, ...], step: float
 ) -> Unit:
     variables = tuple(_variables(system))
+    for variable in variables:
+        _check_xml(system.name, variable.name)
     places = {v.name: k for k, v in enumerate(variables, 1)}
     if len(places) < len(variables):
         raise ModelError(f"{system.name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
@@ -193,6 +195,14 @@ def _unit(
         atol=atol,
         step=repr(step),
     )
+
+
+def _check_xml(model: str, name: str) -> None:
+    """Refuse a name that no XML holds as it is: control characters, and tabs and line ends, which become spaces."""
+    if any(ord(one) < 32 or 127 <= ord(one) < 160 or one in "\ufffe\uffff" for one in name):
+        raise ModelError(
+            f"{model}: {name!r} has a character that the description of a unit, which is XML, cannot hold. Rename it."
+        )
 
 
 def _variables(system: "System") -> Iterator[Variable]:

@@ -104,7 +104,7 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
 
 def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
     """What the scripts know of a parameter; modes of contacts are the run's to set, and have no slider."""
-    positive = bool(symbol.is_positive) and value > 0
+    positive = bool(symbol.is_nonnegative) and value > 0
     mode = any(symbol in (one.holds, one.slides, one.idles) for one in model.switches)
     return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
 

@@ -29,9 +29,12 @@ def start_state(
     ModelError
         One of them does not hold; says which coordinate or row, by how much, and which start would do. Or x is inside
         a contact.
+    EvaluationError
+        A coordinate is declared to have other values.
     """
     y = model.start(t, x, v, prepared, rtol, atol)
     if y is None:
+        model.check_start(x)
         y = _Start(model, prepared, t, x, v).examined(*forgiven(rtol, atol))
         _check_contacts(model, prepared, t, x, v, rtol, atol)
     if model.extrapolates:

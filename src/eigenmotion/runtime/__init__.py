@@ -5,7 +5,7 @@ from . import variations as variations
 from .faults import EvaluationError as EvaluationError
 from .faults import StopReason as StopReason
 from .faults import explain as explain
-from .faults import stiffness as stiffness
+from .held_back import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
 from .parts import RunInParts as RunInParts
 from .plain import forgiven as forgiven

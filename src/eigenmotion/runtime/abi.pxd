@@ -120,6 +120,10 @@ cdef extern from "eigenmotion.h" nogil:
         int width
         void (*run)(em_flock *) noexcept nogil
 
+    ctypedef struct em_declared:
+        int bits
+        const char *words
+
     ctypedef struct em_model:
         int abi
         const char *name
@@ -219,3 +223,4 @@ cdef extern from "eigenmotion.h" nogil:
         void (*break_partials)(const double *, double *) noexcept nogil
         void (*further)(em_method, void *) noexcept nogil
         void (*rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
+        const em_declared *declared

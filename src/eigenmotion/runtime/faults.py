@@ -37,6 +37,7 @@ class StopReason(StrEnum):
     MODEL_JUMPS = "model jumps"
     RESET_INSIDE = "reset inside an impact"
     CONTACTS_CLASH = "contacts clash"
+    VALUE_REFUSED = "value refused"
 
     @property
     def success(self) -> bool:
@@ -51,6 +52,16 @@ class EvaluationError(ArithmeticError, ValueError):
     ----------
     stop
         The kind of failure, as a run would report it.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> try:
+    ...     em.build(model).energy([0.0], [1.0], parameters={"l": -1.0})
+    ... except em.EvaluationError as error:
+    ...     print(error.stop)
+    value refused
     """
 
     def __init__(self, message: str, stop: StopReason) -> None:
@@ -146,6 +157,7 @@ _REMEDY = {
         "The choice of what holds, sticks or slides that comes closest misses the condition of {event}{other_too}. "
         "Lower the friction coefficient, or let the bodies give way a little."
     ),
+    StopReason.VALUE_REFUSED: "A value was given that its symbol was not declared to have.",
     StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
@@ -199,8 +211,6 @@ _SHARED = (
     "Leave out redundant ones, or state the normal force in the limit."
 )
 
-_MANY_STEPS = 1000  # below, nobody waits for them
-
 _CONTRADICTION = (
     "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
 )
@@ -235,25 +245,6 @@ def _words(stop: StopReason, first: int, second: int) -> str:
     if stop is StopReason.START_REFUSED and first >= 0:
         return _INSIDE
     return _VARIANTS.get((stop, second), _REMEDY[stop])
-
-
-def stiffness(held: int, steps: int, iterates: bool) -> str:
-    """Say that a scene is stiff, and what to do, where something else than their error kept most of many steps short.
-
-    Parameters
-    ----------
-    held
-        Steps that stability kept short, or the convergence of an iteration.
-    iterates
-        Whether the method finds its steps by iteration, which bears less than others.
-    """
-    if steps < _MANY_STEPS or 2 * held <= steps:
-        return ""
-    return (
-        f" The scene is stiff: about {held} of {steps} steps were kept short by "
-        f"{'an iteration that converges slowly' if iterates else 'stability'}, not by their error. Use "
-        f"{'dop853, or ' if iterates else ''}a stiff method, radau9 or radau5."
-    )
 
 
 def named_rows(names: Sequence[str], m: int) -> tuple[str, ...]:

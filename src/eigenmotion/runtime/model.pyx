@@ -10,6 +10,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
 from .arrays cimport Numbers, blank, given, zeros
+from .assumptions cimport em_refuse
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
 
@@ -17,6 +18,33 @@ cdef double ROUNDED = 1e-8  # about the root of a number's rounding
 
 cdef class CompiledModel(PointModel):
     """One `em_model`: its functions at one place, and here at many."""
+
+    @property
+    def declared(self):
+        """What parameters, coordinates and inputs were declared to be, in words, "" where anything; () where all are."""
+        cdef int count = 0 if self.model.declared == NULL else self.model.n_parameters + self.n + self.n_inputs
+        return tuple([self.model.declared[k].words.decode("utf-8") for k in range(count)])
+
+    cdef int refuse(self, int first, int count, values, str what) except -1:
+        cdef em_fault fault
+        cdef Numbers numbers
+        if self.model.declared != NULL and count > 0:
+            numbers = given(values, (count,), what)
+            if em_refuse(self.model.declared, first, count, numbers.data, &fault) != 0:
+                raise self.failure(&fault)
+        return 0
+
+    def check_parameters(self, values):
+        """Raise EvaluationError where one is not such as its symbol was declared to have (as `prepare` does)."""
+        self.refuse(0, self.model.n_parameters, values, "parameters")
+
+    def check_start(self, x):
+        """As `check_parameters`, x (n) of a start."""
+        self.refuse(self.model.n_parameters, self.n, x, "x")
+
+    def check_inputs(self, u):
+        """As `check_parameters`, u (n_inputs)."""
+        self.refuse(self.model.n_parameters + self.n, self.n_inputs, u, "inputs")
 
     def state_rows(self, t, x, v, Prepared c not None):
         """y (k, n_state), published meaning, eigenfactors continuous from row to row."""

@@ -15,7 +15,8 @@ from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em
 
 import numpy as np
 
-from .faults import EvaluationError, StopReason, explain, named_rows
+from .faults import EvaluationError, StopReason, named_rows
+from .refusals import told
 
 _REASONS = tuple(StopReason)
 
@@ -153,8 +154,7 @@ cdef class PointModel:
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
-        words = explain(stop, self.coordinates, fault.first, fault.second, fault.size, self.events, self.row_names)
-        return EvaluationError(f"{self.name}: {words}", stop)
+        return EvaluationError(f"{self.name}: {told(self, stop, fault.first, fault.second, fault.size)}", stop)
 
     # --- at one place; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 

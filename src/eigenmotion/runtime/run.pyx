@@ -13,7 +13,8 @@ from .record cimport modes_of, record
 
 import numpy as np
 
-from .faults import StopReason, explain, stiffness
+from .faults import StopReason, explain
+from .held_back import stiffness
 
 cdef tuple _REASONS = tuple(StopReason)
 cdef object _FINISHED = StopReason.FINISHED

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments.names import Vector, is_named, overlay, vector
 from ..arguments.options import least_norm_of
-from ..arguments.signals import Inputs, Signal, bind
+from ..arguments.signals import Inputs, Signal, bind, check_samples
 from ..codegen.model.normalise import ModelError, number, real
 from ..ensembles.open_steppers import steppers
 from ..linear.linearize import linearize
@@ -90,7 +90,8 @@ class System(Description):
         Raises
         ------
         EvaluationError
-            A block of M that no state changes is not positive definite.
+            A block of M that no state changes is not positive definite; or a value is none of those that its symbol was
+            declared to have (positive, integer, ...), names both.
         """
         if parameters is None:
             return self._defaults
@@ -131,7 +132,9 @@ class System(Description):
         """Return the inputs of a run: what is given, over the defaults."""
         if inputs is None:
             return self._inputs
-        return bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
+        bound = bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
+        check_samples(self._compiled, bound)
+        return bound
 
     def rhs(
         self,
@@ -169,7 +172,9 @@ class System(Description):
         """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
         if is_named(inputs) and any(isinstance(u, tuple | list | Signal) for _, u in inputs.items()):
             return self.bind(inputs).at(t)
-        return overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
+        u = overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
+        self._compiled.check_inputs(u)
+        return u
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.names import Vector
+from ...runtime import CompiledModel, EvaluationError
 from ...system.system import System
 
 SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
@@ -53,7 +54,25 @@ def draw(system: System, attempt: int) -> Places:
     idle = [idles for *_, idles in c.switches]
     p[:, modes], p[:, idle] = random.integers(0, 2, (k, len(modes))), 0.0
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
+    for row in p:
+        _keep_declared(c, row)
     return Places(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
+
+
+def _keep_declared(model: CompiledModel, p: Vector) -> None:
+    """Put numbers that parameters were not declared to have on the other side of 0, or back to their defaults."""
+    for k, own in enumerate(model.parameter_defaults.tolist() if any(model.declared) else ()):
+        p[k] = next(value for value in (p[k], -p[k], own) if _may_be(model, k, value))
+
+
+def _may_be(model: CompiledModel, k: int, value: float) -> bool:
+    alone = np.array(model.parameter_defaults)
+    alone[k] = value
+    try:
+        model.check_parameters(alone)
+    except EvaluationError:
+        return bool(value == model.parameter_defaults[k])
+    return True
 
 
 def _both_signs(random: np.random.Generator, sizes: Vector) -> Vector:

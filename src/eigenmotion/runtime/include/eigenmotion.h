@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 18 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 19 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -52,6 +52,12 @@ typedef struct em_act_limits {
 typedef struct em_pile {
     double t, count;
 } em_pile;
+
+/* Which numbers a symbol was declared to have, by which expressions were simplified: bits of em_assumptions.h, in words. */
+typedef struct em_declared {
+    int bits;
+    const char *words;
+} em_declared;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
  * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).
@@ -178,6 +184,7 @@ typedef struct em_model {
     /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
     void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);
     const char *const *rows; /* (m) names of constraint rows, "" of those without; NULL: none has one */
+    const em_declared *declared; /* (n_parameters + n + n_inputs) of parameters, x, inputs; NULL: any. prepare holds the first */
 } em_model;
 
 #endif

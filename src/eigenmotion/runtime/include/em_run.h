@@ -36,8 +36,10 @@ typedef enum em_status {
                                      fault.first; 1, phi of row fault.first; 2, the row of a contact that holds */
     EM_RESET_INSIDE,              /* a reset puts the state where an impact's phi is negative; fault.first: the event,
                                      fault.second: that of the impact, fault.size: phi */
-    EM_CONTACTS_CLASH             /* no mode of contacts and frictions is consistent; fault.first, fault.second: the events
+    EM_CONTACTS_CLASH,            /* no mode of contacts and frictions is consistent; fault.first, fault.second: the events
                                      of conditions that clash, -1: of a constraint; second = -2: too many modes to try */
+    EM_VALUE_REFUSED              /* a symbol was declared to have other numbers; fault.first: its place in em_model's
+                                     declared, fault.size: what it was given */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */

@@ -5,6 +5,7 @@
 #ifndef EM_START_H
 #define EM_START_H
 
+#include "em_assumptions.h"
 #include "em_breaks.h"
 #include "em_linear.h"
 #include "em_start_tolerance.h"
@@ -122,6 +123,7 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
                     double rtol, const double *atol, double *y) {
     em_fault fault;
+    if (model->declared && em_refuse(model->declared, model->n_parameters, model->n, x, &fault)) return 0;
     double L[model->n * model->n], r[model->n];
     if (!em_has_inertia(model, t, x, c, L, r) || !em_meets_constraints(model, t, x, v, c, L, r, rtol, atol)) return 0;
     if (em_inside_contact(model, t, x, v, c, rtol, atol) >= 0) return 0;
