@@ -25,7 +25,7 @@ def watched(contacts: Mapping[str, Contact | Friction], **fields: Any) -> Model:
         if isinstance(entry, Contact):
             outputs |= {f"{name}_gap": entry.gap, f"{name}_opens": entry.gap.diff(t, 2)}
         else:
-            on = Integer(-1) if entry.normal is None else Integer(row[entry.normal])
+            on = Integer(row[entry.normal]) if isinstance(entry.normal, str) else Integer(-1)
             outputs |= {f"{name}_slip": entry.slip, f"{name}_limit": entry.limit, f"{name}_on": on}
     return Model(contacts=dict(contacts), outputs=outputs, **fields)
 
