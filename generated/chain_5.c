@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
-/* input sha256:0506ee54a3c19fd207366e2d62591b27b9b329b4734ce46f7572381b4a1eb82f */
-/* body sha256:eb91163d51600e7a4bb99e2b66c448aa1800a6b0a4f03639fbd3b01828f306cc */
+/* input sha256:6bbbcf8677f055b932628a08180eff4ad8cf7573a6c8f3a2f34ed490ef046cfd */
+/* body sha256:eed9f5ddc76f9c7f051e58f05c0ba3c1b9f13dcdd1792f223ed5915c7439af1c */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1471,11 +1471,11 @@ static const em_declared declared[] = {
     {60, "positive"},
     {60, "positive"},
     {60, "positive"},
-    {60, "positive"},
-    {60, "positive"},
-    {60, "positive"},
-    {60, "positive"},
-    {60, "positive"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
+    {62, "nonnegative"},
     {63, ""},
     {63, ""},
     {63, ""},

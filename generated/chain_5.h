@@ -1,5 +1,5 @@
 /* eigenmotion generate chain.py */
-/* input sha256:0506ee54a3c19fd207366e2d62591b27b9b329b4734ce46f7572381b4a1eb82f */
+/* input sha256:6bbbcf8677f055b932628a08180eff4ad8cf7573a6c8f3a2f34ed490ef046cfd */
 /* body sha256:f2eed3f065d355a93c3f522ee76daa93befa7273d775907a788f4e9ddd1e358c */
 /* chain_5: 5 coordinates, 0 constraint rows, 40 states.
  * Link chain_5.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate chain.py
-# input sha256:0506ee54a3c19fd207366e2d62591b27b9b329b4734ce46f7572381b4a1eb82f
+# input sha256:6bbbcf8677f055b932628a08180eff4ad8cf7573a6c8f3a2f34ed490ef046cfd
 # body sha256:c649ed9140abf8b5eaac5e4ae5bd19cd83ebb7d9342b1472aebc5173f3d0214b
 # cython: language_level=3
 """chain_5, compiled: `system` is its System (eigenfactor)."""

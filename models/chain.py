@@ -28,7 +28,7 @@ from eigenmotion import Model, draw, t
 def model(n: int = 5) -> Model:
     """Return the chain of n links."""
     theta = dynamicsymbols(f"theta_1:{n + 1}")
-    masses, lengths = symbols(f"m_1:{n + 1}", positive=True), symbols(f"l_1:{n + 1}", positive=True)
+    masses, lengths = symbols(f"m_1:{n + 1}", positive=True), symbols(f"l_1:{n + 1}", nonnegative=True)
     g = symbols("g", real=True)
 
     x = y = T = V = Integer(0)

@@ -9,7 +9,8 @@ from eigenmotion import Contact, Friction, Model, System, t
 
 from .generation import system_for
 
-m, g, l, J, b, h, k, mu, al, wall, F = symbols("m g l J b h k mu al wall F", positive=True)
+m, l, J, b, h, k = symbols("m l J b h k", positive=True)
+g, mu, al, wall, F = symbols("g mu al wall F", real=True)
 x, y, p, q = dynamicsymbols("x y p q")
 
 

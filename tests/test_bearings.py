@@ -16,7 +16,8 @@ from .generation import FORMULATIONS, system_for
 G = 9.81
 TIGHT = {"rtol": 1e-10, "atol": 1e-12}
 x, y, phi = dynamicsymbols("x y phi")
-m, g, mu, r, I, F, R = symbols("m g mu r I F R", positive=True)
+m, g, mu, r, I, R = symbols("m g mu r I R", positive=True)
+F = symbols("F", real=True)
 
 
 # --- a shaft in a bearing ---

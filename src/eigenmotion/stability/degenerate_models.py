@@ -55,7 +55,7 @@ def _elastic_pendulum(theta: Expr, r: Expr, depth: Expr) -> tuple[Expr, Expr, di
 def quaternion_body() -> Model:
     """Return a heavy body with a fixed point in quaternions of unit length: omega = 2 G(q) q', M = 4 G^T J G."""
     a, b, c, d = q = dynamicsymbols("q_0:4")
-    J = symbols("J_1:4", positive=True)
+    J = symbols("J_1:4", nonnegative=True)
     weight = symbols("mgl", real=True)
     omega = 2 * Matrix([[-b, a, d, -c], [-c, -d, a, b], [-d, c, -b, a]]) * Matrix(q).diff()
     return Model(

@@ -114,7 +114,7 @@ def blade_and_slave(rows: int = 2) -> Model:
     For any part > 0 the motion is the same; for part = 0 the rows are dependent and z is free.
     """
     x, y, theta, z = dynamicsymbols("x y theta z")
-    m, J, m_z, b, a, part = symbols("m J m_z b a part", positive=True)
+    (m, J, m_z, b, a), part = symbols("m J m_z b a", positive=True), symbols("part", nonnegative=True)
     blade = sin(theta) * x.diff() - cos(theta) * y.diff()
     centre = (Matrix([x, y]) + b * Matrix([cos(theta), sin(theta)])).diff(t)
     carried = (Matrix([x, y]) + z * Matrix([cos(theta), sin(theta)])).diff(t)
