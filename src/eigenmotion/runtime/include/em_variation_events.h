@@ -5,7 +5,7 @@
  *     dz+ = D (dz- + f- dt) - f+ dt
  *
  * at fixed time, f the rates (v, a) before and after, D the derivative of what the events that act do to z (one where none
- * does), by the state, what is given and the time (em_saltation.h). */
+ * does), by the state, what is given and the time (em_strike_along.h). */
 #ifndef EM_VARIATION_EVENTS_H
 #define EM_VARIATION_EVENTS_H
 
