@@ -191,6 +191,7 @@ def of_records() -> Iterator[Case]:
     for kind, value in no_numbers().items():
         yield "Signal", "kind", kind, lambda value=value: em.Signal([0.0, 1.0], [0.0, 1.0], value)
         yield "Event", "direction", kind, lambda value=value: em.Event(q, direction=value)
+    for kind, value in no_numbers("text").items():  # that is the name of constraints
         yield "multiplier", "multiplier", kind, lambda value=value: em.multiplier(value)
     for kind, value in no_numbers("truth", "numpy truth").items():
         yield "Event", "terminal", kind, lambda value=value: em.Event(q, terminal=value)

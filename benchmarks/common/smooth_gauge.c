@@ -175,6 +175,7 @@ EM_ACROSS void model_events(double t, const double *x, const double *v, const do
 }
 
 #include "em_mechanics.h"
+#include "em_newton.h"
 #include "em_handle.h"
 
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault) {

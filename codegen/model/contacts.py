@@ -206,7 +206,7 @@ def switch_of(
 
 def normals_of(fields: Mapping[str, Any]) -> Normals:
     """Return which rows press, of the fields of a Model, with the rows of contacts or before they are made."""
-    known = dict(fields["parameters"])
+    known = [symbol for symbol, _ in fields["parameters"]]
     made = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
     contacts = sum(isinstance(entry, Contact) for entry in made)
     slips = sum(len(entry.slips) for entry in made if isinstance(entry, Friction))
