@@ -25,7 +25,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model
 
 angle = dynamicsymbols("angle")
-m, g = symbols("m g", positive=True)
+m, g = symbols("m", positive=True), symbols("g", nonnegative=True)
 
 def model(n: int = 1, tag: str = ""):
     return Model(name=f"swing{n}{tag}", coordinates=[angle], kinetic_energy=m * angle.diff() ** 2 / 2,

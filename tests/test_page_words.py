@@ -47,7 +47,7 @@ def test_sliders_begin_where_they_are_told_to():
 
 def test_modes_of_contacts_have_no_slider():
     told = about(em.load_model(MODELS / "bouncing_ball.py"), Run(), True)
-    assert [one["name"] for one in told["parameters"] if one["mode"]] == ["floor_held"]
+    assert [one["name"] for one in told["parameters"] if one["mode"]] == ["floor_held", "floor_idle"]
 
 
 def test_the_summary_is_the_first_line_of_the_docstring():

@@ -114,7 +114,7 @@ EM_COLD int em_redundant(double t, const double *x, const double *c, int *rows) 
     if (N_POSITIONS > 0 && em_newton_from_afar(t, near, c, EM_SHARED, &fault) < 0) return 0;
     if (em_lasting_at(t, near, c, &root, Delta)) return 0;
     const int rank = em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept);
-    if (rank == N_ROWS || (N_ROWS <= EM_MOST_ROWS && !em_follow_beside(t, near, c, kept, rank))) return 0;
+    if (rank == N_ROWS || ((int)N_ROWS <= (int)EM_MOST_ROWS && !em_follow_beside(t, near, c, kept, rank))) return 0;
     return em_rows_in_doubt(EM_SOME_ROWS, Delta, rows);
 }
 
