@@ -180,15 +180,21 @@ def test_what_a_slider_moves_off_the_loop_is_put_back_on_it(opened):
     assert float(shown) == pytest.approx(moved[1])
 
 
+def told_of(browser, name: str, value: str) -> str:
+    """Type a number into the field of a parameter, and read what is said of it."""
+    browser.ask(f"""(() => {{ const field = document.querySelector('input[type=number][data-name="{name}"]');
+        field.value = {value}; field.dispatchEvent(new Event("change")); }})()""")
+    browser.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    return str(browser.ask("document.querySelector('#word.failure').textContent"))
+
+
 def test_failures_are_shown_by_name(opened):
     browser = opened("dual_link")
-    browser.ask("""(() => { const field = document.querySelector('input[type=number][data-name="m3"]');
-        field.value = 0; field.dispatchEvent(new Event("change")); })()""")
-    browser.ask("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-    words = browser.ask("document.querySelector('#word.failure').textContent")
+    words = told_of(browser, "m3", "5e-324")  # positive, and its moment of inertia zero
     assert "singular mass matrix" in words
     assert "coordinate 'theta4'" in words
     assert "Give it inertia" in words
+    assert "not declared to have" in told_of(browser, "m3", "0")
 
 
 def test_a_loop_that_cannot_close_says_so_and_comes_back(opened):
