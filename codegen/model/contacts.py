@@ -277,8 +277,11 @@ def _friction(
 
 
 def _speed(slips: Sequence[sympy.Expr], slides: sympy.Symbol) -> sympy.Expr:
-    """Return the size of the slip of a cone, where it slides; elsewhere nothing asks for it, but it must not vanish."""
-    return sympy.sqrt(sympy.Add(*(slip**2 for slip in slips)) + 1 - slides)
+    """Return the size of the slip of a cone, where it slides; elsewhere nothing asks for it, but it must not vanish.
+
+    1 - slides stands as a square: bare it would be terms of the sum, where 1 takes the digits of a slip below 1e-8.
+    """
+    return sympy.sqrt(sympy.Add(*(slip**2 for slip in slips), (1 - slides) ** 2))
 
 
 def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:

@@ -1,0 +1,108 @@
+"""Where friction in a plane stops what slides: closed forms, by every method, whatever the tolerance and the units."""
+
+from functools import cache
+from itertools import product
+
+import numpy as np
+import pytest
+from sympy import symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion
+from eigenmotion import Friction, Model
+from eigenmotion.stability.cones import billiard_ball, rolls
+
+METHODS = ("radau5", "radau9", "auto", "dop853", "ra15")
+TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)
+RUNS = tuple(product(METHODS, TOLERANCES))
+x, y = dynamicsymbols("x y")
+m, f, F, G = symbols("m f F G", real=True)
+
+
+@cache
+def puck():
+    """Return a puck under a constant force (F, G), held back by a friction f."""
+    model = Model(
+        name="puck_in_a_plane",
+        coordinates=[x, y],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2,
+        forces={x: F, y: G},
+        contacts={"rub": Friction((x.diff(), y.diff()), f)},
+        parameters={m: 1.0, f: 3.0, F: 0.0, G: 0.0},
+    )
+    return eigenmotion.build(model)
+
+
+def stops(force, friction, speed, angle):
+    """Return when and where a puck of mass 1 stops: along the force and across.
+
+    At an angle p from the force, u = tan(p / 2), k = friction / force: speed = C u^k / sin p, and
+    dt = -speed dp / (force sin p).
+    """
+    u, k = np.tan(angle / 2), friction / force
+    C = speed * np.sin(angle) / u**k
+    t = C / (2 * force) * (u ** (k - 1) / (k - 1) + u ** (k + 1) / (k + 1))
+    along = C**2 / (4 * force) * (u ** (2 * k - 2) / (2 * k - 2) - u ** (2 * k + 2) / (2 * k + 2))
+    across = C**2 / (2 * force) * (u ** (2 * k - 1) / (2 * k - 1) + u ** (2 * k + 1) / (2 * k + 1))
+    return t, np.array([along, across])
+
+
+def run(method, rtol, length, v0, **parameters):
+    scaled = {name: value * length for name, value in parameters.items()}
+    return eigenmotion.simulate(
+        puck(), (0.0, 3.0), x0=[0.0, 0.0], v0=length * np.array(v0), method=method, rtol=rtol,
+        atol=1e-3 * rtol * length, parameters=scaled,
+    )  # fmt: skip
+
+
+def stopped_at(solution):
+    return solution.modes[-1][0]
+
+
+@pytest.mark.parametrize(("method", "rtol"), RUNS)
+@pytest.mark.parametrize("length", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("turned", [0.4636, -0.4636, np.pi / 2, np.pi, 3.6])
+def test_a_puck_stops_on_a_straight_line(method, rtol, length, turned):
+    way = np.array([np.cos(turned), np.sin(turned)])
+    solution = run(method, rtol, length, 1.1 * way, f=2.943)
+    assert solution.success, solution.message
+    assert not solution.v[:, -1].any()
+    np.testing.assert_allclose(solution.x[:, -1] / length, 1.1**2 / (2 * 2.943) * way, rtol=0, atol=10 * rtol)
+    np.testing.assert_allclose(stopped_at(solution), 1.1 / 2.943, rtol=0, atol=10 * rtol)
+
+
+@pytest.mark.parametrize(("method", "rtol"), RUNS)
+@pytest.mark.parametrize("length", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize(("force", "turned", "side"), [(1.0, 0.3, 1), (1.0, 2.0, -1), (-2.5, 0.0, 1), (2.8, 4.0, -1)])
+def test_a_puck_stops_under_a_side_force(method, rtol, length, force, turned, side):
+    """Its direction turns into that of the force, ever faster."""
+    way = np.sign(force) * np.array([np.cos(turned), np.sin(turned)])
+    across = side * np.array([-way[1], way[0]])
+    angle, speed = 1.2, 0.9
+    t, (far, aside) = stops(abs(force), 3.0, speed, angle)
+    v0 = speed * (np.cos(angle) * way + np.sin(angle) * across)
+    span = 1.5 * t
+    solution = eigenmotion.simulate(
+        puck(), (0.0, span), x0=[0.0, 0.0], v0=length * v0, method=method, rtol=rtol, atol=1e-3 * rtol * length,
+        parameters={"f": 3.0 * length, "F": abs(force) * way[0] * length, "G": abs(force) * way[1] * length},
+    )  # fmt: skip
+    assert solution.success, solution.message
+    assert not solution.v[:, -1].any()
+    np.testing.assert_allclose(solution.x[:, -1] / length, far * way + aside * across, rtol=0, atol=100 * rtol * far)
+    np.testing.assert_allclose(stopped_at(solution), t, rtol=0, atol=100 * rtol * t)
+
+
+@pytest.mark.parametrize(("method", "rtol"), RUNS)
+def test_a_ball_with_side_rolls(method, rtol):
+    """The point that touches stops on a straight line, the centre on a parabola."""
+    trial = rolls(0.2)
+    start = np.concatenate([trial.x0, trial.v0])
+    system = eigenmotion.build(billiard_ball())
+    times = np.append(0.0, trial.times)
+    solution = system.simulate(
+        (0.0, times[-1]), x0=trial.x0, v0=trial.v0, t_eval=times, method=method, rtol=rtol, atol=1e-3 * rtol
+    )
+    assert solution.success, solution.message
+    found = np.vstack([solution.x, solution.v]).T
+    right = trial.truth.rows(start, times, 0)
+    np.testing.assert_allclose(found, right, rtol=0, atol=100 * rtol * np.abs(right).max())
