@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -49,15 +50,15 @@ class Judged:
 
 @dataclass(frozen=True)
 class Start:
-    """What came of a start: `rows` at its time, the last after all impacts, and the row at the end.
+    """What came of a start: rows `struck`, after its impacts, `settled`, a moment later, `later`, until a mode changes.
 
-    None: `why` it was refused. `modes` is how many changes and impacts there were later. What is apart by rounding is
-    closed a moment later: the time of the start lasts so long.
+    None: `why` it was refused. What is apart by rounding is closed a moment later, and a slip that begins turns the way
+    it goes on; velocities are those of the last impact, since accelerations change them in a moment, too.
     """
 
-    rows: tuple[Row, ...]
-    end: Row | None
-    modes: int
+    struck: Row | None
+    settled: Row | None = None
+    later: tuple[Row, ...] = ()
     why: str = ""
 
 
@@ -94,28 +95,33 @@ def started(case: Case, formulation: str = "lagrange") -> Start:
     try:
         run = simulated(case, SPAN, formulation)
     except (ModelError, EvaluationError) as error:
-        return Start((), None, 0, str(error))
+        return Start(None, why=str(error))
     return of_run(case, run)
 
 
 def of_run(case: Case, run: Any) -> Start:
     """Read a run."""
-    rows = rows_of(case, run)
-    if rows[-1].t <= MOMENT and not run.success:
-        return Start((), None, 0, run.message)
-    times = run.t, [*(t for t, _ in run.modes), *np.concatenate(run.t_events)]
-    begun, modes = (sum(t / case.units[2] > MOMENT for t in one) for one in times)
-    return Start(tuple(rows[: len(rows) - begun]), rows[-1], modes, "" if run.success else run.message)
+    rows, moment = rows_of(case, run), MOMENT * case.units[2]
+    if run.t[-1] <= moment and not run.success:
+        return Start(None, why=run.message)
+    changes = np.array([run.t[0], *(t for t, _ in run.modes), *np.concatenate(run.t_events)])
+    struck, settled, ends = (
+        int(np.sum(run.t <= changes[changes <= moment].max())), int(np.sum(run.t <= moment)),
+        int(np.sum(run.t < changes[changes > moment].min(initial=np.inf))),
+    )  # fmt: skip
+    later = tuple(rows[settled : ends + 1])
+    return Start(rows[struck - 1], rows[settled - 1], later, "" if run.success else run.message)
 
 
 def judged(case: Case, start: Start) -> Judged:
     """Return what a start is worth."""
-    if not start.rows:
+    struck, now = start.struck, start.settled
+    if struck is None or now is None:
         return of_refusal(case.body, case.state, start.why)
-    now, after = start.rows[-1], velocities(case.body, case.state)
-    if not any(close(now.u, u) for u in after.found):
+    after = velocities(case.body, case.state)
+    if not any(close(struck.u, u) for u in after.found):
         if after.clear:
-            return Judged(Verdict.WRONG, f"velocities {now.u}, allowed {after.found}")
+            return Judged(Verdict.WRONG, f"velocities {struck.u}, allowed {after.found}")
         return Judged(Verdict.BLURRED, "velocities")
     one = here(case.body, state_of(now))
     missed = off(one, now.a[case.body.kept])
@@ -128,12 +134,13 @@ def judged(case: Case, start: Start) -> Judged:
 
 
 def follows(start: Start) -> bool:
-    """Whether what was said of accelerations is what velocities did, where no mode changed."""
-    now, end = start.rows[-1], start.end
-    if end is None or start.modes or end.t == now.t:
-        return True
-    change = end.u - now.u - (now.a + end.a) * (end.t - now.t) / 2
-    return bool(np.abs(change).max() <= 1e-4 * SPAN * (1 + np.abs(now.a).max() ** 2))
+    """Whether velocities have changed by what was said of accelerations, step by step, until a mode changes."""
+    rows = [row for row in (start.settled, *start.later) if row]
+    steps = [then.t - now.t for now, then in pairwise(rows)]
+    means = [(now.a + then.a) / 2 for now, then in pairwise(rows)]
+    missed = rows[-1].u - rows[0].u - sum(h * a for h, a in zip(steps, means, strict=True))
+    largest = max(np.abs(row.a).max() for row in rows)
+    return bool(np.abs(missed).max() <= 1e-4 * SPAN * (1 + largest**2))
 
 
 def of_refusal(body: Body, s: State, why: str) -> Judged:

@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 19 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 20 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -41,11 +41,12 @@ typedef struct em_switch {
 } em_switch;
 
 /* What a run knows where events act: its tolerances, rtol and atol (n); what rounding may leave of gaps and slips (n_events),
- * and how far inside its contacts the run has started, which are written as a mode begins. */
+ * how far inside its contacts the run has started, and what putting it outside has made of rates along rows (m), which are
+ * written as a mode begins. */
 typedef struct em_act_limits {
     double rtol;
     const double *atol;
-    double *rounding, *deep;
+    double *rounding, *deep, *stirred;
 } em_act_limits;
 
 /* How often an event acted at about one time: then when. */

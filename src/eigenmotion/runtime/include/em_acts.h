@@ -113,29 +113,33 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
 }
 
 /* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what it begins with. */
-EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k) {
+EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
     if (switches[k].cone) a->rounding[switches[k].event] = 8.0 * em_cone_stops(a, r, &switches[k]);
-    else if (!contact && em_is_at_rest(a, r, k)) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
+    else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
 /* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
 EM_COLD int em_settle_modes(em_acting *a) {
     em_state_of_switch before[EM_SOME_SWITCHES], after[EM_SOME_SWITCHES];
+    int rests[EM_SOME_SWITCHES];
     em_all_rows r;
     if (N_SWITCHES == 0) return 0;
     if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
     em_find_still(a, &r);
     if (em_stop_at_rest(a, &r)) return -1;
     em_mode_of(a->c, before);
-    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k);
+    for (int k = 0; k < N_SWITCHES; ++k) rests[k] = em_is_at_rest(a, &r, k);
     if (em_decide_mode(a, &r)) return -1;
     em_mode_of(a->c, after);
     for (int k = 0; k < N_SWITCHES; ++k)
         if (before[k].holds != after[k].holds || before[k].slides != after[k].slides || before[k].idles != after[k].idles)
             a->fired[switches[k].event] = 1;
     if (em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault)) return -1;
+    pfaffian(a->t, a->x, r.c, r.A, r.b);
+    em_rates_along(&r, a->v);
+    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k, rests[k]);
     for (int k = 0; k < N; ++k) a->v[k] += a->begins[k];
     return 0;
 }
@@ -184,7 +188,7 @@ EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
         if (inside < 1) return inside;
         if (em_push_out(r, a->x)) break;
         if (em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault)) return -1;
-        for (int row = 0; row < N_ROWS; ++row) a->still[row] = 2.0 * fabs(r->rate[row] - before[row]); /* of these changes */
+        for (int row = 0; row < N_ROWS; ++row) a->stirred[row] = fabs(r->rate[row] - before[row]);
     }
     return em_fail(a->fault, EM_START_REFUSED, em_first_inside(r), -1, NAN);
 }
@@ -225,8 +229,10 @@ EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u,
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
                    .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .deep = *within->deep,
                    .starts = em_none_fired(fired)};
+    memcpy(a.stirred, within->stirred, N_ROWS * sizeof *a.stirred);
     const int failed = em_act_on_all(&a, pile);
     *within->deep = a.deep;
+    memcpy(within->stirred, a.stirred, N_ROWS * sizeof *a.stirred);
     return failed;
 }
 

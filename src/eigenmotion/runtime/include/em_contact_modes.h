@@ -30,6 +30,7 @@ typedef struct em_acting {
     const double *atol;
     int starts;
     double deep;                       /* how far inside contacts it has started, rows at length one */
+    double stirred[EM_SOME_ROWS];      /* what putting it outside has made of rates */
     double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
     double begins[N], later;           /* the velocities with which cones begin to slide, of a moment later */
     int moved;                         /* whether velocities have jumped, or places */
@@ -46,10 +47,11 @@ EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, 
 }
 
 /* still <- what counts as no speed: rounding of the terms of the rates, now or before; what rows that hold have, as long as
- * nothing has moved them; at the start of a run a part of its tolerances, too, within which it is meant. */
+ * nothing has moved them; what putting it outside has left; at the start of a run a part of its tolerances, too, within which
+ * it is meant. */
 EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
     for (int row = 0; row < N_ROWS; ++row) {
-        a->still[row] = fmax(a->still[row], EM_RESTS * r->rate_terms[row]);
+        a->still[row] = fmax(a->still[row], fmax(EM_RESTS * r->rate_terms[row], 2.0 * a->stirred[row]));
         if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
     }
     for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {

@@ -31,7 +31,7 @@ static int em_act_on(em_walk *w, double t, double *row) {
     memcpy(c, run->prepared, N_PREPARED * sizeof *c);
     if (model_velocity(0, t, row, c, v, &w->reason)) return -1;
     em_signals(w, t);
-    const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->deep};
+    const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->deep, w->stirred};
     if (em_act(t, x, v, c, w->u, run->least_norm ? EM_LEAST_NORM : 0, &within, w->fired, w->pile, &w->reason)) return -1;
     w->t = t;
     return em_leg_begin(w, c) || state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;

@@ -96,6 +96,7 @@ static void em_commit(em_walk *w) {
     memcpy(w->side, w->side_new, sizeof w->side);
     w->fresh = 0;
     w->deep = 0.0;
+    memset(w->stirred, 0, sizeof w->stirred);
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece begins. */

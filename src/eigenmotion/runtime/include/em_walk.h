@@ -135,6 +135,7 @@ struct em_walk {
     double g[EM_SOME_EVENTS], g_new[EM_SOME_EVENTS];
     double noise[EM_SOME_EVENTS], zero[EM_SOME_EVENTS]; /* of g at the start of the run, and what is no more than 0 there */
     double rounding[EM_SOME_EVENTS], deep;     /* of gaps and slips as the leg begins; how far inside contacts the run starts */
+    double stirred[EM_ROWS_OR_ONE];            /* what putting it outside has made of rates */
     double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
     em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
     long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
