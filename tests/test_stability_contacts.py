@@ -7,16 +7,19 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
+from sympy import cos, sin, symbols, sympify
 
 from eigenmotion import Solution
-from eigenmotion.stability import Outcome, Variant, cones, contacts, described, examine
+from eigenmotion.stability import Outcome, Variant, bearings, cones, contacts, described, examine
 from eigenmotion.stability.by_pieces import Rocking, Rubbed
 from eigenmotion.stability.case import EXPLICIT, Case
 from eigenmotion.stability.conditions import missed
 from eigenmotion.stability.contact_models import painleves_rod
 from eigenmotion.stability.variants import CONTACTS
+from eigenmotion.stability.watched import watched
 
 from .generation import system_for
+from .oracles.bearings import Bearings, Rubs
 
 BY_DAY = ("brakes", "housner")
 
@@ -41,7 +44,7 @@ def test_contacts_are_right_in_some_cases(case):
 
 @pytest.mark.nightly
 @pytest.mark.usefixtures("hurried")
-@pytest.mark.parametrize("case", contacts.CASES, ids=lambda case: case.name)
+@pytest.mark.parametrize("case", [*contacts.CASES, *cones.CASES, *bearings.CASES], ids=lambda case: case.name)
 def test_contacts_are_right_in_all_cases(case):
     check(replace(case, variants=CONTACTS), case.values)
 
@@ -92,7 +95,7 @@ def jellett(psi: float, theta: float, turn: float, nod: float, spin: float) -> f
 
 @cache
 def slid() -> tuple[Any, Solution, dict[str, float]]:
-    trial, system = contacts.slides(0.5), system_for(painleves_rod(), "lagrange")
+    trial, system = contacts.slides(0.5), system_for(watched(painleves_rod()), "lagrange")
     run = system.simulate((0.0, 0.03), x0=trial.x0, v0=trial.v0, parameters=trial.parameters, rtol=1e-8, atol=1e-8)
     assert run.success
     return system, run, dict(trial.parameters)
@@ -100,7 +103,7 @@ def slid() -> tuple[Any, Solution, dict[str, float]]:
 
 def test_conditions_hold_in_a_run_that_is_right():
     system, run, parameters = slid()
-    assert missed(run, system, parameters) < 1e-7
+    assert missed(run, system, watched(painleves_rod()), parameters) < 1e-7
 
 
 @pytest.mark.parametrize("what", ["multipliers", "tip_gap", "tip_opens", "rub_slip"])
@@ -113,7 +116,68 @@ def test_a_missed_condition_is_seen(what):
     else:
         moved = -run.outputs[what] if what == "rub_slip" else run.outputs[what] - 0.1
         wrong["outputs"] = run.outputs | {what: moved}
-    assert missed(wrong, system, parameters) > 0.01
+    assert missed(wrong, system, watched(painleves_rod()), parameters) > 0.01
+
+
+@cache
+def rolled() -> tuple[Any, Solution, dict[str, float]]:
+    trial, system = cones.rolls(0.2), system_for(watched(cones.billiard_ball()), "lagrange")
+    run = system.simulate((0.0, 1.0), x0=trial.x0, v0=trial.v0, parameters=trial.parameters, rtol=1e-8, atol=1e-8)
+    assert run.success
+    assert len(run.modes) == 2
+    return system, run, dict(trial.parameters)
+
+
+def test_conditions_hold_of_a_cone_that_slides_and_sticks():
+    system, run, parameters = rolled()
+    assert missed(run, system, watched(cones.billiard_ball()), parameters) < 1e-7
+
+
+@pytest.mark.parametrize("what", ["rub_slip", "rub_aside", 1, 2])
+def test_a_missed_condition_of_a_cone_is_seen(what):
+    """What sticks slips, either way; or is held by more than its limit, either way."""
+    system, run, parameters = rolled()
+    wrong = Solution(run._source, dict(run))
+    if isinstance(what, str):
+        wrong["outputs"] = run.outputs | {what: run.outputs[what] + 0.1}
+    else:
+        wrong["multipliers"] = run.multipliers + np.where(np.arange(3) == what, 0.17 * 9.81 * 0.3, 0.0)[:, None]
+    assert missed(wrong, system, watched(cones.billiard_ball()), parameters) > 0.01
+
+
+def test_conditions_know_norms_of_reactions():
+    """Frictions that are pressed by two rows, behind rows of other constraints."""
+    trial, model = bearings.turns(0.2), watched(bearings.driven_slider())
+    system = system_for(model, "lagrange")
+    given = {"x0": trial.x0, "v0": trial.v0, "parameters": trial.parameters, "rtol": 1e-8, "atol": 1e-8}
+    run = system.simulate((0.0, 0.5), **given)
+    assert missed(run, system, model, dict(trial.parameters)) < 1e-7
+    wrong = Solution(run._source, dict(run))
+    wrong["outputs"] = run.outputs | {"rub_pin_slip": -run.outputs["rub_pin_slip"]}
+    assert missed(wrong, system, model, dict(trial.parameters)) > 0.01
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.5])
+def test_a_slider_turns_as_newtons_law_of_its_bodies_says(friction):
+    """Against all bodies' coordinates on their constraints, forces by SciPy's fsolve, signs of slip by events."""
+    trial = bearings.turns(friction)
+    x, v = symbols("phi X Y psi s w"), symbols("v0:6")
+    phi, X, Y, psi, s, w = x
+    z = {name: sympify(value) for name, value in bearings.SIZES.items()}
+    along, across = z["l"] / 2 * cos(psi), z["l"] / 2 * sin(psi)
+    rows = [X - along - z["a"] * cos(phi), Y - across - z["a"] * sin(phi), X + along - s, Y + across - w, w]
+    masses = [float(z[name]) for name in ("I", "m_2", "m_2", "I_2", "m_3", "m_3")]
+    forces = [z["drive"] - z["drag"] * v[0], 0, -9.81 * z["m_2"], 0, 0, -9.81 * z["m_3"]]
+    radii = bearings.RADII["r_pin"], bearings.RADII["r_end"]
+    rubs = [
+        Rubs(friction, v[4], (4,)), Rubs(friction * radii[0], v[3] - v[0], (0, 1)),
+        Rubs(friction * radii[1], v[3], (2, 3)),
+    ]  # fmt: skip
+    times = np.linspace(0.0, 0.6, 4)
+    oracle = Bearings(x, v, masses, [sympify(force) for force in forces], rows, rubs)
+    found = oracle.motion(np.append(trial.x0, trial.v0), times)[:12]
+    ours = trial.truth.rows(np.append(trial.x0, trial.v0), times, 0).T
+    assert ours == pytest.approx(found, abs=2e-8)
 
 
 def test_the_rod_slides_as_newtons_law_says():

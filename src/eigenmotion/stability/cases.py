@@ -1,6 +1,6 @@
 """All cases, by name."""
 
-from . import charts, contacts, degenerate, kinks, places, spans, stiffness
+from . import bearings, charts, cones, contacts, degenerate, kinks, places, spans, stiffness
 
 CASES = {
     case.name: case
@@ -12,5 +12,7 @@ CASES = {
         *degenerate.CASES,
         *spans.CASES,
         *contacts.CASES,
+        *bearings.CASES,
+        *cones.CASES,
     )
 }

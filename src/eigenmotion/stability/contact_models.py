@@ -1,10 +1,8 @@
-"""Mechanisms whose contacts close, open, stick and slide, with what `conditions` reads of them as outputs."""
+"""Mechanisms whose contacts close, open, stick and slide."""
 
-from collections.abc import Mapping
 from functools import cache
-from typing import Any
 
-from sympy import Expr, Integer, Matrix, cos, sin, symbols
+from sympy import Matrix, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..codegen.model import Contact, Friction, Model, t
@@ -12,22 +10,6 @@ from ..codegen.model import Contact, Friction, Model, t
 SLOW = 1e-6  # [m/s] rebounds no faster than that stay
 x, y, p = dynamicsymbols("x y p")
 m, g, J, b, h, mu = symbols("m g J b h mu", positive=True)
-
-
-def watched(contacts: Mapping[str, Contact | Friction], **fields: Any) -> Model:
-    """Return a model with outputs of its contacts: NAME_gap, NAME_opens; of frictions: NAME_slip, NAME_limit, NAME_on.
-
-    The last is the number of the contact whose force the limit is counted in, -1 where there is none.
-    """
-    outputs: dict[str, Expr] = {}
-    row = {name: k for k, name in enumerate(name for name, entry in contacts.items() if isinstance(entry, Contact))}
-    for name, entry in contacts.items():
-        if isinstance(entry, Contact):
-            outputs |= {f"{name}_gap": entry.gap, f"{name}_opens": entry.gap.diff(t, 2)}
-        else:
-            on = Integer(row[entry.normal]) if isinstance(entry.normal, str) else Integer(-1)
-            outputs |= {f"{name}_slip": entry.slip, f"{name}_limit": entry.limit, f"{name}_on": on}
-    return Model(contacts=dict(contacts), outputs=outputs, **fields)
 
 
 @cache
@@ -44,7 +26,7 @@ def box_on_slope() -> Model:
     """
     al = symbols("al", nonnegative=True)
     low, high = (_foot(side) for side in (1, -1))
-    return watched(
+    return Model(
         name="box_on_slope",
         coordinates=[x, y, p],
         kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
@@ -72,7 +54,7 @@ def drawer() -> Model:
     F, e, l, w = symbols("F e l w", positive=True)
     front = Matrix([x + l / 2 * cos(p) - w / 2 * sin(p), y + l / 2 * sin(p) + w / 2 * cos(p)])
     back = Matrix([x - l / 2 * cos(p) + w / 2 * sin(p), y - l / 2 * sin(p) - w / 2 * cos(p)])
-    return watched(
+    return Model(
         name="drawer",
         coordinates=[x, y, p],
         kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
@@ -89,7 +71,7 @@ def drawer() -> Model:
 def two_brakes() -> Model:
     """Return a mass driven by A sin(w t) that two brakes hold: one brake of both limits, whatever the share of each."""
     A, w, total, share = symbols("A w total share", positive=True)
-    return watched(
+    return Model(
         name="two_brakes",
         coordinates=[x],
         kinetic_energy=m * x.diff() ** 2 / 2,
@@ -104,7 +86,7 @@ def jaws() -> Model:
     """Return a block that two jaws press with less and less force P - k t: stuck as long as (mu_1 + mu_2) P > m g."""
     left, right = dynamicsymbols("left right")
     M, P, k, mu_1, mu_2 = symbols("M P k mu_1 mu_2", positive=True)
-    return watched(
+    return Model(
         name="jaws",
         coordinates=[left, x, right, y],
         kinetic_energy=M * (left.diff() ** 2 + right.diff() ** 2) / 2 + m * (x.diff() ** 2 + y.diff() ** 2) / 2,
@@ -123,7 +105,7 @@ def stopped() -> Model:
     """Return a mass driven by A sin(w t) on a rough floor, with a stop at x = 1: the row of both is the same."""
     A, w, limit = symbols("A w limit", positive=True)
     e, rest = symbols("e rest", nonnegative=True)
-    return watched(
+    return Model(
         name="stopped",
         coordinates=[x],
         kinetic_energy=m * x.diff() ** 2 / 2,
@@ -141,7 +123,7 @@ def painleves_rod() -> Model:
     """
     l = symbols("l", positive=True)
     tip = Matrix([x + l * sin(p), y - l * cos(p)])
-    return watched(
+    return Model(
         name="painleves_rod",
         coordinates=[x, y, p],
         kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + (l * p.diff()) ** 2 / 3) / 2,
@@ -156,7 +138,7 @@ def painleves_rod() -> Model:
 def rocking_block() -> Model:
     """Return Housner's block, homogeneous, which rocks from corner to corner and does not slide; p turns it left."""
     left, right = (Matrix([x + s * b * cos(p) + h * sin(p), y + s * b * sin(p) - h * cos(p)]) for s in (-1, 1))
-    return watched(
+    return Model(
         name="rocking_block",
         coordinates=[x, y, p],
         kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + (b**2 + h**2) / 3 * p.diff() ** 2) / 2,
@@ -187,7 +169,7 @@ def woodpecker() -> Model:
     bird = (y + l_M * phi_M + l_G * phi_S).diff(t)
     edge = (y + r_M * phi_M).diff(t)
     spun = J_M * phi_M.diff() ** 2 + J_S * phi_S.diff() ** 2
-    return watched(
+    return Model(
         name="woodpecker",
         coordinates=[y, phi_M, phi_S],
         kinetic_energy=(m_M * y.diff() ** 2 + m_S * bird**2 + spun) / 2,

@@ -22,6 +22,7 @@ from .expected import Expected, expected_of
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
 from .variants import Variant
+from .watched import watched
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,10 +52,11 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
         Generated code does not compile.
     """
     known = planted or {}
+    model = watched(case.model(value))
     built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
     expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
     chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
-    cells = tuple(_cell(case, expected, built[variant], variant, method) for variant, method in chosen)
+    cells = tuple(_cell(case, model, expected, built[variant], variant, method) for variant, method in chosen)
     return Examined(
         case.name, expected.trial.label, expected.how, expected.error, expected.kappa, expected.trial.periods, cells
     )
@@ -63,7 +65,7 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
 def program(case: Case, value: float, variant: Variant) -> System | str:
     """Return the compiled program, or why there is none."""
     try:
-        return _built(case.model(value), tuple(variant.build.items()), case.flags)
+        return _built(watched(case.model(value)), tuple(variant.build.items()), case.flags)
     except BuildError:  # code that does not compile is no answer to a user
         raise
     except ModelError as error:
@@ -76,7 +78,9 @@ def _built(model: Model, options: tuple[tuple[str, str], ...], flags: str | None
     return build(model, flags=flags, **chosen)
 
 
-def _cell(case: Case, expected: Expected, system: System | str, variant: Variant, method: str) -> Cell:
+def _cell(
+    case: Case, model: Model, expected: Expected, system: System | str, variant: Variant, method: str
+) -> Cell:  # fmt: skip
     tolerance = case.tolerances[method]
     blank = Cell(case.name, expected.trial.label, variant.label, method, tolerance)
     if isinstance(system, str):
@@ -95,10 +99,10 @@ def _cell(case: Case, expected: Expected, system: System | str, variant: Variant
     if not solution.modes:
         return compared
     at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
-    return _watched(compared, missed(at_every_step, system, expected.trial.parameters))
+    return _with_conditions(compared, missed(at_every_step, system, model, expected.trial.parameters))
 
 
-def _watched(compared: Cell, by: float) -> Cell:
+def _with_conditions(compared: Cell, by: float) -> Cell:
     """Return a cell whose contacts and frictions miss their conditions by so much."""
     if compared.bound is None or by <= compared.bound:
         return compared
