@@ -100,12 +100,30 @@ EM_COLD void em_find_released(em_acting *a) {
     for (int k = 0; k < N_SWITCHES; ++k) a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
 }
 
-/* v <- with no speed along the rows at rest, but rounding. 0, or -1 and *fault. */
+/* Whether anything may press on a friction: a contact at rest, a constraint, or what its limit is made of. */
+EM_COLD int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
+    const int norm = em_norm_of(friction);
+    int switched[EM_SOME_ROWS] = {0};
+    if (norm < 0) return friction->over < 0 || em_is_at_rest(a, r, friction->over);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        switched[switches[k].row] = 1;
+        if (em_is_contact(&switches[k]) && em_is_among(norm, switches[k].row) && em_is_at_rest(a, r, k)) return 1;
+    }
+    for (int row = 0; row < N_ROWS; ++row)
+        if (!switched[row] && em_is_among(norm, row)) return 1;
+    return 0;
+}
+
+/* v <- with no speed along the rows at rest, but rounding; a friction on a contact that opens stops nothing. 0, or -1 and
+ * *fault. */
 EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     double c[N_PREPARED + 1];
     memcpy(c, a->c, N_PREPARED * sizeof *c);
-    for (int k = 0; k < N_SWITCHES; ++k) mode[k] = (em_state_of_switch){em_is_at_rest(a, r, k), 0, 0.0};
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const int stops = em_is_at_rest(a, r, k) && (em_is_contact(&switches[k]) || em_may_rub(a, r, &switches[k]));
+        mode[k] = (em_state_of_switch){stops, 0, 0.0};
+    }
     if (em_set_mode(c, mode, a->fault)) return -1;
     if (em_project_velocity(a->t, a->x, a->v, c, EM_LEAST_NORM, a->fault)) return -1;
     em_rates_along(r, a->v);
