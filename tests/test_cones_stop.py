@@ -5,6 +5,8 @@ from itertools import product
 
 import numpy as np
 import pytest
+import sympy
+from scipy.integrate import solve_ivp
 from sympy import symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -106,3 +108,64 @@ def test_a_ball_with_side_rolls(method, rtol):
     found = np.vstack([solution.x, solution.v]).T
     right = trial.truth.rows(start, times, 0)
     np.testing.assert_allclose(found, right, rtol=0, atol=100 * rtol * np.abs(right).max())
+
+
+# --- a disc that rubs beside its middle ---
+
+J, r = symbols("J r", positive=True)
+p = dynamicsymbols("p")
+OUTSET = np.array([0.0, 0.0, 0.3])
+SETS_OUT = ((0.0, 1.2, -0.4, -5.0), (-0.7, 1.2, -0.4, -5.0), (0.7, -0.9, 3.3, 1.1), (1.3, -2.6, 0.4, -2.8))
+
+
+@cache
+def disc():
+    slips = x.diff() - r * sympy.sin(p) * p.diff(), y.diff() + r * sympy.cos(p) * p.diff()
+    model = Model(
+        name="disc_with_a_foot",
+        coordinates=[x, y, p],
+        kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2 + J * p.diff() ** 2 / 2,
+        forces={x: F},
+        contacts={"rub": Friction(slips, f)},
+        parameters={m: 1.0, J: 0.2, r: 0.5, f: 3.0, F: 0.0},
+    )
+    return eigenmotion.build(model)
+
+
+def slip_of(z):
+    return z[3:5] + 0.5 * z[5] * np.array([-np.sin(z[2]), np.cos(z[2])])
+
+
+@cache
+def until_it_stops(force, *v0):
+    """Return when its slip is 1e-7, and the state there, by SciPy."""
+
+    def rates(_, z):
+        way = slip_of(z) / np.hypot(*slip_of(z))
+        push = force - 3.0 * way[0], -3.0 * way[1]
+        torque = -3.0 * 0.5 * (np.cos(z[2]) * way[1] - np.sin(z[2]) * way[0])
+        return np.array([*z[3:], *push, torque / 0.2])
+
+    def stops(_, z):
+        return np.hypot(*slip_of(z)) - 1e-7
+
+    stops.terminal = True
+    run = solve_ivp(rates, (0.0, 5.0), [*OUTSET, *v0], "DOP853", rtol=1e-12, atol=1e-13, events=stops)
+    assert run.status == 1
+    return run.t[-1], run.y[:, -1]
+
+
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15", "radau5", "radau9"])
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8])
+@pytest.mark.parametrize("start", SETS_OUT)
+def test_a_slip_that_is_a_difference_of_speeds_stops(method, rtol, start):
+    """However small atol is, and by methods whose steps would go to and fro over no slip."""
+    force, *v0 = start
+    t, state = until_it_stops(*start)
+    run = eigenmotion.simulate(
+        disc(), (0.0, t + 0.1), x0=OUTSET, v0=v0, parameters={"F": force}, method=method, rtol=rtol, atol=1e-3 * rtol,
+        t_eval=[0.0, t, t + 0.1], max_steps=5000,
+    )  # fmt: skip
+    assert run.success, run.message
+    found = np.append(run.x[:, 1], run.v[:, 1])
+    assert found == pytest.approx(state, abs=100 * rtol * np.abs(v0).max())

@@ -134,7 +134,7 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
 EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
-    if (switches[k].cone) a->rounding[switches[k].event] = 8.0 * em_cone_stops(a, r, &switches[k]);
+    if (switches[k].cone) a->rounding[switches[k].event] = 4.0 * em_cone_stops(a, r, &switches[k]);
     else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
