@@ -88,17 +88,19 @@ def test_a_ball_rolls_at_the_end_and_a_top_keeps_jelletts_constant():
     trial = cones.rolls(0.2)
     x, y, _, alpha, beta = trial.truth.rows(np.append(trial.x0, trial.v0), np.array([0.0, 1.0]), 0)[-1, 5:]
     assert (x, y) == pytest.approx((cones.BALL * beta, -cones.BALL * alpha))
-    top = cones.turns_over(0.1)
+    top = cones.turns_over(0.08)
     found = top.truth.rows(np.append(top.x0, top.v0), np.append(0.0, top.times), 0)
     constants = [jellett(*row[3:5], *row[9:12]) for row in found]
     assert np.ptp(constants) < 1e-12 * abs(constants[0])
+    assert found[:, 4].min() < 0.2
+    assert found[-1, 4] > 1.4
 
 
 def jellett(psi: float, theta: float, turn: float, nod: float, spin: float) -> float:
     s, c = np.sin(theta), np.cos(theta)
     e1, e3 = np.array([np.cos(psi), np.sin(psi), 0]), np.array([s * np.sin(psi), -s * np.cos(psi), c])
-    L = 8e-7 * (nod * e1 + turn * s * np.cross(e3, e1)) + 7e-7 * (spin + turn * c) * e3
-    return float(L @ (0.003 * e3 - [0, 0, cones.TOP]))
+    L = cones.INERTIA * (nod * e1 + turn * s * np.cross(e3, e1) + (spin + turn * c) * e3)
+    return float(L @ (cones.OFF * e3 - [0, 0, cones.TOP]))
 
 
 @cache

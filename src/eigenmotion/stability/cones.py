@@ -1,5 +1,6 @@
-"""The cases of friction in a plane: a billiard ball that slides and rolls, a tippe top that begins to turn over."""
+"""The cases of friction in a plane: a billiard ball that slides and rolls, a tippe top that turns over."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -17,6 +18,8 @@ from .variants import CONTACTS
 
 m, g, mu = symbols("m g mu", positive=True)
 G, BALL, TOP = 9.81, 0.03, 0.02  # [m/s^2], radii [m]
+OFF, INERTIA = 0.4 * TOP, 0.4 * 0.006 * TOP**2  # of the top: its centre of mass is off [m]; inertias of a full sphere
+TILT, SPIN = 0.3, 100.0  # [rad], [rad/s]
 
 
 @cache
@@ -59,8 +62,8 @@ def tippe_top() -> Model:
             "floor": Contact(z + a * cos(theta) - R, rest=SLOW),
             "rub": Friction((slip[0], slip[1]), mu, "floor"),
         },
-        parameters={m: 0.006, g: G, mu: 0.3, A: 8e-7, C: 7e-7, R: TOP, a: 0.003},
-        initial={theta: 0.1, phi.diff(): 155.0, z: TOP - 0.003 * np.cos(0.1)},
+        parameters={m: 0.006, g: G, mu: 0.06, A: INERTIA, C: INERTIA, R: TOP, a: OFF},
+        initial={theta: TILT, phi.diff(): SPIN, z: TOP - OFF * np.cos(TILT)},
     )
 
 
@@ -88,7 +91,7 @@ def rolls(friction: float) -> Trial:
 
 def turns_over(friction: float) -> Trial:
     """The top in x, y, three angles while it slips; the force of the floor from z = R - a cos theta."""
-    p = {"m": 0.006, "A": 8e-7, "C": 7e-7, "a": 0.003}
+    p = {"m": 0.006, "A": INERTIA, "C": INERTIA, "a": OFF}
 
     def shown(found: Vector) -> Vector:
         x, theta, v, w = found[:, :2], found[:, 3:4], found[:, 5:7], found[:, 8:9]
@@ -98,11 +101,12 @@ def turns_over(friction: float) -> Trial:
     keep = [0, 1, 3, 4, 5, 6, 7, 9, 10, 11]
     scale = np.array([0.01, 0.01, 1, 1, 1, 0.1, 0.1, 10, 10, 100.0])
     inner = Integrated(lambda _, z: top_rates(z, friction, **p), scale)
-    x0 = np.array([0.0, 0.0, TOP - p["a"] * np.cos(0.1), 0.0, 0.1, 0.0])
-    v0 = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 155.0])
-    return _trial(
-        f"{friction:g}", {"mu": friction}, x0, v0, 0.006 / friction, Followed(inner, lambda start: start[keep], shown)
-    )
+    x0 = np.array([0.0, 0.0, TOP - OFF * np.cos(TILT), 0.0, TILT, 0.0])
+    v0 = np.array([0.0, 0.0, 0.0, 0.0, 0.0, SPIN])
+    truth = Followed(inner, lambda start: start[keep], shown)
+    return replace(
+        _trial(f"{friction:g}", {"mu": friction}, x0, v0, 2.5, truth), nearby=True
+    )  # on the floor all the same
 
 
 def top_rates(state: Extended, friction: float, m: float, A: float, C: float, a: float) -> Extended:
@@ -139,7 +143,8 @@ CASES = (
     ),
     Case(
         "tippe_top", "A tippe top",
-        "Spun on its round side it begins to turn over, slipping on the floor ever less, and sideways.",
-        "friction coefficient", (0.02, 0.1, 0.3), lambda _: tippe_top(), turns_over, variants=CONTACTS, reduced=(0.3,),
+        "Spun on its round side it rights itself, then turns over, here by up to 1.4 rad, and slips all along.",
+        "friction coefficient", (0.04, 0.06, 0.08), lambda _: tippe_top(), turns_over, variants=CONTACTS,
+        reduced=(0.06,),
     ),
 )  # fmt: skip

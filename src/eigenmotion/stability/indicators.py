@@ -45,7 +45,8 @@ def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
     t, x, v = (np.ascontiguousarray(rows) for rows in (solution.t, solution.x.T, solution.v.T))
     periods = (t - trial.start) * (trial.periods or 1.0) / (abs(float(trial.times[-1]) - trial.start) or 1.0)
     drift = _energy_drift(trial, system, t, x, v) if trial.conserves else None
-    phi = np.abs(solution.position_residual).max(axis=0) / np.abs(x).max(axis=0).sum() if system.h else None
+    size = max(float(np.abs(x).max(axis=0).sum()), _TINY)
+    phi = np.abs(solution.position_residual).max(axis=0) / size if system.h else None
     return Indicators(
         energy=_largest(drift),
         constraint=_largest(_constraint(trial, system, t, x, v)) if system.m else None,
