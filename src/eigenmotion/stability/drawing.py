@@ -102,6 +102,7 @@ def _key(points: Sequence[Examined]) -> str:
 
 def _figure(width: float, height: float) -> tuple[Any, Any]:
     figure = blank(width, height)
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     return figure, figure.add_subplot()
 
 
@@ -112,7 +113,8 @@ def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> 
     axes.add_patch(Rectangle(corner, 0.94, 0.88, facecolor=_FACE[outcome], linewidth=0.0))
     if hatch := _HATCH[outcome]:
         axes.add_patch(Rectangle(corner, 0.94, 0.88, fill=False, hatch=hatch, edgecolor="#FFFFFF", linewidth=0.0))
-    shown = axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome])
+    behind = {"facecolor": _FACE[outcome], "linewidth": 0.0, "pad": 1.0} if hatch and text else None
+    shown = axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome], bbox=behind)
     shown.set_in_layout(False)
 
 
