@@ -21,15 +21,15 @@ TOLERANCE = 1e-6
 
 
 def with_modes(case: Case, run: Any) -> Iterator[tuple[Row, Mapping[str, float]]]:
-    """Yield rows with their modes; of two rows at one time the first is of the mode before.
+    """Yield rows with their modes; of rows at one time the first is of the mode before, the last of that after.
 
-    Where a run ends for a reason, nothing is decided yet.
+    Between the two are modes that last no time. Where a run ends for a reason, nothing is decided yet.
     """
     rows, modes = rows_of(case, run), list(run.modes)
     for k, (row, t) in enumerate(zip(rows, run.t, strict=True)):
-        last = k + 1 == len(rows) or run.t[k + 1] > t
+        first, last = k == 0 or run.t[k - 1] < t, k + 1 == len(rows) or run.t[k + 1] > t
         before = [mode for since, mode in modes if since < t or (last and since <= t)]
-        if before and (run.success or t < run.t[-1]):
+        if before and (first or last) and (run.success or t < run.t[-1]):
             yield row, before[-1]
 
 

@@ -146,6 +146,7 @@ EM_COLD int em_settle_modes(em_acting *a) {
     if (N_SWITCHES == 0) return 0;
     if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
     em_find_still(a, &r);
+    em_find_parts(a);
     if (em_stop_at_rest(a, &r)) return -1;
     em_mode_of(a->c, before);
     for (int k = 0; k < N_SWITCHES; ++k) rests[k] = em_is_at_rest(a, &r, k);
@@ -219,7 +220,9 @@ EM_COLD int em_approaches(const em_acting *a, const em_all_rows *r) {
 }
 
 EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
+    em_pile before[N_EVENTS];
     em_all_rows r;
+    memcpy(before, pile, sizeof before);
     if (em_check_pile(a, pile)) return -1;
     if (N_SWITCHES > 0 || N_IMPACTS > 0) {
         if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
@@ -227,6 +230,7 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
         if (a->starts && em_put_outside(a, &r)) return -1;
         em_find_closed(a, &r);
         em_find_still(a, &r);
+        em_find_landed(a, &r, before);
         if (a->starts && em_approaches(a, &r)) return 0; /* the impact comes first, as an event */
         if (!a->starts && em_strike_all(a, &r)) return -1;
     }

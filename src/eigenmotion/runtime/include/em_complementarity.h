@@ -198,7 +198,7 @@ EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
     if (s->tried > EM_MOST_TRIED) return 0;
     if (left == 0) {
         for (int i = 0; bars && i < s->k; ++i)
-            if (em_is_choice_row(s, i) && s->choice[i] == s->barred[i]) return 0;
+            if (em_is_choice_row(s, i) && s->choice[i] == s->barred[i] && !em_is_unloaded(s, i)) return 0;
         return em_is_consistent(s);
     }
     for (int i = from; i + left <= s->k; ++i) {

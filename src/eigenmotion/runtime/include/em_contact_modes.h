@@ -37,6 +37,7 @@ typedef struct em_acting {
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
     double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
+    double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not part, where no blow has parted them */
 } em_acting;
 
 /* What a change of x (or of v: the same units apart) within tolerances makes of a row. */
@@ -93,13 +94,45 @@ EM_COLD int em_push_out(const em_all_rows *r, double *x) {
     return 0;
 }
 
+/* Whether what idled has gone its own way by as much as it may be off: no row keeps it any more. */
+EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
+    const em_switch *const s = &switches[k];
+    if (s->cone || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
+    return (em_is_contact(s) ? r->gap[s->row] : a->c[s->slides] * r->rate[s->row]) >= 0.5 * a->c[s->idles];
+}
+
+/* parts <- `rest` of contacts on their way: what opens no faster, and still touches as something happens, stays in contact.
+ * Else what comes down ever sooner does so by less than rounding tells. */
+EM_COLD void em_find_parts(em_acting *a) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    if (a->starts || a->moved) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) a->parts[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
+}
+
+/* What comes down no faster than `rest`, and has not left what rounding leaves of its gap since it fired last, is at rest: what
+ * comes down ever sooner ends so. A flight that ends with this rate is a quarter of it, times how long it was, high. */
+EM_COLD void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    if (a->starts) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const int row = switches[k].row;
+        const em_pile last = before[switches[k].event];
+        if (!em_is_contact(&switches[k]) || !a->closed[k] || last.count == 0.0) continue;
+        const double high = 0.25 * fabs(r->rate[row]) * fabs(a->t - last.t);
+        if (-r->rate[row] <= level[EM_LEVELS * k] && high <= EM_TOUCHES * r->gap_terms[row])
+            a->still[row] = fmax(a->still[row], -r->rate[row]);
+    }
+}
+
 /* Whether a row has no speed: it held and nothing has moved it, its slip has just stopped or its gap closed (where a rate opens
  * it all the same, the motion is back within what is rounded), or what there is is rounding. */
 EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
-    if (em_is_contact(s) && !a->closed[k]) return 0;
-    return (came && !a->moved) || em_along_switch(s, r->rate) <= em_along_switch(s, a->still);
+    if ((em_is_contact(s) && !a->closed[k]) || em_has_left(a, r, k)) return 0;
+    return (came && !a->moved) || em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->still), a->parts[k]);
 }
 
 /* The problem of what may hold at rest. 0, or -1 and *fault. */

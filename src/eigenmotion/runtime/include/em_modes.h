@@ -67,8 +67,9 @@ EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const d
     double a[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     int some = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
+        double *const own = g + switches[k].event;
         some |= em_holds(&switches[k], c);
-        g[switches[k].event] += c[switches[k].idles];
+        *own = c[switches[k].idles] + (em_is_idle(&switches[k], c) && !switches[k].cone ? -fabs(*own) : *own);
     }
     if (!some) return 0;
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
