@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
-/* body sha256:a9497728134d0497a42f0062cdc44e05ce4807e8ebfde4903b6241a7ff29358c */
+/* body sha256:0134abe1d4eab9ee5f558703ff0b18890d595fec530b5a3aa78b3977136331ee */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -255,15 +255,13 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[1] = em_sign(theta_dot)*sqrt(theta_dot*theta_dot + c_4);
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     const double tau = c[3];
     level[0] = tau;
-    const double theta_dot = v[0];
-    level[1] = theta_dot;
-    level[2] = tau;
+    level[1] = tau;
 }
 
 #endif
@@ -399,8 +397,7 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[5] = 1.0;
-    D[12] = 1.0;
-    D[27] = 1.0;
+    D[16] = 1.0;
 }
 
 #endif
@@ -697,7 +694,7 @@ const em_model clock_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration,
+    .acceleration = em_acceleration_shown,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

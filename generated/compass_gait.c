@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400 */
-/* body sha256:9b9c137e4e97836f433895a8d6e4da23474e772db35ffe016f47948565cbc2a7 */
+/* body sha256:c9f013a002b598ef8fe3fb807ec4d013baba3d7b6c86c90fee6b440375854a54 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -418,7 +418,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[3] = z_9*c_14*z_12;
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b */
-/* body sha256:148f8592500312bd5ddc533e4f0d32be590252493eab913f85a5757a919b3cd0 */
+/* body sha256:c5c603c436b64b0914493e2d8aab73e6b3e88429206c53adae91f45e57a0cbf0 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -262,7 +262,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[1] = theta_dot*c_5;
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {

@@ -21,7 +21,7 @@ from eigenmotion.stability.watched import watched
 from .generation import system_for
 from .oracles.bearings import Bearings, Rubs
 
-BY_DAY = ("brakes", "housner")
+BY_DAY = ("brakes", "housner", "jams")
 
 
 def check(case: Case, values: tuple[float, ...]) -> None:

@@ -59,11 +59,6 @@ class Contact:
         if self.law not in LAWS:
             raise ModelError(f"law of a contact is {shown(self.law)}. Give one of {', '.join(LAWS)}.")
 
-    @property
-    def measure(self) -> sympy.Expr:
-        """What tells where it is: the gap."""
-        return self.gap
-
 
 @dataclass(frozen=True, slots=True)
 class Friction:
@@ -113,11 +108,6 @@ class Friction:
     def slips(self) -> tuple[sympy.Expr, ...]:
         """One, or the two of a cone."""
         return self.slip if isinstance(self.slip, tuple) else (self.slip,)
-
-    @property
-    def measure(self) -> sympy.Expr:
-        """What tells which way it slides: the slip."""
-        return self.slips[0]
 
 
 @dataclass(frozen=True, slots=True)

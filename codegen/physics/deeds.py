@@ -87,10 +87,8 @@ class Deeds:
                 places = (*model.coordinates, *(ys if quasi else model.rates))
                 yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
 
-    def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr, sympy.Expr]]:
-        """Yield, switch by switch, up to which level it holds, the gap or slip, and up to which force it sticks."""
-        contacts = dict(self.model.contacts)
+    def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
+        """Yield, switch by switch, up to which level it holds, and up to which force it sticks."""
         for switch in self.model.switches:
-            found = switch.level, contacts[switch.name].measure, switch.at_rest
-            level, measure, at_rest = (self.to_sympy(self.node(expression)) for expression in found)
-            yield level, measure, at_rest
+            level, at_rest = (self.to_sympy(self.node(expression)) for expression in (switch.level, switch.at_rest))
+            yield level, at_rest

@@ -44,7 +44,7 @@ class Mechanics:
     impacts, resets : what events do
     P : (m + r, n); multipliers, and r norms of them, push with -P^T (lambda, rho): A, less what forces take (friction)
     norms : (r,) of which multipliers each rho is the root of the sum of squares
-    levels : (level, what it is held against: the gap, or the slip, the limit at rest) of each switch of the model
+    levels : (level, the limit at rest) of each switch of the model
     """
 
     name: str
@@ -73,7 +73,7 @@ class Mechanics:
     resets: tuple[Reset, ...]
     P: sympy.ImmutableDenseMatrix
     norms: tuple[tuple[int, ...], ...]
-    levels: tuple[tuple[sympy.Expr, sympy.Expr, sympy.Expr], ...]
+    levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
     @property
     def pushes(self) -> bool:

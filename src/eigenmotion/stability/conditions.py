@@ -18,6 +18,9 @@ from ..codegen.model.contacts import Switch
 from ..results.solution import Solution
 from ..system.system import System
 
+_UNMOVED = 1e-6
+"""A mechanism that has moved by less is at rest where its coordinates vanish: they have no size, its gaps have."""
+
 
 def missed(solution: Solution, system: System, model: Model, parameters: Mapping[str, float]) -> float:
     """Return by how much a condition is missed at most, relative to the largest force, gap or slip of the run.
@@ -71,7 +74,7 @@ class _Watched:
         """Yield what each condition is missed by."""
         gaps, opens = (self.outputs(self.contacts, end) for end in ("_gap", "_opens"))
         slips, held, stuck = self.slips(), self.held == 1, self.stuck == 1
-        size = _size(self.solution.x)
+        size = max(_size(self.solution.x), _UNMOVED)
         yield _largest(-gaps) / size
         yield _largest(np.abs(gaps[held])) / size
         yield _largest(np.abs(opens[held])) / max(_size(opens), 1.0)

@@ -13,7 +13,7 @@
 #include "em_complementarity.h"
 #include "em_norms.h"
 
-enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 3 /* limit of sliding, gap or slip, limit at rest */ };
+enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 2 /* limit of sliding, limit at rest */ };
 
 EM_COLD int em_is_contact(const em_switch *s) { return s->slides < 0; }
 
@@ -77,8 +77,21 @@ EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const d
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
         if (!em_holds(s, c)) continue;
-        const double limit = em_is_contact(s) ? 0.0 : em_limit(s, level[EM_LEVELS * k + 2], lambda);
+        const double limit = em_is_contact(s) ? 0.0 : em_limit(s, level[EM_LEVELS * k + 1], lambda);
         g[s->event] = em_is_contact(s) ? -lambda[s->row] : limit - em_along_switch(s, lambda);
+    }
+    return 0;
+}
+
+/* em_model.acceleration: multipliers of idle frictions are what they push with, as if their rows held: so modes show them. */
+EM_ACROSS int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
+                                    int least_norm, double *a, double *lambda, em_fault *fault) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
+    levels(t, x, v, c, u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        if (!em_is_contact(s) && !s->cone && em_is_idle(s, c)) lambda[s->row] = c[s->slides] * em_limit(s, level[EM_LEVELS * k], lambda);
     }
     return 0;
 }
@@ -185,7 +198,7 @@ EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const doub
         s->rooted[row] = norm >= 0;
         for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_STRUCK_ROWS + j] = em_is_among(norm, j);
         (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
-        (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 2]);
+        (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 1]);
     }
 }
 

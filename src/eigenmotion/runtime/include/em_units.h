@@ -79,6 +79,8 @@ int em_act_along(double t, double *x, double *v, double *c, const double *u, int
                  int columns, double *S, const double *P, em_fault *fault);
 int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
                    em_fault *fault);
+int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                          double *a, double *lambda, em_fault *fault);
 void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
 

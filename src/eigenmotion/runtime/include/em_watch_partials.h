@@ -37,7 +37,7 @@ EM_COLD int em_watch_partials(double t, const double *x, const double *v, const 
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
         if (em_holds(s, c))
-            em_switch_partials(s, lambda, dlambda, level[EM_LEVELS * k + 2], dlevel + (EM_LEVELS * k + 2) * N_ARGUMENTS,
+            em_switch_partials(s, lambda, dlambda, level[EM_LEVELS * k + 1], dlevel + (EM_LEVELS * k + 1) * N_ARGUMENTS,
                                D + s->event * N_ARGUMENTS);
     }
     return 0;
