@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:4e77346be5abf3a7f0fe4d15f59885874f78e36aee412330700bde3f765b0ca6 */
-/* body sha256:3bf306c033d883b2bb3dd97248898cad35fc309c5bd5649d271e4dcf830e51f2 */
+/* body sha256:1b390c2ed41814a2004872b2cf359de6d97e5028fef23cc84e97aab1cc51f0c9 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -245,13 +245,15 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     const double c_3 = c[14];
     level[0] = c_3;
-    level[1] = c_3;
+    const double s_dot = v[0];
+    level[1] = s_dot;
+    level[2] = c_3;
 }
 
 #endif
@@ -376,10 +378,11 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
     const double sin_alpha = em_sin(alpha);
     D[4] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
     D[5] = em_select(z_3, 0.0, cos_alpha*z_0);
-    D[12] = em_select(z_3, 0.0, g*z_2);
-    D[13] = em_select(z_3, 0.0, m*z_2);
-    D[14] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
-    D[15] = em_select(z_3, 0.0, cos_alpha*z_0);
+    D[11] = 1.0;
+    D[22] = em_select(z_3, 0.0, g*z_2);
+    D[23] = em_select(z_3, 0.0, m*z_2);
+    D[24] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
+    D[25] = em_select(z_3, 0.0, cos_alpha*z_0);
 }
 
 #endif
@@ -495,9 +498,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0, 6, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -676,7 +678,7 @@ const em_model block_on_incline_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration_shown,
+    .acceleration = em_acceleration,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:4ccfdc25acb995c3d82d6089c9b4ae7ffd8a5fc10e59f870870da0aa12f3d616 */
+/* body sha256:66eea802084f844c9075db02df9b6bdd0b1d6f09bd3209c0a1fe8430c00da2d1 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -265,12 +265,14 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
-    level[1] = 0.0;
+    const double z = x[1];
+    level[1] = z;
+    level[2] = 0.0;
 }
 
 #endif
@@ -375,6 +377,7 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
+    D[12] = 1.0;
 }
 
 #endif
@@ -483,9 +486,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -670,7 +672,7 @@ const em_model bouncing_ball_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration_shown,
+    .acceleration = em_acceleration,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

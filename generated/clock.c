@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
-/* body sha256:0134abe1d4eab9ee5f558703ff0b18890d595fec530b5a3aa78b3977136331ee */
+/* body sha256:dae087f9f5711c2014e842c9f6df24c27d306553fc712deb3e97f27c5a2dd180 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -255,13 +255,15 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[1] = em_sign(theta_dot)*sqrt(theta_dot*theta_dot + c_4);
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     const double tau = c[3];
     level[0] = tau;
-    level[1] = tau;
+    const double theta_dot = v[0];
+    level[1] = theta_dot;
+    level[2] = tau;
 }
 
 #endif
@@ -397,7 +399,8 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[5] = 1.0;
-    D[16] = 1.0;
+    D[12] = 1.0;
+    D[27] = 1.0;
 }
 
 #endif
@@ -509,9 +512,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0, 7, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -694,7 +696,7 @@ const em_model clock_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration_shown,
+    .acceleration = em_acceleration,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400 */
-/* body sha256:c9f013a002b598ef8fe3fb807ec4d013baba3d7b6c86c90fee6b440375854a54 */
+/* body sha256:cccca6de6c2b1903d7ecd373ea999eda787b0af2e4352cc515224b954b86338f */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -418,7 +418,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[3] = z_9*c_14*z_12;
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
@@ -872,9 +872,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:b7b2f2f815633c0c13ec47b71b8d50d30eeb9cbde0c35a3d76e313769a9245db */
-/* body sha256:b5c6524c97ad4856d49a497c58164c58dc5d49bd3b7453e1094822949e0deb83 */
+/* body sha256:f84273d84e6ed446dc2ae493c9e342f6ff0b99c0baa9d4bf6fe81143132a3c58 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -355,7 +355,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
@@ -638,9 +638,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, -1, 1, 1}, {1, -1, -1, 1, 1}, {2, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)

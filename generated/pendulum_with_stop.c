@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:b44ef6b31bf1b97df0a8fc11e904ff67a8797029c5ee104a80e2ef00721a809e */
-/* body sha256:94504f7b1dadeff2b1ef98990e8e29f34b310dd627dd952f748d4ec750030278 */
+/* body sha256:17dee87c29016e90b2c63efea5286fbba7969bd5bd83bc42ee72faed94d61dcc */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -247,12 +247,16 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
-    level[1] = 0.0;
+    const double l = c[1];
+    const double theta = x[0];
+    const double stop = c[4];
+    level[1] = l*(theta - stop);
+    level[2] = 0.0;
 }
 
 #endif
@@ -386,6 +390,12 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
+    const double l = c[1];
+    D[10] = l;
+    const double theta = x[0];
+    const double stop = c[4];
+    D[13] = theta - stop;
+    D[16] = -l;
 }
 
 #endif
@@ -505,9 +515,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; whether it is a
- * cone */
-EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0, 0}, {-1, -1, -1, -1, -1, -1, 0, 0} };
+ * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+EM_ACROSS const em_switch switches[] = { {0, 5, -1, -1, 0, 6, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -689,7 +698,7 @@ const em_model pendulum_with_stop_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration_shown,
+    .acceleration = em_acceleration,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -21,11 +21,11 @@ def compiled_from(path: Path) -> bool:
     return path.suffix == ".c" and path.with_suffix(".pyx").exists()
 
 
-def test_no_file_is_longer_than_300_lines():
+def test_no_file_is_longer_than_500_lines():
     files = written(".py", ".pyi", ".pyx", ".pxd", ".h", ".c", ".jinja", ".js", ".css")
     lengths = {file: len(file.read_text(encoding="utf-8").splitlines()) for file in files if not compiled_from(file)}
     assert len(lengths) > 500
-    assert not {str(file.relative_to(ROOT)): length for file, length in lengths.items() if length > 300}
+    assert not {str(file.relative_to(ROOT)): length for file, length in lengths.items() if length > 500}
 
 
 def test_generated_c_is_no_wider_than_120_columns():

@@ -112,7 +112,7 @@ def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
     return tuple(
         SwitchView(events[one.name], place[one.holds.name], place[one.slides.name] if one.slides else -1,
                    _over(scene, one, number), one.row + (scene.h if one.slides else 0),
-                   place[one.idles.name], int(one.law == "poisson"), int(one.cone))
+                   place[one.idles.name], int(one.law == "poisson"), place[one.shift[0].name] if one.cone else -1)
         for one in defaults.switches
     )  # fmt: skip
 

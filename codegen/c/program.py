@@ -120,7 +120,8 @@ class SwitchView:
 
     slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none, -2 - k: norm k of multipliers
     idles : the place of how far the row may be off where others keep it
-    poisson : whether it strikes by Poisson's law; cone : whether it has two rows, the other behind this one
+    poisson : whether it strikes by Poisson's law
+    shift : of a cone, which has two rows, the other behind this one: the place of the first of its two shifts; else -1
     """
 
     event: int
@@ -130,7 +131,7 @@ class SwitchView:
     row: int
     idles: int
     poisson: int
-    cone: int
+    shift: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +241,12 @@ class Outline:
     @property
     def switched_rows(self) -> str:
         """The bits of the rows that hold at times."""
-        return f"{sum((1 + 2 * switch.cone) << switch.row for switch in self.switches):#x}"
+        return f"{sum((1 + 2 * (switch.shift >= 0)) << switch.row for switch in self.switches):#x}"
+
+    @property
+    def cones(self) -> bool:
+        """Whether some friction is a cone."""
+        return any(switch.shift >= 0 for switch in self.switches)
 
     @property
     def turning(self) -> tuple[BlockView, ...]:

@@ -118,26 +118,31 @@ class Switch:
     holds : the parameter that is 1 while its constraint row holds; slides : 1 or -1, the sign of slip, while it slides,
     else 0; None where there is no friction
     idles : the parameter that is not 0 where other rows keep it at rest: how far it may be off then
+    shift : the two parameters that are added to the slips of a cone to find its direction, or ()
     over : the name of the contact whose multiplier its level is counted in, or None
     presses : the rows whose multipliers it is counted in, by the root of the sum of their squares, or ()
     row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
     level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
     at_rest : up to which force a friction sticks; of a contact, 0
     law : of a contact's impacts, "newton" or "poisson"; of a friction ""
-    cone : whether it is a friction of two slips, whose second row is the next
     """
 
     name: str
     holds: sympy.Symbol
     slides: sympy.Symbol | None
     idles: sympy.Symbol
+    shift: tuple[sympy.Symbol, ...]
     over: str | None
     presses: tuple[int, ...]
     row: int
     level: sympy.Expr
     at_rest: sympy.Expr
     law: str
-    cone: bool = False
+
+    @property
+    def cone(self) -> bool:
+        """Whether it is a friction of two slips, whose second row is the next."""
+        return bool(self.shift)
 
 
 def _slip(given: Any) -> sympy.Expr | tuple[sympy.Expr, ...]:
@@ -184,14 +189,13 @@ def switch_of(
     normals: Normals,
 ) -> Switch:
     """Return what a contact or friction was made into, of which the rows are among these."""
-    holds, slides, idles = _parameters(name, entry)
+    holds, slides, idles, *shift = _parameters(name, entry)
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
         over, presses = normals.of(name, entry.normal)
-        cone = len(entry.slips) > 1
-        return Switch(name, holds, slides, idles, over, presses, row, entry.limit, entry.sticking, "", cone)
-    return Switch(name, holds, slides, idles, None, (), row, entry.rest, sympy.Integer(0), entry.law)
+        return Switch(name, holds, slides, idles, tuple(shift), over, presses, row, entry.limit, entry.sticking, "")
+    return Switch(name, holds, slides, idles, (), None, (), row, entry.rest, sympy.Integer(0), entry.law)
 
 
 def normals_of(fields: Mapping[str, Any]) -> Normals:
@@ -222,15 +226,21 @@ def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sy
     return made
 
 
-def _parameters(name: str, entry: Contact | Friction) -> tuple[sympy.Symbol, sympy.Symbol | None, sympy.Symbol]:
+def _parameters(name: str, entry: Contact | Friction) -> tuple[Any, ...]:
+    """Return what holds, slides (None: a contact), idles; of a cone the shifts of its slips, too."""
     idles = sympy.Symbol(f"{name}_idle")
     if isinstance(entry, Contact):
         return sympy.Symbol(f"{name}_held"), None, idles
-    return sympy.Symbol(f"{name}_stuck"), _slides(name), idles
+    return sympy.Symbol(f"{name}_stuck"), _slides(name), idles, *_shift(name, entry)
 
 
 def _slides(name: str) -> sympy.Symbol:
     return sympy.Symbol(f"{name}_slides")
+
+
+def _shift(name: str, friction: Friction) -> tuple[sympy.Symbol, ...]:
+    count = len(friction.slips)
+    return tuple(sympy.Symbol(f"{name}_shift{k + 1}") for k in range(count if count > 1 else 0))
 
 
 def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, Any]:
@@ -250,12 +260,16 @@ def _friction(
 ) -> dict[str, Any]:
     holds, slides = _parameters(name, friction)[0], _slides(name)
     slips, force = list(map(in_rates, friction.slips)), friction.limit * normals.force(name, friction.normal)
-    along = [slip / _speed(slips, slides) if len(slips) > 1 else sympy.Integer(1) for slip in slips]
+    shift = _shift(name, friction)
+    shifted = [slip + by for slip, by in zip(slips, shift, strict=True)] if shift else slips
+    along = [slip / _speed(shifted, slides) if shift else sympy.Integer(1) for slip in shifted]
     rows = [
         sum(part * slip.diff(x.diff()) for part, slip in zip(along, slips, strict=True)) for x in made["coordinates"]
     ]
     pushes = [-slides * force * row for row in rows]
-    passes = friction.slip if len(slips) == 1 else _speed(friction.slips, slides)
+    passes = (
+        _speed([slip + by for slip, by in zip(friction.slips, shift, strict=True)], slides) if shift else friction.slip
+    )
     return {
         "nonholonomic_constraints": (
             *made["nonholonomic_constraints"],

@@ -140,16 +140,31 @@ def independent(
     return rows, offsets
 
 
-def roots(equations: Sliding) -> np.ndarray:
-    """Return accelerations (r, n) of all solutions found by Newton's method from a grid of angles."""
+def slopes(equations: Sliding, angles: np.ndarray) -> np.ndarray:
+    """Return d across / d angles (B, k, k)."""
+    residual = equations.across(angles)
+    return np.stack([(equations.across(angles + 1e-7 * row) - residual) / 1e-7 for row in np.eye(angles.shape[1])], -1)
+
+
+def unstable(equations: Sliding, angles: np.ndarray) -> np.ndarray:
+    """Return (B,) whether motions near the one that begins so leave it, by any power of the time since.
+
+    A slip s = |w| tau d that is off by an angle turns by d angle / d log tau = across / (w . d): where that grows, the
+    solution is one of a continuum that all begin at rest, and rounding chooses.
+    """
+    along = np.einsum("bkd,bkd->bk", unit(angles), equations.slips(angles))
+    return np.linalg.eigvals(slopes(equations, angles) / along[..., None]).real.max(axis=1, initial=-1.0) > 0.0
+
+
+def roots(equations: Sliding) -> tuple[np.ndarray, bool]:
+    """Return accelerations (r, n) of all solutions that Newton's method finds from a grid, and whether all are stable."""
     k = len(equations.turned)
     grid = 2 * np.pi * (np.arange(STARTS[k]) + 0.3) / STARTS[k]
     angles = np.stack(np.meshgrid(*[grid] * k, indexing="ij"), axis=-1).reshape(-1, k)
     for _ in range(ROUNDS):
         angles = angles[np.isfinite(angles).all(axis=1)]
         residual = equations.across(angles)
-        J = np.stack([(equations.across(angles + 1e-7 * row) - residual) / 1e-7 for row in np.eye(k)], axis=-1)
-        step = divided(J, residual)
+        step = divided(slopes(equations, angles), residual)
         angles = angles - step * np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1, keepdims=True), 1e-300))
     angles = angles[np.isfinite(angles).all(axis=1)]
     slips = equations.slips(angles)
@@ -157,7 +172,7 @@ def roots(equations: Sliding) -> np.ndarray:
     good = (np.abs(equations.across(angles)).max(axis=1) < HOLDS * size) & (
         np.einsum("bkd,bkd->bk", unit(angles), slips) > 0
     ).all(axis=1)
-    return equations.accelerations(angles[good])
+    return equations.accelerations(angles[good]), not unstable(equations, angles[good]).any()
 
 
 def all_of(problem: Problem) -> Answer:
@@ -165,20 +180,22 @@ def all_of(problem: Problem) -> Answer:
 
     Where forces are not unique a polygon stands for a disc, and what that leaves open is not clear.
     """
-    found, clear = list(enumerated(problem).found), enumerated(problem).clear
+    found, clear, stable = list(enumerated(problem).found), enumerated(problem).clear, True
     for mode, sliding in all_modes(problem):
         try:
             one = equations(problem, mode, sliding)
         except BlurredError:
             clear = False
             continue
-        for a in () if one is None else roots(one):
+        accelerations, alone = ((), True) if one is None else roots(one)
+        stable &= alone
+        for a in accelerations:
             if not any(same(a, other.a) for other in found):
                 unknown = np.full(len(problem.c), np.nan), np.full(sum(len(rub.rows) for rub in problem.rubs), np.nan)
                 found.append(Found(a, *unknown, mode, -off(problem, a), unique_forces=False))
     inner = [off(problem, one.a, within=True) for one in found if one.margin >= -HOLDS]
     verdict = answer([one for one in found if one.margin >= -NEAR])
-    return Answer(verdict.found, clear and verdict.clear and max(inner, default=0.0) <= NEAR)
+    return Answer(verdict.found, clear and verdict.clear and max(inner, default=0.0) <= NEAR, stable)
 
 
 def solutions(problem: Problem) -> Answer:

@@ -75,6 +75,7 @@ class Answer:
 
     found: tuple[Found, ...]
     clear: bool
+    stable: bool = True
 
     @property
     def count(self) -> int:

@@ -169,7 +169,7 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
 def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
     """Return the task as it is run, and the rows whose multipliers are not unique from its start."""
     depend, rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)
-    if not depend and task.least_norm == options.SHARED_FROM_START:
+    if not depend and task.least_norm == options.SHARED_FROM_START and not task.model.has_cones:
         task = task._replace(least_norm=options.DEPENDENT["refuse"])
     return task, rows
 

@@ -63,7 +63,7 @@ cdef extern from "eigenmotion.h" nogil:
         int row
         int idles
         int poisson
-        int cone
+        int shift
 
     ctypedef struct em_pile:
         double t

@@ -99,7 +99,7 @@ cdef class CompiledModel(PointModel):
 
     def shares(self, double t, x, Prepared c not None, int asked):
         """What becomes of dependent rows at one state, em_dependent: from the start is there, or nowhere."""
-        if asked != EM_SHARED_FROM_START or self.m == 0:
+        if asked != EM_SHARED_FROM_START or self.m == 0 or self.has_cones: # of which some modes share
             return asked
         return EM_SHARED if self.redundant(t, x, c)[0] else EM_REFUSED
 

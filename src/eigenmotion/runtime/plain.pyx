@@ -128,7 +128,7 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
             return None
         u = signals.data
     a, multipliers = zeros(model.vector), zeros((model.m,))
-    if least_norm == EM_SHARED_FROM_START and model.m > 0: # from the start is there
+    if least_norm == EM_SHARED_FROM_START and model.m > 0 and not model.has_cones: # from the start is there
         least_norm = EM_SHARED if redundant_at(model, at, q.data, c) else EM_REFUSED
     if model.model.acceleration(at, q.data, w.data, c, u, least_norm, a.data, multipliers.data, &fault) != 0:
         raise model.failure(&fault)

@@ -13,6 +13,7 @@ cdef class PointModel:
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
     cdef readonly bint acts  # events change the state, or what holds
+    cdef readonly bint has_cones  # frictions in a plane, of which some modes share forces
     cdef readonly bint augmented
     cdef readonly bint flocks  # runs of an ensemble go in lanes
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales

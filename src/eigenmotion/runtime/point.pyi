@@ -38,7 +38,8 @@ class PointModel:
     layout: tuple[tuple[str, int, int], ...]
     block: tuple[int, ...]
     acting: tuple[bool, ...]
-    switches: tuple[tuple[int, int, int, int], ...]
+    switches: tuple[tuple[int, int, int, int, int], ...]
+    has_cones: bool
     acts: bool
     shapes: tuple[tuple[str, int, int], ...]
     quasi_velocities: tuple[str, ...]

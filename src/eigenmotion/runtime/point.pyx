@@ -132,6 +132,7 @@ cdef class PointModel:
         self.acting = tuple([self.acts and c.deeds[k].acts != 0 for k in range(c.n_events)])
         self.switches = tuple([(one["event"], one["holds"], one["slides"], one["row"], one["idles"])
                                for one in [c.switches[k] for k in range(c.n_switches)]])
+        self.has_cones = any([c.switches[k].shift >= 0 for k in range(c.n_switches)])
 
     cdef read_defaults(self):
         cdef const em_model *c = self.model

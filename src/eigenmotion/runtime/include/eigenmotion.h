@@ -35,9 +35,10 @@ typedef struct em_deed {
 /* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
  * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
  * presses (-1: of none); the parameter that is how far `row` may be off where other rows keep it, else 0; whether its impacts
- * are by Poisson's law; whether it is a cone, of two rows. */
+ * are by Poisson's law; of a cone, which has two rows, the first of two parameters that are added to its slips where its direction
+ * is asked for (-1: no cone). */
 typedef struct em_switch {
-    int event, holds, slides, over, row, idles, poisson, cone;
+    int event, holds, slides, over, row, idles, poisson, shift;
 } em_switch;
 
 /* What a run knows where events act: its tolerances, rtol and atol (n); what rounding may leave of gaps and slips (n_events),

@@ -9,6 +9,8 @@
 #include "em_strike.h"
 #include "em_watch_partials.h"
 
+#define EM_AT_LIMIT 1e-9 /* the part of a limit by which a force may be below it that has come to it */
+
 /* Events that pile up: each so soon after the one before that no time passes. 0, or -1 and *fault. */
 EM_COLD int em_check_pile(const em_acting *a, em_pile *pile) {
     enum { MANY = 200 };
@@ -95,9 +97,30 @@ EM_COLD int em_reset(em_acting *a, int event) {
 
 /* --- the mode afterwards --- */
 
+/* The same of cones: of those that share a load all come to their bounds at once, but for rounding; and the way their forces push
+ * against. */
+EM_COLD void em_find_released_cones(em_acting *a) {
+    double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
+    em_fault fault;
+    if (em_acceleration(a->t, a->x, a->v, a->c, a->u, EM_LEAST_NORM, acceleration, lambda, &fault)) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const one = &switches[k];
+        if (!em_is_cone(one) || !em_holds(one, a->c)) continue;
+        const double force = em_along_switch(one, lambda), limit = em_limit(one, level[EM_LEVELS * k + 1], lambda);
+        a->lets_go[k] |= force > 0.0 && force >= (1.0 - EM_AT_LIMIT) * limit;
+        for (int i = 0; i < 2 && force > 0.0; ++i) a->last[2 * k + i] = lambda[one->row + i] / force;
+    }
+}
+
 /* lets_go <- switches whose row held, and whose event has fired: their force has come to its bound. */
 EM_COLD void em_find_released(em_acting *a) {
-    for (int k = 0; k < N_SWITCHES; ++k) a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
+    int cones = 0;
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
+        cones |= a->lets_go[k] && em_is_cone(&switches[k]);
+    }
+    if (cones) em_find_released_cones(a);
 }
 
 /* Whether anything may press on a friction: a contact at rest, a constraint, or what its limit is made of. */
@@ -122,7 +145,7 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     memcpy(c, a->c, N_PREPARED * sizeof *c);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const int stops = em_is_at_rest(a, r, k) && (em_is_contact(&switches[k]) || em_may_rub(a, r, &switches[k]));
-        mode[k] = (em_state_of_switch){stops, 0, 0.0};
+        mode[k] = (em_state_of_switch){.holds = stops};
     }
     if (em_set_mode(c, mode, a->fault)) return -1;
     if (em_project_velocity(a->t, a->x, a->v, c, EM_LEAST_NORM, a->fault)) return -1;
@@ -130,11 +153,11 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     return 0;
 }
 
-/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what it begins with. */
+/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what its slip is shifted by. */
 EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
-    if (switches[k].cone) a->rounding[switches[k].event] = 4.0 * em_cone_stops(a, r, &switches[k]);
+    if (em_is_cone(&switches[k])) a->rounding[switches[k].event] = 2.0 * EM_CONE_BEGINS * em_cone_stops(a, r, &switches[k]);
     else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
@@ -159,7 +182,6 @@ EM_COLD int em_settle_modes(em_acting *a) {
     pfaffian(a->t, a->x, r.c, r.A, r.b);
     em_rates_along(&r, a->v);
     for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k, rests[k]);
-    for (int k = 0; k < N; ++k) a->v[k] += a->begins[k];
     return 0;
 }
 

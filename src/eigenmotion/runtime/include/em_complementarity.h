@@ -11,7 +11,8 @@
  * with L = level + coefficient (over . p), over (k) of the rows that press, or of a rooted row the root of the sum of the squares of
  * these terms (em_leaning.h). A mode says of every row which of these conditions holds as an equation. Each mode is
  * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
- * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent.
+ * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent; or, where cones
+ * stick, all of them with forces that are shared (em_shared_forces.h).
  *
  * Where several modes are consistent (Painleve), the one is taken that changes the fewest of the choices given; of those the
  * first in the order of rows. None: `clash` says which conditions are in the way. */
@@ -33,13 +34,18 @@ typedef enum em_row_kind {
 /* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
 typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
 
-typedef struct em_mixed {
+typedef struct em_mixed em_mixed;
+
+struct em_mixed {
     int k;
     em_row_kind kind[EM_MIXED_ROWS];
     em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
     double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: what of p its limit is in proportion to */
     double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative by p */
     int rooted[EM_MIXED_ROWS];
+    double last[EM_MIXED_ROWS];       /* of a cone whose force has come to its limit: the way it pushes against, else 0 */
+    int by_last;                      /* whether such cones slide that way */
+    int rests[EM_MIXED_ROWS];         /* rows that hold by others: without a force in a basic solution */
     double beside[EM_MIXED_ROWS];     /* what presses on rooted rows beside p */
     double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
@@ -48,7 +54,9 @@ typedef struct em_mixed {
     double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
     double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
     int clash[2], tried;              /* rows whose conditions are missed in the modes that come closest */
-} em_mixed;
+    int (*lasts)(const void *where, const em_mixed *s); /* whether rows that rest follow from others nearby, too; or NULL */
+    const void *where;
+};
 
 EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
     return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_CONE;
@@ -111,7 +119,7 @@ EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
     for (int i = 0; i < k; ++i) {
         s->p[i] = 0.0;
-        if (em_row_holds(s, i)) rows[count++] = i;
+        if (em_row_holds(s, i) && !s->rests[i]) rows[count++] = i;
     }
     for (int i = 0; i < count; ++i) {
         x[i] = -s->q[rows[i]];
@@ -134,6 +142,8 @@ EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
     }
     return 0;
 }
+
+#include "em_shared_forces.h"
 
 #include "em_leaning.h"
 
@@ -170,16 +180,21 @@ EM_COLD double em_violation(const em_mixed *s, int i) {
 
 #include "em_cone_directions.h"
 
+/* Whether a cone slides with a slip, which has a direction; or begins to against its last force, as yet without. */
+EM_COLD int em_has_direction(const em_mixed *s, int i, double terms) {
+    if (s->kind[i] != EM_ROW_CONE || s->choice[i] != EM_FORWARD || em_is_unloaded(s, i)) return 1;
+    return (s->by_last && em_has_last(s, i)) || hypot(s->w[i], s->w[i + 1]) > EM_MODE_VERIFIED * terms;
+}
+
 /* Whether the mode chosen has a solution that satisfies all conditions. */
-EM_COLD int em_is_consistent(em_mixed *s) {
-    ++s->tried;
+EM_COLD int em_is_consistent_so(em_mixed *s) {
     if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
     double most = 0.0;
+    if (em_some_rest(s) && !em_share_with_resting(s, terms)) return 0;
     int worst = -1;
-    for (int i = 0; i < s->k; ++i) { /* a cone slides with a slip, which has a direction */
-        if (s->kind[i] == EM_ROW_CONE && s->choice[i] == EM_FORWARD && !em_is_unloaded(s, i) &&
-            !(hypot(s->w[i], s->w[i + 1]) > EM_MODE_VERIFIED * terms)) return 0;
+    for (int i = 0; i < s->k; ++i) {
+        if (!em_has_direction(s, i, terms)) return 0;
         const double off = em_violation(s, i);
         if (!(off <= most)) most = off, worst = i;
     }
@@ -191,6 +206,16 @@ EM_COLD int em_is_consistent(em_mixed *s) {
         s->clash[1] = worst;
     }
     return 0;
+}
+
+EM_COLD int em_is_consistent(em_mixed *s) {
+    int slide[EM_MIXED_ROWS], some = 0;
+    ++s->tried;
+    s->by_last = 0;
+    if (em_is_consistent_so(s)) return 1;
+    for (int c = em_sliding_cones(s, slide) - 1; c >= 0; --c) some |= em_has_last(s, slide[c]);
+    s->by_last = some;
+    return some && em_is_consistent_so(s);
 }
 
 /* Whether a mode is consistent that differs from the one given in `left` of the rows from `from` on. */
@@ -245,6 +270,16 @@ EM_COLD int em_enumerate_modes(em_mixed *s, int bars) {
     return 0;
 }
 
+/* Contacts that touch and are kept so by others share the load where cones stick: each holds, too, with which a mode is consistent. */
+EM_COLD void em_share_with_idle(em_mixed *s) {
+    for (int i = 0; i < s->k && em_some_cone_sticks(s); ++i) {
+        if (s->kind[i] != EM_ROW_CONTACT || s->choice[i] != EM_OPENS) continue;
+        em_mixed more = *s;
+        more.choice[i] = EM_HOLDS_ROW;
+        if (fabs(s->w[i]) <= EM_MODE_VERIFIED * fabs(s->size[i]) && em_is_consistent(&more)) *s = more;
+    }
+}
+
 #include "em_pivoting.h"
 
 /* The mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to try. */
@@ -265,6 +300,7 @@ EM_COLD int em_solve_mixed(em_mixed *s) {
         }
         found = em_enumerate_modes(s, bars);
     }
+    if (found) em_share_with_idle(s);
     em_scale_mixed(s, 1);
     return found ? 1 : s->tried > EM_MOST_TRIED ? -1 : 0;
 }

@@ -6,7 +6,10 @@
 
 #define EM_TURN 6.283185307179586
 
-enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40 };
+enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40, EM_RELAXATIONS = 100 };
+
+/* Whether the force of a cone has come to its limit. */
+EM_COLD int em_has_last(const em_mixed *s, int i) { return s->last[i] != 0.0 || s->last[i + 1] != 0.0; }
 
 /* The cones that slide in this mode: their first rows. How many. */
 EM_COLD int em_sliding_cones(const em_mixed *s, int *cones) {
@@ -65,20 +68,62 @@ EM_COLD int em_iterate_directions(em_mixed *s, int count, const int *cones, doub
     return size >= 0.0 && size < 1e-9;
 }
 
-/* side of the cones that slide <- their directions: first from those without their friction, then from others all around. 0, or -1:
- * none were found. */
-EM_COLD int em_find_directions(em_mixed *s) {
-    int cones[EM_MIXED_ROWS];
-    double first[EM_MIXED_ROWS], angle[EM_MIXED_ROWS];
-    const int count = em_sliding_cones(s, cones);
-    if (count == 0) return 0;
+/* The cones that slide, but for those whose direction is that of their last force, which is their side then. How many. */
+EM_COLD int em_unknown_directions(em_mixed *s, int *cones) {
+    int all[EM_MIXED_ROWS], count = 0;
+    const int slide = em_sliding_cones(s, all);
+    for (int c = 0; c < slide; ++c) {
+        const int i = all[c];
+        if (!s->by_last || !em_has_last(s, i)) cones[count++] = i;
+        else s->side[i] = s->last[i], s->side[i + 1] = s->last[i + 1];
+    }
+    return count;
+}
+
+/* angle (count) <- of w without the forces of the cones. 0, or -1. */
+EM_COLD int em_directions_without_friction(em_mixed *s, int count, const int *cones, double *angle) {
     for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
     if (em_forces_of_mode(s)) return -1;
     em_rates_of_mode(s);
-    for (int c = 0; c < count; ++c) first[c] = atan2(s->w[cones[c] + 1], s->w[cones[c]]);
-    for (int start = 0; start < (count > 1 ? EM_DIRECTIONS * EM_DIRECTIONS : EM_DIRECTIONS); ++start) {
-        for (int c = 0; c < count; ++c)
-            angle[c] = first[c] + EM_TURN / EM_DIRECTIONS * (c % 2 ? start / EM_DIRECTIONS : start % EM_DIRECTIONS);
+    for (int c = 0; c < count; ++c) angle[c] = atan2(s->w[cones[c] + 1], s->w[cones[c]]);
+    return 0;
+}
+
+/* angle (count) <- by relaxation: forces follow the slip, and stay within their limits (after Moreau's proximal form). 0, or -1. */
+EM_COLD int em_relax_directions(em_mixed *s, int count, const int *cones, double *angle) {
+    const double part = 0.5 / count;
+    for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
+    for (int k = 0; k < EM_RELAXATIONS; ++k) {
+        if (em_forces_of_mode(s)) return -1;
+        em_rates_of_mode(s);
+        for (int c = 0; c < count; ++c) {
+            double *const d = s->side + cones[c], *const w = s->w + cones[c], limit = em_limit_of_row(s, cones[c], 0);
+            const double x = d[0] * limit + part * w[0], y = d[1] * limit + part * w[1], size = fmax(hypot(x, y), limit);
+            d[0] = size > 0.0 ? x / size : 0.0, d[1] = size > 0.0 ? y / size : 0.0;
+        }
+    }
+    for (int c = 0; c < count; ++c) angle[c] = atan2(s->side[cones[c] + 1], s->side[cones[c]]);
+    return 0;
+}
+
+/* angle (count) <- of a number of starts, which fill all angles evenly: steps by powers of an irrational number. */
+EM_COLD void em_some_directions(int start, int count, const double *first, double *angle) {
+    const double root = 1.0 / pow(2.0, 1.0 / (count + 1));
+    double step = root;
+    for (int c = 0; c < count; ++c, step *= root) angle[c] = first[c] + EM_TURN * fmod(start * step, 1.0);
+}
+
+/* side of the cones that slide <- their directions: by relaxation first, then from those without their friction, then from others
+ * all around. 0, or -1: none were found. */
+EM_COLD int em_find_directions(em_mixed *s) {
+    int cones[EM_MIXED_ROWS];
+    double first[EM_MIXED_ROWS], angle[EM_MIXED_ROWS];
+    const int count = em_unknown_directions(s, cones), starts = count > 1 ? EM_DIRECTIONS * EM_DIRECTIONS : EM_DIRECTIONS;
+    if (count == 0) return 0;
+    if (em_directions_without_friction(s, count, cones, first)) return -1;
+    for (int start = -1; start < starts; ++start) {
+        if (start < 0 && em_relax_directions(s, count, cones, angle)) continue;
+        if (start >= 0) em_some_directions(start, count, first, angle);
         if (em_iterate_directions(s, count, cones, angle)) return 0;
     }
     return -1;

@@ -6,6 +6,7 @@
 #ifndef EM_CONTACT_MODES_H
 #define EM_CONTACT_MODES_H
 
+#include "em_redundant.h"
 #include "em_reset.h"
 #include "em_start_tolerance.h"
 
@@ -16,6 +17,8 @@
 #define EM_ROUNDS (8.0 * DBL_EPSILON) /* the part of its terms that rounding may leave of a gap */
 #define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
 #define EM_CONE_STOPS 4.0        /* times a tolerance: a slip that errors turn around, as dopri5 does at 3 */
+#define EM_CONE_BEGINS 8.0        /* times that slip: what the slip of a cone that begins to slide is shifted by */
+#define EM_NEARBY 3e-4            /* the part of what turns a row over by which a place is another one nearby */
 #define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
 
 /* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
@@ -32,10 +35,10 @@ typedef struct em_acting {
     double deep;                       /* how far inside contacts it has started, rows at length one */
     double stirred[EM_SOME_ROWS];      /* what putting it outside has made of rates */
     double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
-    double begins[N], later;           /* the velocities with which cones begin to slide, of a moment later */
     int moved;                         /* whether velocities have jumped, or places */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
+    double last[2 * EM_SOME_SWITCHES]; /* of cones that let go: the way their forces push against */
     double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
     double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not part, where no blow has parted them */
 } em_acting;
@@ -58,7 +61,7 @@ EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
     for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {
         const int row = switches[k].row;
         if (!em_holds(&switches[k], a->c) && !em_is_idle(&switches[k], a->c)) continue;
-        for (int also = row; also <= row + switches[k].cone; ++also)
+        for (int also = row; also <= row + em_is_cone(&switches[k]); ++also)
             a->still[also] = fmax(a->still[also], 2.0 * fabs(r->rate[also]));
     }
 }
@@ -160,27 +163,68 @@ EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *
             s->kind[one->row] = EM_ROW_CONTACT;
             s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
         } else {
-            em_friction_row(s, k, level, at_rest ? NULL : r->rate);
+            em_friction_row(s, k, level, at_rest ? NULL : r->rate, a->c);
             if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
                 s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;
         }
-        if (a->lets_go[k] && !a->moved) s->barred[one->row] = EM_HOLDS_ROW;
+        if (!a->lets_go[k] || a->moved) continue;
+        s->barred[one->row] = EM_HOLDS_ROW;
+        if (em_is_cone(one)) memcpy(s->last + one->row, a->last + 2 * k, 2 * sizeof *s->last);
     }
     return 0;
 }
 
+/* Q (count, n) <- row at length one without its part along those before; the count with it, if anything is left of it. */
+EM_COLD int em_add_direction(int count, double *Q, const double *row) {
+    double rest[N];
+    memcpy(rest, row, sizeof rest);
+    em_remove_rows(N, count, Q, rest);
+    const double left = em_length(N, rest);
+    if (!(left * left > EM_DEPENDENT * em_length(N, row) * em_length(N, row))) return count;
+    for (int k = 0; k < N; ++k) Q[count * N + k] = rest[k] / left;
+    return count + 1;
+}
+
+/* Q (n, n) <- orthonormal, of the rows of B that hold in the mode. How many. */
+EM_COLD int em_held_directions(const em_all_rows *r, const em_mixed *s, double *Q) {
+    int count = 0;
+    for (int i = 0; i < N_ROWS && count < N; ++i)
+        if (em_row_holds(s, i)) count = em_add_direction(count, Q, r->root.B + i * N);
+    return count;
+}
+
+/* em_mixed.lasts: whether as many rows of the mode are independent beside here, wherever they let the mechanism go. */
+typedef struct em_here {
+    const em_acting *a;
+    const em_all_rows *r;
+} em_here;
+
+EM_COLD int em_rests_last(const void *where, const em_mixed *s) {
+    const em_here *const here = where;
+    const em_acting *const a = here->a;
+    double Q[N * N], there_Q[N * N], unit[N];
+    em_all_rows there;
+    em_fault fault;
+    const int held = em_held_directions(here->r, s, Q);
+    em_turns_over(a->t, a->x, here->r->c, unit);
+    for (int k = 0, count = held; k < N && count < N; ++k) {
+        double way[N] = {0.0}, x[N], size = 0.0;
+        way[k] = 1.0;
+        const int more = em_add_direction(count, Q, way);
+        if (more == count) continue;
+        memcpy(way, Q + count * N, sizeof way), count = more;
+        em_backward(N, here->r->root.L, here->r->root.r, way);
+        for (int i = 0; i < N; ++i) size = fmax(size, fabs(way[i]) / unit[i]);
+        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_NEARBY / size * way[i];
+        if (em_all_rows_at(a->t, x, a->v, a->c, &there, &fault) || em_held_directions(&there, s, there_Q) > held) return 0;
+    }
+    return 1;
+}
+
 /* Whether row B_row is a combination of the rows of the mode that hold. */
 EM_COLD int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row) {
-    double Q[EM_SOME_ROWS * N], rest[N];
-    int count = 0;
-    for (int i = 0; i < N_ROWS; ++i) {
-        if (!em_row_holds(s, i)) continue;
-        memcpy(rest, r->root.B + i * N, sizeof rest);
-        em_remove_rows(N, count, Q, rest);
-        const double left = em_length(N, rest);
-        for (int k = 0; k < N; ++k) Q[count * N + k] = rest[k] / left;
-        ++count;
-    }
+    double Q[N * N], rest[N];
+    const int count = em_held_directions(r, s, Q);
     memcpy(rest, r->root.B + row * N, sizeof rest);
     const double length = em_length(N, rest);
     em_remove_rows(N, count, Q, rest);
@@ -209,25 +253,28 @@ EM_COLD double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_
     return slip;
 }
 
-/* A cone that slides: idle where both its rows depend on what holds; else down to which slip, with which it begins. */
-EM_COLD double em_cone_slack(em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one) {
-    const int row = one->row, begins = s->kind[row] == EM_ROW_CONE;
+/* A cone that slides: idle where both its rows depend on what holds; else down to which slip. Where it begins to, the slip is
+ * shifted along the direction in which it begins; where it goes on, by what it was. */
+EM_COLD void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one,
+                            em_state_of_switch *after) {
+    const int row = one->row, begins = s->kind[row] == EM_ROW_CONE, slid = !begins && a->c[one->slides] != 0.0;
     const double one_slack = begins ? em_idle_slack(a, r, s, row, 0) : 0.0;
     const double other = one_slack > 0.0 ? em_idle_slack(a, r, s, row + 1, 0) : 0.0;
-    if (other > 0.0) return fmax(one_slack, other);
     const double stops = em_cone_stops(a, r, one);
-    if (!begins) return -fmin(stops, 0.25 * em_along_switch(one, r->rate));
-    a->later = fmax(a->later, 2.0 * stops / em_along_switch(one, s->w));
-    return -stops;
+    after->slides = 1;
+    for (int i = 0; i < 2; ++i)
+        after->shift[i] = begins ? EM_CONE_BEGINS * stops * s->side[row + i] : slid ? a->c[one->shift + i] : 0.0;
+    const double slip = hypot(r->rate[row] + after->shift[0], r->rate[row + 1] + after->shift[1]);
+    after->idles = other > 0.0 ? fmax(one_slack, other) : -fmin(stops, 0.25 * slip);
 }
 
 /* What the solution makes of a switch. */
-EM_COLD em_state_of_switch em_switch_after(em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
+EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
     const em_switch *const one = &switches[k];
     const int row = one->row, contact = em_is_contact(one);
-    em_state_of_switch after = {em_row_holds(s, row), 0, 0.0};
+    em_state_of_switch after = {.holds = em_row_holds(s, row)};
     if (s->kind[row] == EM_ROW_OUT || after.holds || em_is_unloaded(s, row)) return after;
-    if (one->cone) return after.slides = 1, after.idles = em_cone_slack(a, r, s, one), after;
+    if (em_is_cone(one)) return em_cone_slides(a, r, s, one, &after), after;
     if (!contact) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
     if (em_is_choice_row(s, row)) after.idles = em_idle_slack(a, r, s, row, contact);
     return after;
@@ -240,37 +287,17 @@ EM_COLD int em_event_of_row(int row) {
     return -1;
 }
 
-/* begins (n) <- the least change of velocities with which cones that begin to slide have the slip of a moment later, and what
- * holds goes on to: without slip the force of a cone has no direction. */
-EM_COLD void em_begin_slips(em_acting *a, const em_all_rows *r, const em_mixed *mode) {
-    double Delta[EM_SOME_ROWS * EM_SOME_ROWS], p[EM_SOME_ROWS];
-    int rows[EM_SOME_ROWS];
-    memset(a->begins, 0, sizeof a->begins);
-    if (a->later == 0.0) return;
-    for (int row = 0; row < N_ROWS; ++row) {
-        const int first = mode->kind[row] == EM_ROW_CONE_TOO ? row - 1 : row;
-        const int slips = mode->kind[first] == EM_ROW_CONE && !em_row_holds(mode, row) && !em_is_unloaded(mode, first);
-        rows[row] = slips || em_row_holds(mode, row);
-        p[row] = slips ? a->later * mode->w[row] : 0.0;
-        for (int j = 0; j <= row; ++j)
-            Delta[row * N_ROWS + j] = rows[row] && rows[j] ? mode->G[row * mode->k + j] : row == j;
-    }
-    em_least_norm(EM_SOME_ROWS, Delta, p, NULL);
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int k = 0; k < N && rows[row]; ++k) a->begins[k] += r->root.B[row * N + k] * p[row];
-    em_backward(N, r->root.L, r->root.r, a->begins);
-}
-
 /* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
 EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     em_mixed s;
+    const em_here here = {a, r};
     if (em_mode_problem(a, r, &s)) return -1;
+    s.lasts = em_rests_last, s.where = &here;
     const int found = em_solve_mixed(&s);
     if (found < 1)
         return em_fail(a->fault, EM_CONTACTS_CLASH, em_event_of_row(s.clash[0]), found < 0 ? -2 : em_event_of_row(s.clash[1]), NAN);
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
-    em_begin_slips(a, r, &s);
     return em_set_mode(a->c, mode, a->fault);
 }
 

@@ -29,8 +29,8 @@ EM_COLD double em_turn_to_forces(em_mixed *s) {
     return change;
 }
 
-/* p <- of the mode. 0, or -1: its rows depend on each other, or friction jams. */
-EM_COLD int em_forces_of_mode(em_mixed *s) {
+/* p <- of the mode, but for rows that rest. 0, or -1: its rows depend on each other, or friction jams. */
+EM_COLD int em_forces_of_independent(em_mixed *s) {
     enum { STEPS = 50 };
     for (int i = 0; i < s->k * s->k; ++i) s->toward[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
     for (int step = 0, first = 0; step < STEPS; ++step) {
@@ -40,6 +40,30 @@ EM_COLD int em_forces_of_mode(em_mixed *s) {
         if (em_turn_to_forces(s) <= EM_LEANS) return 0;
     }
     return -1;
+}
+
+/* The same of all rows; where some depend on each other, and cones stick, of independent ones, while the others rest. */
+EM_COLD int em_forces_of_mode(em_mixed *s) {
+    double Z[EM_MIXED_ROWS * EM_MIXED_ROWS];
+    int basic[EM_MIXED_ROWS];
+    memset(s->rests, 0, sizeof s->rests);
+    if (em_forces_of_independent(s) == 0) return 0;
+    if (!em_some_cone_sticks(s) || em_vanishing_forces(s, Z, basic) == 0) return -1;
+    for (int i = 0; i < s->k; ++i) s->rests[i] = em_row_holds(s, i) && !basic[i];
+    return em_forces_of_independent(s);
+}
+
+EM_COLD int em_some_rest(const em_mixed *s) {
+    int some = 0;
+    for (int i = 0; i < s->k; ++i) some |= s->rests[i];
+    return some;
+}
+
+/* Whether rows that rest hold all the same, here and nearby; then p <- shared with them. */
+EM_COLD int em_share_with_resting(em_mixed *s, double terms) {
+    for (int i = 0; i < s->k; ++i)
+        if (s->rests[i] && !(fabs(s->w[i]) <= EM_MODE_VERIFIED * terms)) return 0;
+    return (s->lasts == NULL || s->lasts(s->where, s)) && em_share(s) == 0;
 }
 
 #endif

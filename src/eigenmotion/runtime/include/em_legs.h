@@ -8,6 +8,28 @@
 static int em_begin(em_walk *w);
 
 #ifdef EM_ACTS
+/* Whether rows that hold may depend on each other in some modes, where cones stick. */
+static int em_may_share(const em_walk *w) {
+#ifdef EM_CONES
+    return w->asked != EM_REFUSED;
+#else
+    return (void)w, 0;
+#endif
+}
+
+/* run->least_norm <- of the mode. 0, or -1 and w->reason. */
+static int em_share_in_mode(em_walk *w, const double *y) {
+#ifdef EM_CONES
+    em_root root;
+    if (!em_may_share(w) || w->shares) return 0;
+    if (em_root_at(w->t, y, w->run->prepared, &root, &w->reason)) return -1;
+    w->run->least_norm = em_rank(EM_SOME_ROWS, root.Delta) < N_ROWS ? EM_SHARED : EM_REFUSED;
+#else
+    (void)w, (void)y;
+#endif
+    return 0;
+}
+
 /* A leg from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
 static int em_leg_begin(em_walk *w, const double *c) {
     em_run *run = w->run;
@@ -32,16 +54,17 @@ static int em_act_on(em_walk *w, double t, double *row) {
     if (model_velocity(0, t, row, c, v, &w->reason)) return -1;
     em_signals(w, t);
     const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->deep, w->stirred};
-    if (em_act(t, x, v, c, w->u, run->least_norm ? EM_LEAST_NORM : 0, &within, w->fired, w->pile, &w->reason)) return -1;
+    if (em_act(t, x, v, c, w->u, run->least_norm || em_may_share(w) ? EM_LEAST_NORM : 0, &within, w->fired, w->pile, &w->reason)) return -1;
     w->t = t;
-    return em_leg_begin(w, c) || state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
+    return em_leg_begin(w, c) || em_share_in_mode(w, x) || state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
 }
 
 /* The mode in which a run starts. 0, or -1 and w->reason. */
 static int em_first_leg(em_walk *w) {
     if (N_SWITCHES == 0) return 0;
     em_enter_pieces(w);
-    return em_act_on(w, w->t, w->y);
+    if (em_act_on(w, w->t, w->y)) return -1;
+    return w->run->least_norm && !w->shares ? em_keep_constraints_at_start(w) : 0;
 }
 
 /* What a step knows of those before it is of another motion. */

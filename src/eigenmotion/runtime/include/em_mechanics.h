@@ -65,6 +65,12 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
 #define EM_REACTIONS(root) (root)->B
 #endif
 
+#ifdef EM_CONES
+/* em_modes.h */
+EM_ACROSS void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
+                                    const double *Delta, double *lambda);
+#endif
+
 /* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0, with the root at x. */
 EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const double *v, const double *c,
                                const double *u, int least_norm, double *a, double *lambda, em_fault *fault) {
@@ -93,6 +99,9 @@ EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const d
         for (int k = 0; k < N; ++k) a[k] -= EM_REACTIONS(root)[row * N + k] * gamma[row];
     }
     em_backward(N, root->L, root->r, a);
+#ifdef EM_CONES
+    if (least_norm && least_norm < EM_FIRST_KEPT) em_share_multipliers(t, x, v, c, u, root->Delta, lambda);
+#endif
     return 0;
 }
 

@@ -21,9 +21,11 @@ EM_COLD int em_holds(const em_switch *s, const double *c) { return c[s->holds] !
 
 EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] > 0.0; }
 
+EM_COLD int em_is_cone(const em_switch *s) { return s->shift >= 0; }
+
 /* The size of what a friction's row has, or the two rows of a cone. */
 EM_COLD double em_along_switch(const em_switch *s, const double *of_rows) {
-    return s->cone ? hypot(of_rows[s->row], of_rows[s->row + 1]) : fabs(of_rows[s->row]);
+    return em_is_cone(s) ? hypot(of_rows[s->row], of_rows[s->row + 1]) : fabs(of_rows[s->row]);
 }
 
 /* Up to which force a friction sticks. */
@@ -32,10 +34,11 @@ EM_COLD double em_limit(const em_switch *s, double level, const double *lambda) 
     return s->over < 0 ? level : level * fmax(0.0, -lambda[switches[s->over].row]);
 }
 
-/* What a switch is in a mode: whether its row holds, the sign of slip, and how far it is off at the most where it idles. */
+/* What a switch is in a mode: whether its row holds, the sign of slip, and how far it is off at the most where it idles; what is
+ * added to the slips of a cone: without slip its force has no direction. */
 typedef struct em_state_of_switch {
     int holds, slides;
-    double idles;
+    double idles, shift[2];
 } em_state_of_switch;
 
 /* c <- prepared anew in this mode (n_switches). 0, or -1 and *fault. */
@@ -50,6 +53,10 @@ EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fau
         if (em_is_contact(s)) continue;
         same &= c[s->slides] == mode[k].slides;
         parameters[s->slides] = mode[k].slides;
+        for (int i = 0; em_is_cone(s) && i < 2; ++i) {
+            same &= c[s->shift + i] == mode[k].shift[i];
+            parameters[s->shift + i] = mode[k].shift[i];
+        }
     }
     return same ? 0 : prepare(parameters, c, fault);
 }
@@ -57,7 +64,8 @@ EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fau
 EM_COLD void em_mode_of(const double *c, em_state_of_switch *mode) {
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
-        mode[k] = (em_state_of_switch){em_holds(s, c), em_is_contact(s) ? 0 : (int)c[s->slides], c[s->idles]};
+        mode[k] = (em_state_of_switch){em_holds(s, c), em_is_contact(s) ? 0 : (int)c[s->slides], c[s->idles], {0.0, 0.0}};
+        if (em_is_cone(s)) memcpy(mode[k].shift, c + s->shift, sizeof mode[k].shift);
     }
 }
 
@@ -123,7 +131,7 @@ EM_COLD int em_unswitched(const em_all_rows *r, int without, double *Delta, int 
     int any = 0;
     memcpy(Delta, r->root.Delta, sizeof r->root.Delta);
     for (int k = 0; k < N_ROWS; ++k) switched[k] = 0;
-    for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = switched[switches[k].row + switches[k].cone] = 1;
+    for (int k = 0; k < N_SWITCHES; ++k) switched[switches[k].row] = switched[switches[k].row + em_is_cone(&switches[k])] = 1;
     for (int i = 0; i < N_ROWS; ++i) {
         any |= !switched[i];
         for (int j = 0; j <= i; ++j)
@@ -160,7 +168,7 @@ EM_COLD void em_find_permanent(em_all_rows *r) {
 EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const double *c, em_all_rows *r, em_fault *fault) {
     em_state_of_switch all[EM_SOME_SWITCHES];
     memcpy(r->c, c, N_PREPARED * sizeof *c);
-    for (int k = 0; k < N_SWITCHES; ++k) all[k] = (em_state_of_switch){1, 0, 0.0};
+    for (int k = 0; k < N_SWITCHES; ++k) all[k] = (em_state_of_switch){.holds = 1};
     if (em_set_mode(r->c, all, fault) || em_root_at(t, x, r->c, &r->root, fault)) return -1;
     pfaffian(t, x, r->c, r->A, r->b);
     position(t, x, r->c, r->gap, r->gap_terms);
@@ -185,14 +193,22 @@ EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     }
 }
 
-/* A friction's row, or the two of a cone, with what they may take. rate (m): of what slides, NULL: it is at rest. */
-EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const double *rate) {
+/* side <- the sign of the slip of a friction that slides, or the direction of that of a cone. rate (m); c: the mode. */
+EM_COLD void em_side_of_slip(const em_switch *friction, const double *rate, const double *c, double *side) {
+    double slip[2] = {rate[friction->row], em_is_cone(friction) ? rate[friction->row + 1] : 0.0};
+    for (int i = 0; em_is_cone(friction) && i < 2; ++i) slip[i] += c[friction->shift + i];
+    const double size = hypot(slip[0], slip[1]);
+    for (int i = 0; i <= em_is_cone(friction); ++i) side[i] = slip[i] / size;
+}
+
+/* A friction's row, or the two of a cone, with what they may take. rate (m): of what slides, in the mode of c; NULL: at rest. */
+EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const double *rate, const double *c) {
     const em_switch *const friction = &switches[k];
-    const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0;
-    for (int row = friction->row; row <= friction->row + friction->cone; ++row) {
+    const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0, cone = em_is_cone(friction);
+    for (int row = friction->row; row <= friction->row + cone; ++row) {
         const int first = row == friction->row;
-        s->kind[row] = rate ? EM_ROW_SLIDES : !friction->cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_TOO;
-        s->side[row] = rate ? rate[row] / em_along_switch(friction, rate) : 0.0;
+        s->kind[row] = rate ? EM_ROW_SLIDES : !cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_TOO;
+        s->side[row] = 0.0;
         s->choice[row] = EM_HOLDS_ROW;
         if (friction->over >= 0) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
         s->rooted[row] = norm >= 0;
@@ -200,6 +216,32 @@ EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const doub
         (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
         (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 1]);
     }
+    if (rate) em_side_of_slip(friction, rate, c, s->side + friction->row);
 }
+
+#ifdef EM_CONES
+/* lambda (m), where rows that hold depend on each other <- with the largest reserve (em_shared_forces.h). Delta: of the mode. */
+EM_ACROSS void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
+                                    const double *Delta, double *lambda) {
+    em_mixed s = {.k = EM_STRUCK_ROWS};
+    double level[EM_LEVELS * EM_SOME_SWITCHES], rate[EM_SOME_ROWS];
+    levels(t, x, v, c, u, level);
+    for (int row = 0; row < N_ROWS; ++row) s.kind[row] = EM_ROW_FREE, rate[row] = 1.0, s.p[row] = -lambda[row];
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const one = &switches[k];
+        for (int row = one->row; row <= one->row + em_is_cone(one); ++row) s.kind[row] = EM_ROW_OUT;
+        if (em_holds(one, c) && em_is_contact(one)) s.kind[one->row] = EM_ROW_CONTACT, s.choice[one->row] = EM_HOLDS_ROW;
+        else if (!em_is_contact(one) && (em_holds(one, c) || c[one->slides] != 0.0))
+            em_friction_row(&s, k, level, em_holds(one, c) ? NULL : rate, c);
+    }
+    for (int i = 0; i < N_ROWS; ++i)
+        for (int j = 0; j <= i; ++j) s.G[i * s.k + j] = s.G[j * s.k + i] = Delta[i * N_ROWS + j];
+    em_scale_mixed(&s, 0);
+    const int shared = em_share(&s) == 0;
+    em_scale_mixed(&s, 1);
+    for (int row = 0; shared && row < N_ROWS; ++row)
+        if (em_row_holds(&s, row)) lambda[row] = -s.p[row];
+}
+#endif
 
 #endif

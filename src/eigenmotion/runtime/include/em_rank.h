@@ -12,6 +12,7 @@
 #define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
 #define EM_TAKES_PART 1e-6 /* a row's part, at length one, in a combination that vanishes: less is rounding's */
 #define EM_CONTRADICTS 1e-4 /* of the terms that cancel in a row: what is left where rows do not contradict each other */
+#define EM_NOTHING 1e-290   /* what is left of numbers so small that their rounding is not in proportion to them */
 
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
 
@@ -86,6 +87,14 @@ EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *ro
         for (int i = k + 1; i < rank; ++i) z[row[k]] -= L[row[i] * m + k] * z[row[i]];
 }
 
+/* z (m) <- the combination that vanishes of row number `dependent` of the order, behind the first `rank`, and of these. */
+EM_COLD void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
+    for (int j = 0; j < m; ++j) z[j] = 0.0;
+    for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[dependent] * m + j];
+    z[row[dependent]] = 1.0;
+    em_pivoted_backward(m, rank, L, row, z);
+}
+
 /* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
 EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
@@ -105,10 +114,7 @@ EM_COLD int em_rows_in_doubt(int m, const double *Delta, int *rows) {
     const int rank = em_pivoted_units(m, Delta, unit, EM_DEPENDENT, L, D, order);
     for (int i = 0; i < m; ++i) rows[i] = 0;
     for (int i = rank; i < m; ++i) {
-        for (int j = 0; j < m; ++j) z[j] = 0.0;
-        for (int j = 0; j < rank; ++j) z[order[j]] = -L[order[i] * m + j];
-        z[order[i]] = 1.0;
-        em_pivoted_backward(m, rank, L, order, z);
+        em_vanishing_combination(m, rank, L, order, i, z);
         for (int j = 0; j < m; ++j) rows[j] |= fabs(z[j]) > EM_TAKES_PART;
     }
     return m - rank;
@@ -135,7 +141,7 @@ EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
  * given. Which rows depend on others is judged with all rows at length one. Returns -1, or a row that contradicts those
  * it depends on, by more than rounding of `terms` (m), the sizes of what cancels in rhs (NULL: that is not asked). */
 EM_RARE EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
-    double unit[m], L[m * m], D[m], null[m * m], largest = 0.0;
+    double unit[m], L[m * m], D[m], null[m * m], largest = EM_NOTHING;
     int row[m], worst = -1;
     memset(L, 0, sizeof L);
     memset(null, 0, sizeof null);
@@ -152,9 +158,7 @@ EM_RARE EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const
     em_pivoted_backward(m, rank, L, row, rhs);
     for (int i = rank; i < m; ++i) {
         double *const z = null + (i - rank) * m;
-        for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[i] * m + j];
-        z[row[i]] = 1.0;
-        em_pivoted_backward(m, rank, L, row, z);
+        em_vanishing_combination(m, rank, L, row, i, z);
         for (int j = 0; j < m; ++j) z[j] *= unit[j];
     }
     for (int i = 0; i < m; ++i) rhs[i] *= unit[i];

@@ -110,14 +110,28 @@ static double em_stage_noise(const em_walk *w) {
     return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * N)));
 }
 
+/* What the residuals would make of the velocities if nothing were stiff, in tolerances. */
+static double em_size_of_residuals(const em_radau_iia *rk, const em_walk *w) {
+    double sum = 0.0;
+    for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(N, w->stages.r[i], w->weight + N);
+    return fabs(w->h) * sqrt(sum / (2 * N * rk->stages));
+}
+
+/* Whether slopes of an earlier state may be all that makes changes small: too stiff ones leave residuals as they are. */
+static int em_trusts_slopes(const em_walk *w, double residual, double before) {
+    return em_slopes_are_fresh(w) || residual <= EM_NEAR_ENOUGH || residual <= EM_STAGNANT * before;
+}
+
 /* Iterates until little is left; q->contraction <- how fast. */
 static int em_iterate_stages(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);
-    double change[EM_MOST_NODES][N], before = 0.0, left = 1.0;
+    double change[EM_MOST_NODES][N], before = 0.0, left = 1.0, residual = 0.0;
     q->contraction = 0.0;
     for (q->iterations = 1; q->iterations <= most; ++q->iterations) {
+        const double last = residual;
         if (em_stage_residuals(rk, w)) return EM_NO_RATE;
+        residual = em_size_of_residuals(rk, w);
         if (q->own) em_coupled_changes(rk, w, change);
         else em_shared_changes(rk, w, change);
         const double size = em_take_changes(rk, w, change);
@@ -129,7 +143,10 @@ static int em_iterate_stages(const em_radau_iia *rk, em_walk *w) {
             q->contraction = factor;
             if (!(left * size * pow(factor, most - q->iterations) <= EM_NEAR_ENOUGH)) return EM_NOT_SOLVED;
         }
-        if (left * size <= EM_NEAR_ENOUGH) return EM_SOLVED;
+        if (left * size <= EM_NEAR_ENOUGH) {
+            if (q->own || em_trusts_slopes(w, residual, last)) return EM_SOLVED;
+            if (q->iterations > 1) return EM_NOT_SOLVED;
+        }
         before = size;
     }
     return EM_NOT_SOLVED;

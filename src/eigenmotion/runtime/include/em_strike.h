@@ -59,7 +59,7 @@ EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) 
         if (contacts && a->closed[k] && r->rate[row] <= a->still[row])
             s->kind[row] = EM_ROW_CONTACT, s->choice[row] = EM_HOLDS_ROW;
         else if (!contacts && em_is_struck(s, one))
-            em_friction_row(s, k, level, NULL), s->coefficient_at_rest[row] = s->coefficient[row];
+            em_friction_row(s, k, level, NULL, a->c), s->coefficient_at_rest[row] = s->coefficient[row];
     }
 }
 

@@ -77,6 +77,8 @@ int em_act(double t, double *x, double *v, double *c, const double *u, int least
            const em_act_limits *within, int *fired, em_pile *pile, em_fault *fault);
 int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                  int columns, double *S, const double *P, em_fault *fault);
+void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u, const double *Delta,
+                          double *lambda);
 int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
                    em_fault *fault);
 int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,

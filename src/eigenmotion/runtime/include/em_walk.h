@@ -179,7 +179,7 @@ struct em_walk {
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;
     unsigned looks_every, attempts_since_look;
-    int asked;                                 /* em_run.least_norm as the caller has it */
+    int asked, shares;                         /* em_run.least_norm as the caller has it; as it is but for modes */
     void *block;                               /* what to free */
     em_bundle *c;                              /* (n_prepared) for lanes, behind the walk; and whether they are there */
     int c_is_known;

@@ -11,9 +11,9 @@ EM_COLD void em_switch_partials(const em_switch *s, const double *lambda, const 
     const double *const own = dlambda + s->row * N_ARGUMENTS;
     const int presses = s->over < 0 ? -1 : switches[s->over].row;
     const double sign = em_is_contact(s) || lambda[s->row] > 0.0 ? 1.0 : -1.0;
-    const double size = s->cone ? em_along_switch(s, lambda) : 1.0;
+    const double size = em_is_cone(s) ? em_along_switch(s, lambda) : 1.0;
     for (int k = 0; k < N_ARGUMENTS; ++k) {
-        row[k] = s->cone ? -(lambda[s->row] * own[k] + lambda[s->row + 1] * own[N_ARGUMENTS + k]) / size : -sign * own[k];
+        row[k] = em_is_cone(s) ? -(lambda[s->row] * own[k] + lambda[s->row + 1] * own[N_ARGUMENTS + k]) / size : -sign * own[k];
         if (em_is_contact(s)) continue;
         if (em_norm_of(s) >= 0)
             row[k] += dlevel[k] * em_norm_of_multipliers(em_norm_of(s), lambda) +
