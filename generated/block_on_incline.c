@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:4e77346be5abf3a7f0fe4d15f59885874f78e36aee412330700bde3f765b0ca6 */
-/* body sha256:1b390c2ed41814a2004872b2cf359de6d97e5028fef23cc84e97aab1cc51f0c9 */
+/* body sha256:b57836b938cfef77ddd7e6bdba690daca8c0076e176e87b9ef3c1a36dc1e8433 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -245,15 +245,13 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     const double c_3 = c[14];
     level[0] = c_3;
-    const double s_dot = v[0];
-    level[1] = s_dot;
-    level[2] = c_3;
+    level[1] = c_3;
 }
 
 #endif
@@ -378,11 +376,10 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
     const double sin_alpha = em_sin(alpha);
     D[4] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
     D[5] = em_select(z_3, 0.0, cos_alpha*z_0);
-    D[11] = 1.0;
-    D[22] = em_select(z_3, 0.0, g*z_2);
-    D[23] = em_select(z_3, 0.0, m*z_2);
-    D[24] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
-    D[25] = em_select(z_3, 0.0, cos_alpha*z_0);
+    D[12] = em_select(z_3, 0.0, g*z_2);
+    D[13] = em_select(z_3, 0.0, m*z_2);
+    D[14] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
+    D[15] = em_select(z_3, 0.0, cos_alpha*z_0);
 }
 
 #endif
@@ -678,7 +675,7 @@ const em_model block_on_incline_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration,
+    .acceleration = em_acceleration_shown,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:66eea802084f844c9075db02df9b6bdd0b1d6f09bd3209c0a1fe8430c00da2d1 */
+/* body sha256:2825e29a56e5f5b613672cb1cdf3fc39faa20aa137ef1f0f00055c5a99f4dadf */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -265,14 +265,12 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
-    const double z = x[1];
-    level[1] = z;
-    level[2] = 0.0;
+    level[1] = 0.0;
 }
 
 #endif
@@ -377,7 +375,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
-    D[12] = 1.0;
 }
 
 #endif
@@ -672,7 +669,7 @@ const em_model bouncing_ball_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration,
+    .acceleration = em_acceleration_shown,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

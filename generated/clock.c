@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
-/* body sha256:dae087f9f5711c2014e842c9f6df24c27d306553fc712deb3e97f27c5a2dd180 */
+/* body sha256:f1dc13642c71b3201a1dc800e4360d2e570cec9e316c6f5c07f90dd0a433ee03 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -255,15 +255,13 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[1] = em_sign(theta_dot)*sqrt(theta_dot*theta_dot + c_4);
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     const double tau = c[3];
     level[0] = tau;
-    const double theta_dot = v[0];
-    level[1] = theta_dot;
-    level[2] = tau;
+    level[1] = tau;
 }
 
 #endif
@@ -399,8 +397,7 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[5] = 1.0;
-    D[12] = 1.0;
-    D[27] = 1.0;
+    D[16] = 1.0;
 }
 
 #endif
@@ -696,7 +693,7 @@ const em_model clock_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration,
+    .acceleration = em_acceleration_shown,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400 */
-/* body sha256:cccca6de6c2b1903d7ecd373ea999eda787b0af2e4352cc515224b954b86338f */
+/* body sha256:491de690ed6fcf27ac9d7efee01a8ed333c5620acb000c4656a9c1ea7b17ae24 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -418,7 +418,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[3] = z_9*c_14*z_12;
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {

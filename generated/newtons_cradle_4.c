@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:b7b2f2f815633c0c13ec47b71b8d50d30eeb9cbde0c35a3d76e313769a9245db */
-/* body sha256:f84273d84e6ed446dc2ae493c9e342f6ff0b99c0baa9d4bf6fe81143132a3c58 */
+/* body sha256:e311a1d097929ac88f292944941b2f250a4fa1f55d7f31052bc1b1bae54e6dad */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -355,7 +355,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {

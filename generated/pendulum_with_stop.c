@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:b44ef6b31bf1b97df0a8fc11e904ff67a8797029c5ee104a80e2ef00721a809e */
-/* body sha256:17dee87c29016e90b2c63efea5286fbba7969bd5bd83bc42ee72faed94d61dcc */
+/* body sha256:d2e98dcb0065cd2f80363ad65bde9622fcf5750d48dbac6e42512b87ef013715 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -247,16 +247,12 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
-    const double l = c[1];
-    const double theta = x[0];
-    const double stop = c[4];
-    level[1] = l*(theta - stop);
-    level[2] = 0.0;
+    level[1] = 0.0;
 }
 
 #endif
@@ -390,12 +386,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
-    const double l = c[1];
-    D[10] = l;
-    const double theta = x[0];
-    const double stop = c[4];
-    D[13] = theta - stop;
-    D[16] = -l;
 }
 
 #endif
@@ -698,7 +688,7 @@ const em_model pendulum_with_stop_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration,
+    .acceleration = em_acceleration_shown,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b */
-/* body sha256:363e5b8d89b06d862b7f6cd71e5624f4d079b9551be6ceca393668cf629e908d */
+/* body sha256:79a25beceec2903cbb9443310f354e15cda3505211bce7c1790da125cc69b1ed */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -262,7 +262,7 @@ EM_ACROSS void resets(double t, const double *restrict x, const double *restrict
     after[1] = theta_dot*c_5;
 }
 
-/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
 EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {

@@ -157,7 +157,7 @@ def unstable(equations: Sliding, angles: np.ndarray) -> np.ndarray:
 
 
 def roots(equations: Sliding) -> tuple[np.ndarray, bool]:
-    """Return accelerations (r, n) of all solutions that Newton's method finds from a grid, and whether all are stable."""
+    """Return accelerations (r, n) of all solutions that Newton's method finds from a grid; whether all are stable."""
     k = len(equations.turned)
     grid = 2 * np.pi * (np.arange(STARTS[k]) + 0.3) / STARTS[k]
     angles = np.stack(np.meshgrid(*[grid] * k, indexing="ij"), axis=-1).reshape(-1, k)

@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 21 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 22 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {

@@ -100,7 +100,7 @@ EM_COLD int em_push_out(const em_all_rows *r, double *x) {
 /* Whether what idled has gone its own way by as much as it may be off: no row keeps it any more. */
 EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
-    if (s->cone || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
+    if (em_is_cone(s) || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
     return (em_is_contact(s) ? r->gap[s->row] : a->c[s->slides] * r->rate[s->row]) >= 0.5 * a->c[s->idles];
 }
 

@@ -77,7 +77,7 @@ EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const d
     for (int k = 0; k < N_SWITCHES; ++k) {
         double *const own = g + switches[k].event;
         some |= em_holds(&switches[k], c);
-        *own = c[switches[k].idles] + (em_is_idle(&switches[k], c) && !switches[k].cone ? -fabs(*own) : *own);
+        *own = c[switches[k].idles] + (em_is_idle(&switches[k], c) && !em_is_cone(&switches[k]) ? -fabs(*own) : *own);
     }
     if (!some) return 0;
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
@@ -99,7 +99,7 @@ EM_ACROSS int em_acceleration_shown(double t, const double *x, const double *v, 
     levels(t, x, v, c, u, level);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
-        if (!em_is_contact(s) && !s->cone && em_is_idle(s, c)) lambda[s->row] = c[s->slides] * em_limit(s, level[EM_LEVELS * k], lambda);
+        if (!em_is_contact(s) && !em_is_cone(s) && em_is_idle(s, c)) lambda[s->row] = c[s->slides] * em_limit(s, level[EM_LEVELS * k], lambda);
     }
     return 0;
 }
