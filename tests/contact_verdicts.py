@@ -131,7 +131,9 @@ def judged(case: Case, start: Start) -> Judged:
             return Judged(Verdict.WRONG, f"velocities {struck.u}, allowed {after.found}")
         return Judged(Verdict.BLURRED, "velocities")
     first = struck if case.shape.cone else now
-    settles = case.shape.cone and struck.t > 0.0  # a slip within the tolerances goes to and fro: what it comes to counts
+    settles = (
+        case.shape.cone and struck.t > 0.0
+    )  # a slip within the tolerances goes to and fro: what it comes to counts
     why = "" if settles else wrong_at(case, first, begins=case.shape.cone)
     if why := why or wrong_later(case, start):
         stable = not case.shape.cone or solutions(here(case.body, state_of(first))).stable

@@ -45,7 +45,7 @@ FOUND = {
 }  # fmt: skip
 """Judged wrong or refused by night: slips that are left where a start is put on its contacts; a judge who came late."""
 ON_THEIR_WAY = {
-    Shape(1, 0, 2): [48], Shape(1, 1, 2): [11, 12], Shape(1, 1, 0, unequal=True): [83], Shape(2, 2): [73],
+    Shape(1, 0, 2): [48], Shape(1, 1, 2): [11, 12, 120], Shape(1, 1, 0, unequal=True): [83], Shape(2, 2): [73],
     Shape(3, 3): [8],
 }  # fmt: skip
 """Longer runs: what idled goes, touches by rounding as a slip stops, lets go of a contact, rocks ever faster."""
@@ -101,12 +101,18 @@ def on_their_way(shape: Shape, seeds: Iterable[int]) -> Iterable[tuple[int, Case
             yield seed, let_go(case, 0.5 if seed % 2 else 0.0)
 
 
+def comes_down_ever_sooner(run: em.Solution) -> bool:
+    """Whether a run ended among impacts that follow ever faster: rounding decides in which state they end."""
+    ends = [np.diff(times[-3:]) for times in run.t_events if len(times) > 2 and run.t[-1] - times[-1] < 1e-4]
+    return any(then < 0.5 * before < 1e-3 for before, then in ends)
+
+
 def check_rows(shape: Shape, seeds: Iterable[int]) -> None:
     wrong = []
     for seed, case in on_their_way(shape, seeds):
         run = simulated(case, 2.0, max_steps=20_000)
         wrong += [f"{shape.name} seed {seed}: {what}" for what in faults(case, run)[:2]]
-        if not run.success:
+        if not run.success and not comes_down_ever_sooner(run):
             end = of_refusal(case.body, state_of(rows_of(case, run)[-1]), run.message)
             wrong += [f"{shape.name} seed {seed}: {end.verdict}: {end.why}"] * (end.verdict in FATAL)
     assert not wrong, "\n".join(wrong)

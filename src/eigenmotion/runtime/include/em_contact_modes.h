@@ -101,7 +101,7 @@ EM_COLD int em_push_out(const em_all_rows *r, double *x) {
 EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     if (em_is_cone(s) || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
-    return (em_is_contact(s) ? r->gap[s->row] : a->c[s->slides] * r->rate[s->row]) >= 0.5 * a->c[s->idles];
+    return (em_is_contact(s) ? r->gap[s->row] : fabs(r->rate[s->row])) >= 0.5 * a->c[s->idles];
 }
 
 /* parts <- `rest` of contacts on their way: what opens no faster, and still touches as something happens, stays in contact.
