@@ -172,10 +172,32 @@ def test_their_linear_motion_is_that_of_the_rows_they_need(name):
     np.testing.assert_allclose(one, two, atol=1e-6)
 
 
-def test_their_sensitivities_are_those_of_the_rows_they_need():
-    runs = [s.simulate((0, 1), sensitivities=["k"], t_eval=[1.0], **TIGHT) for s in systems("parallel_branches")]
-    np.testing.assert_allclose(runs[0].sensitivity["k"].dx, runs[1].sensitivity["k"].dx, atol=1e-8)
-    np.testing.assert_allclose(runs[0].sensitivity["k"].dv, runs[1].sensitivity["k"].dv, atol=1e-7)
+@pytest.mark.parametrize(("name", "by"), [
+    ("lift", ["k", "m", "g", "y", "y'"]), ("beam", ["k", "m", "x", "x'"]), ("parallel_branches", ["k", "J"]),
+    ("spatial_four_bar", ["m", "g", "a"]),
+])  # fmt: skip
+def test_their_sensitivities_are_those_of_the_rows_they_need(name, by):
+    """Also of coordinates that do not move, and by a common factor of all forces: of these rounding alone is left."""
+    runs = [s.simulate((0, 1), sensitivities=by, t_eval=[1.0], **TIGHT) for s in systems(name)]
+    for one in by:
+        found, right = (run.sensitivity[one] for run in runs)
+        np.testing.assert_allclose(found.dx, right.dx, atol=1e-8)
+        np.testing.assert_allclose(found.dv, right.dv, atol=1e-7)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_they_change_as_springs_say(which):
+    """The cabin on its spring: y = c + (y_0 - c) cos(w t), c = -m g / k, w = sqrt(k / m)."""
+    run = systems("lift")[which].simulate((0, 1), sensitivities=["y", "g", "k"], **TIGHT)
+    M, G, K, at = 2.0, 9.81, 40.0, run.t
+    w, c = np.sqrt(K / M), -M * G / K
+    by_y, by_g, by_k = (run.sensitivity[name].dx for name in ("y", "g", "k"))
+    np.testing.assert_allclose(by_y[1], np.cos(w * at), atol=1e-8)
+    np.testing.assert_allclose(by_g[1], -M / K * (1 - np.cos(w * at)), atol=1e-8)
+    slope = -c / K * (1 - np.cos(w * at)) - (0.3 - c) * at * w / (2 * K) * np.sin(w * at)
+    np.testing.assert_allclose(by_k[1], slope, atol=1e-8)
+    for one in (by_y, by_g, by_k):
+        np.testing.assert_allclose(one[[0, 2]], 0.0, atol=1e-12)
 
 
 def test_rows_that_come_to_depend_on_each_other_are_named_by_default():

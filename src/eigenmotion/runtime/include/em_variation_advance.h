@@ -9,7 +9,9 @@
 #define EM_MENDS 4     /* rounds of Newton's method for a motion of a step's own */
 #define EM_ROUGH 100.0 /* tolerances, by which accelerations of a smooth motion may seem to jump */
 
-enum { EM_MOST_LEAST = 200 /* steps of the least length one after the other */ };
+#define EM_CRAWLS 1e7  /* so many steps to go are more than anybody waits for */
+
+enum { EM_MOST_LEAST = 200 /* steps of the least length one after the other */, EM_MOST_CRAWLING = 10000 };
 
 static int em_is_finite(size_t count, const double *a) {
     for (size_t i = 0; i < count; ++i)
@@ -137,8 +139,10 @@ static double em_advance(em_pass *p, double from, double last) {
         const double error = solved > 0 ? INFINITY : em_error_of(p, from, to);
         const double rough = solved > 0 ? 0.0 : em_rough_of(p, to), off = fmax(error, rough);
         p->n_least = is_least ? p->n_least + 1 : 0;
+        p->n_crawling += length * EM_CRAWLS < fabs(last - from) ? 1 : p->n_crawling > 0 ? -1 : 0;
         if (is_least && rough > 1.0) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1), w->t_reached = to, NAN;
         if (is_least && (solved > 0 || p->n_least > EM_MOST_LEAST)) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
+        if (p->n_crawling > EM_MOST_CRAWLING) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (off <= 1.0 || is_least) {
             p->h = fmax(length < p->h ? p->h : 0.0, length * em_longer(off));
             return em_keep_step(p, from, to) ? NAN : to;

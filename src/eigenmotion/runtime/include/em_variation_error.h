@@ -5,16 +5,14 @@
  * S_v is off by about h k_8 / 32, S_x by less. At its end they are off by much less, since the nodes are those of
  * Radau: by what k_8 and the seventh coefficient of S have in common, or by coefficients of twice the degree, which are
  * taken to fall as those do that are known. All of that is relative to the size of directions and of the terms of their
- * rates, number by number, so that no unit counts. What of it is rounding no shorter step makes less: how much that is a second
- * look at the same place tells, with other last digits. */
+ * rates, number by number, so that no unit counts. What of it is rounding no shorter step makes less (em_variation_rounding.h). */
 #ifndef EM_VARIATION_ERROR_H
 #define EM_VARIATION_ERROR_H
 
-#include "em_variation_steps.h"
+#include "em_variation_rounding.h"
 
 #define EM_WITHIN (1.0 / 32.0)
 #define EM_SAFELY 2.0
-#define EM_ROUNDINGS 32.0 /* times what one look at rounding shows */
 
 /* The sizes of the coefficients of one direction that its error is made of, relative to its size. */
 typedef struct em_series_size {
@@ -27,38 +25,6 @@ EM_INLINE double em_direction_error(const em_series_size *s, int within) {
     const double falls = before > after ? after / before : 1.0; /* by this every two terms */
     const double off = EM_WITHIN * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
     return within ? fmax(end, off * sqrt(falls)) : end;
-}
-
-/* T (n, columns) <- the sum of the terms of K without their signs. */
-EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, double *T) {
-    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
-    memset(T, 0, (size_t)n * k * sizeof *T);
-    for (int i = 0; i < n; ++i) {
-        double *const row = T + i * k;
-        for (int q = 0; q < 2 * n; ++q) {
-            const double part = fabs(J[i * width + q]), *const s = S + q * k;
-            for (int j = 0; j < k; ++j) row[j] += part * fabs(s[j]);
-        }
-        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
-            row[(*at)[1]] += fabs(J[i * width + 2 * n + (*at)[0]] * p->P[(*at)[0] * k + (*at)[1]]);
-    }
-}
-
-/* none (n, columns), and wobble <- what of K, and of accelerations, is rounding: by how much it changes where the last digits of the motion do. 0, or -1. */
-static int em_rounding_of(em_pass *p, double t, double *none) {
-    enum { LAST = EM_VARIATION_NODES - 1 };
-    em_variations *const w = p->of;
-    const int n = p->n, width = w->model->n_arguments;
-    const double *const J = p->J + LAST * n * width;
-    double z[2 * n], a[n], D[n * width];
-    for (int i = 0; i < 2 * n; ++i) z[i] = p->Z[LAST * 2 * n + i] * (1.0 + (i % 2 ? -4.0 : 4.0) * DBL_EPSILON);
-    em_pass_inputs(p, t);
-    if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, a, p->lambda, D, p->dlambda,
-                                     &w->fault)) return -1;
-    for (int i = 0; i < n * width; ++i) D[i] = EM_ROUNDINGS * (D[i] - J[i]);
-    em_sum_terms(p, D, p->S, none);
-    for (int i = 0; i < n; ++i) p->wobble[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
-    return 0;
 }
 
 /* The size of S_v[i] in a step: its own, and that of the terms that change it. */
