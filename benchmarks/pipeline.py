@@ -122,7 +122,7 @@ def in_fresh_cache(*words: str) -> Spent:
 
 
 def after_a_change(cache: str) -> Spent:
-    """Return what building dual_link takes after a change of its energies: the stepper for its shape is there."""
+    """Return what building dual_link takes after a change of its energies: the stepper is there."""
     told, changed = (MODELS / "dual_link.py").read_text(), Path(cache) / "dual_link.py"
     changed.write_text(told.replace("potential_energy=potential_energy", "potential_energy=2 * potential_energy"))
     return command("build", str(changed), "-o", f"{cache}/changed", cache=cache)

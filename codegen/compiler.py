@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from dataclasses import asdict, astuple
 
-from .c.emit import Sources, emit, stepper
-from .c.lower import Defaults, lower, outlined
+from .c.emit import Sources, emit
+from .c.lower import Defaults, lower
 from .c.program import Program
 from .choices import STANDARD, Choices
 from .model import Model, ModelError
@@ -20,7 +19,7 @@ from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 def generate(
     model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS,
-    whole: bool = True, ahead: Callable[[str], object] | None = None,
+    whole: bool = True,
 ) -> Sources:  # fmt: skip
     """Derive, specialise, lower and print a model.
 
@@ -33,39 +32,28 @@ def generate(
     whole
         Whether derivatives are there, too, which runs do not need and which take as long as all the rest. The rest is
         the same text.
-    ahead
-        Is told what the stepper will be compiled from, where that is known before the kernels are written.
 
     Raises
     ------
     ModelError
         The model has a mistake, or a choice is not for it.
     """
-    made = program(model, choices, savings, whole=whole, ahead=ahead)
+    made = program(model, choices, savings, whole=whole)
     return emit(made, origin or _origin(model, choices), input_hash(model, choices))
 
 
-def program(
-    model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS, *,
-    whole: bool = True, ahead: Callable[[str], object] | None = None,
-) -> Program:  # fmt: skip
+def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS, *, whole: bool = True) -> Program:
     """Return the record that the templates print."""
     if model.switches and choices.schur == "eigenfactor":
         raise ModelError(
             f'Model {model.name!r}: contacts change the rows of Delta within a run, of which schur="eigenfactor" '
             'carries eigenfactors. Build with schur="factor".'
         )
-    return with_room(model, lambda: _program(model, choices, savings, whole, ahead))
+    return with_room(model, lambda: _program(model, choices, savings, whole))
 
 
-def _program(
-    model: Model, choices: Choices, savings: frozenset[Saving], whole: bool, ahead: Callable[[str], object] | None
-) -> Program:
-    scene = specialise(derive(model), model.scales, savings)
-    outline = outlined(scene, _defaults(model), choices)
-    if ahead is not None and not (outline.acts or scene.may_break):  # what these need is counted with the kernels
-        ahead(stepper(outline))
-    return lower(scene, outline, choices, whole)
+def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: bool) -> Program:
+    return lower(specialise(derive(model), model.scales, savings), _defaults(model), choices, whole)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:

@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:771d14621a5f8d802c5503cd56f4fa403aba4e013c8e286a7a5a274fd30492b0 */
-/* body sha256:f6b5eec6bd8fa84420b7d0c39fda6156678985361fc1f02f23a78d2128434b47 */
+/* body sha256:da4b3082c807e67386e33b964ae0a1fa87166556ed45244f49df660076d7da8e */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -36,7 +36,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 7,                /* coordinates */
     N_ROWS = 6,           /* constraint rows */
@@ -50,9 +50,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 18,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -1939,7 +1937,6 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 /* Where the other is linked it takes the place of this. */
 extern em_lanes andrews_lanes;
 EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &andrews_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -2721,8 +2718,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -2779,6 +2774,45 @@ static const char *const left_out[] = {
     NULL
 };
 
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&andrews_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&andrews_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&andrews_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&andrews_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&andrews_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&andrews_model, run, mode); }
+
 const em_model andrews_model = {
     .abi = EM_ABI,
     .name = "andrews",
@@ -2828,19 +2862,19 @@ const em_model andrews_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &andrews_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -2854,7 +2888,7 @@ const em_model andrews_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

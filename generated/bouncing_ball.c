@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:2825e29a56e5f5b613672cb1cdf3fc39faa20aa137ef1f0f00055c5a99f4dadf */
+/* body sha256:db2b3e17611301637efae92e430c7f729f71d2f2f9c6f8b3bbc922a4fc738acc */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -35,7 +35,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -49,12 +49,10 @@ enum {
     N_EVENTS = 1,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
     N_PARAMETERS = 6,
     N_PREPARED = 16,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -383,7 +381,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bouncing_ball_lanes;
 EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &bouncing_ball_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -585,8 +582,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -626,6 +621,46 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {z}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .switched_rows = EM_SWITCHED_ROWS,
+    .cones = 0,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+    .act = em_act,
+    .watch_modes = em_watch_modes,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&bouncing_ball_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&bouncing_ball_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&bouncing_ball_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&bouncing_ball_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&bouncing_ball_model); }
 
 const em_model bouncing_ball_model = {
     .abi = EM_ABI,
@@ -676,19 +711,19 @@ const em_model bouncing_ball_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &bouncing_ball_lanes,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -704,7 +739,7 @@ const em_model bouncing_ball_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .act_along = em_act_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:2b6cbb25baa275e3b5d93f99c408976b574f853e9917bfb8093607d7d3199075 */
+/* body sha256:97a94c3113fc4d5528c701ce20196c8102b9ddaade39e416920ac2c416a674dd */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -30,7 +30,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 4,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -44,9 +44,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 20,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -955,7 +953,6 @@ EM_ACROSS void quasi_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes cart_pendulums_3_lanes;
 EM_WEAK em_lanes cart_pendulums_3_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &cart_pendulums_3_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -1185,8 +1182,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1230,6 +1225,42 @@ static const char *const left_out[] = {
     "dM/dx: M does not depend on it",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&cart_pendulums_3_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&cart_pendulums_3_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&cart_pendulums_3_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&cart_pendulums_3_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&cart_pendulums_3_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&cart_pendulums_3_model, run, mode); }
 
 const em_model cart_pendulums_3_model = {
     .abi = EM_ABI,
@@ -1280,22 +1311,22 @@ const em_model cart_pendulums_3_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,
     .event = model_events,
     .lanes = &cart_pendulums_3_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1308,7 +1339,7 @@ const em_model cart_pendulums_3_model = {
     .motion_derivatives = em_motion_derivatives,
     .quasi_partials = quasi_partials,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

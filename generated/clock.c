@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:5eb67c8748c02dcc6bbf57a5b1dbe700de17cc670abb7136047bcfa5d3ee7185 */
-/* body sha256:f1dc13642c71b3201a1dc800e4360d2e570cec9e316c6f5c07f90dd0a433ee03 */
+/* body sha256:f550998f177292aee2acdb8418d35f140df7b5339e9148e29a3e8623a777838b */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -31,7 +31,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 1,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -45,12 +45,10 @@ enum {
     N_EVENTS = 2,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 1,       /* constraint rows that hold at times */
     N_PARAMETERS = 8,
     N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -406,7 +404,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes clock_lanes;
 EM_WEAK em_lanes clock_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &clock_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -608,8 +605,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -650,6 +645,46 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .switched_rows = EM_SWITCHED_ROWS,
+    .cones = 0,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+    .act = em_act,
+    .watch_modes = em_watch_modes,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&clock_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&clock_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&clock_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&clock_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&clock_model); }
 
 const em_model clock_model = {
     .abi = EM_ABI,
@@ -700,19 +735,19 @@ const em_model clock_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &clock_lanes,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -728,7 +763,7 @@ const em_model clock_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .act_along = em_act_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

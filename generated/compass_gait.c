@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:56edeb7e4db8895b2d2cf8f221a89a13715f4c291bcea9a7fcf319590b9c2400 */
-/* body sha256:491de690ed6fcf27ac9d7efee01a8ed333c5620acb000c4656a9c1ea7b17ae24 */
+/* body sha256:6585eea68a4829dd710d19205992c8694fddb5d2d592f5e46f71b0986a627cf6 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -32,7 +32,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -46,12 +46,10 @@ enum {
     N_EVENTS = 1,
     N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 0,       /* constraint rows that hold at times */
     N_PARAMETERS = 5,
     N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -753,7 +751,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes compass_gait_lanes;
 EM_WEAK em_lanes compass_gait_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &compass_gait_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -1010,8 +1007,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1050,6 +1045,42 @@ static const char *const left_out[] = {
     "dM/dtheta: M does not depend on it",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+    .act = em_act,
+    .watch_modes = em_watch_modes,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&compass_gait_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&compass_gait_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&compass_gait_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&compass_gait_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&compass_gait_model); }
 
 const em_model compass_gait_model = {
     .abi = EM_ABI,
@@ -1100,19 +1131,19 @@ const em_model compass_gait_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &compass_gait_lanes,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1126,7 +1157,7 @@ const em_model compass_gait_model = {
     .event_partials = em_watched_partials,
     .motion_along = em_motion_along,
     .act_along = em_act_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2aa8c78fd5de9dcc95b82b3b59485521f0f69d4545624273923556883aeddf96 */
-/* body sha256:637de0ce584554dae5f2e1475e4fb9e758377d93bd16d7e35e9eb8f91d7d5809 */
+/* body sha256:1bda4ba0e6101003040d6f52a4d4a5e14549fd1ca2a96369a5ef9288c6d4b3ce */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -30,7 +30,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -44,9 +44,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -584,7 +582,6 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
 EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &double_pendulum_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -776,8 +773,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -817,6 +812,42 @@ static const char *const left_out[] = {
     "A, B, Bdot, Delta, lambda: there are no constraints",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&double_pendulum_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&double_pendulum_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&double_pendulum_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&double_pendulum_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&double_pendulum_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&double_pendulum_model, run, mode); }
 
 const em_model double_pendulum_model = {
     .abi = EM_ABI,
@@ -867,19 +898,19 @@ const em_model double_pendulum_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -891,7 +922,7 @@ const em_model double_pendulum_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:4e9893cc5e7c5dc0d481cf1470a3ef3a5e1a3b84e5f7e00dadf8b82698fb15df */
-/* body sha256:e8356ecb9d6a07127aa140d47c2cf1c7304359e37618286ee37dde7a910dfd3f */
+/* body sha256:499e0e9d94a172f9b867503aac210e4d1efd87e259b06fb27ca2f9aa50aef936 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -31,7 +31,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -45,9 +45,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -430,7 +428,6 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
 EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &driven_pendulum_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -667,8 +664,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -708,6 +703,44 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {y}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&driven_pendulum_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&driven_pendulum_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&driven_pendulum_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&driven_pendulum_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&driven_pendulum_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&driven_pendulum_model, run, mode); }
 
 const em_model driven_pendulum_model = {
     .abi = EM_ABI,
@@ -758,19 +791,19 @@ const em_model driven_pendulum_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -784,7 +817,7 @@ const em_model driven_pendulum_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:4f11df1f7d176811d0bb3694586688568505c1f4ec024bed8c913586a1914019 */
-/* body sha256:cefb4b5f8a666c6a77001cb4b24ed3f33ea1e762511586c1fc19e322b1b31ced */
+/* body sha256:f51bd899d73cc06a082ccb1dedde8004cf5892582705bf78cb8b3448226381c9 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -32,7 +32,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 8,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -46,9 +46,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 42,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -1433,7 +1431,6 @@ EM_ACROSS void output_partials(double t, const double *restrict x, const double 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes drone_lanes;
 EM_WEAK em_lanes drone_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &drone_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -1704,8 +1701,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1750,6 +1745,42 @@ static const char *const left_out[] = {
     "C, mu, Omega across blocks: {x, y, z, sway, heave}, {yaw, pitch, roll} do not couple",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&drone_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&drone_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&drone_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&drone_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&drone_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&drone_model, run, mode); }
 
 const em_model drone_model = {
     .abi = EM_ABI,
@@ -1800,19 +1831,19 @@ const em_model drone_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &drone_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1825,7 +1856,7 @@ const em_model drone_model = {
     .motion_derivatives = em_motion_derivatives,
     .output_partials = output_partials,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:ff36814f2b05e1933e30609683e774f079afb7c3e2680d8a3357697eb6b0dfaf */
-/* body sha256:6f01bfedd76b69b71386851eb5c18bfa0836f8c0bfa58df70b4fd04cd173a397 */
+/* body sha256:49590b725468e7f75ef3da99ba5bd2d6a4c1141f0d9dd8fb734c8ba8a4c5f2f9 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -30,7 +30,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -44,9 +44,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -557,7 +555,6 @@ EM_ACROSS void output_partials(double t, const double *restrict x, const double 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes furuta_pendulum_lanes;
 EM_WEAK em_lanes furuta_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &furuta_pendulum_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -749,8 +746,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -789,6 +784,42 @@ static const char *const left_out[] = {
     "dM/dtheta: M does not depend on it",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&furuta_pendulum_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&furuta_pendulum_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&furuta_pendulum_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&furuta_pendulum_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&furuta_pendulum_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&furuta_pendulum_model, run, mode); }
 
 const em_model furuta_pendulum_model = {
     .abi = EM_ABI,
@@ -839,19 +870,19 @@ const em_model furuta_pendulum_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &furuta_pendulum_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -864,7 +895,7 @@ const em_model furuta_pendulum_model = {
     .motion_derivatives = em_motion_derivatives,
     .output_partials = output_partials,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

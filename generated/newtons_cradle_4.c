@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:b7b2f2f815633c0c13ec47b71b8d50d30eeb9cbde0c35a3d76e313769a9245db */
-/* body sha256:e311a1d097929ac88f292944941b2f250a4fa1f55d7f31052bc1b1bae54e6dad */
+/* body sha256:1a49742a0d247955dbb610c3d983b8ea2943a84498b51fa929e9c9b2bf83c9e4 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -36,7 +36,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 4,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -50,12 +50,10 @@ enum {
     N_EVENTS = 3,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 0,       /* constraint rows that hold at times */
     N_PARAMETERS = 5,
     N_PREPARED = 27,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -522,7 +520,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes newtons_cradle_4_lanes;
 EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &newtons_cradle_4_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -713,8 +710,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -760,6 +755,41 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {theta4}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 0,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .act = em_act,
+    .watch_modes = em_watch_modes,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&newtons_cradle_4_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&newtons_cradle_4_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&newtons_cradle_4_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&newtons_cradle_4_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&newtons_cradle_4_model); }
 
 const em_model newtons_cradle_4_model = {
     .abi = EM_ABI,
@@ -810,19 +840,19 @@ const em_model newtons_cradle_4_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &newtons_cradle_4_lanes,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -836,7 +866,7 @@ const em_model newtons_cradle_4_model = {
     .event_partials = em_watched_partials,
     .motion_along = em_motion_along,
     .act_along = em_act_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:269d66f5ea53292310042b6300fdb9c786efee804aa2587e7557e5dd46031945 */
+/* body sha256:cf695af573cf97d953cde830642e8e74a48eca975593a1bb0df6cab7fc644b68 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -28,7 +28,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 1,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -42,9 +42,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -275,7 +273,6 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
 EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &pendulum_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -419,8 +416,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -458,6 +453,41 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 0,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&pendulum_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&pendulum_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&pendulum_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&pendulum_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&pendulum_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&pendulum_model, run, mode); }
 
 const em_model pendulum_model = {
     .abi = EM_ABI,
@@ -508,19 +538,19 @@ const em_model pendulum_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &pendulum_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -532,7 +562,7 @@ const em_model pendulum_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2ebb6373cfc4d6f8793f1aa682c138d933aea6a77484dc28ef97956eddbfc9f3 */
-/* body sha256:2b671cd8b7b81109b50088966883bb8321e93c6496377410078a5badd552deb1 */
+/* body sha256:6952aea1f0348798004d44c0b1e6af3ba7b166a67d48e08306ae9c8fa154a72f */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,7 +32,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -46,9 +46,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 2,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -379,7 +377,6 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 /* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
 EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &polar_particle_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -530,8 +527,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -570,6 +565,41 @@ static const char *const left_out[] = {
     "C, Omega of {theta}: one coordinate, s = sqrt(M) in closed form",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&polar_particle_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&polar_particle_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&polar_particle_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&polar_particle_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&polar_particle_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&polar_particle_model, run, mode); }
 
 const em_model polar_particle_model = {
     .abi = EM_ABI,
@@ -620,19 +650,19 @@ const em_model polar_particle_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &polar_particle_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -644,7 +674,7 @@ const em_model polar_particle_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:eefc1d055c279a5189732e8958806814735005f395b7498aad8e3d1d4b486275 */
+/* body sha256:b62c057054e8cbf156246e9a4cc4654cfee4c7840d40362f28cf60d58ed9d015 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -30,7 +30,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 6,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -44,9 +44,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 42,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -3667,7 +3665,6 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 /* Where the other is linked it takes the place of this. */
 extern em_lanes puma_lanes;
 EM_WEAK em_lanes puma_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &puma_lanes; }
 
 #include "em_blocks.h"
 
@@ -3977,8 +3974,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -4023,6 +4018,42 @@ static const char *const left_out[] = {
     "dM/dq1, dM/dq6: M does not depend on them",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&puma_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&puma_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&puma_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&puma_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&puma_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&puma_model, run, mode); }
 
 const em_model puma_model = {
     .abi = EM_ABI,
@@ -4073,19 +4104,19 @@ const em_model puma_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &puma_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -4097,7 +4128,7 @@ const em_model puma_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:16083fc70ce4f8f74a2486776ab2e7ad0d28678092f92365b6aa29bbd500868b */
-/* body sha256:79a25beceec2903cbb9443310f354e15cda3505211bce7c1790da125cc69b1ed */
+/* body sha256:3f0381f9310b98fbdfcf4cd163049dff45701f3226f0f569113ece389222f158 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -29,7 +29,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 1,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -43,12 +43,10 @@ enum {
     N_EVENTS = 1,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_SWITCHES = 0,       /* constraint rows that hold at times */
     N_PARAMETERS = 5,
     N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -377,7 +375,6 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rimless_wheel_lanes;
 EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &rimless_wheel_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -547,8 +544,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -591,6 +586,41 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 0,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .act = em_act,
+    .watch_modes = em_watch_modes,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&rimless_wheel_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&rimless_wheel_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&rimless_wheel_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&rimless_wheel_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&rimless_wheel_model); }
 
 const em_model rimless_wheel_model = {
     .abi = EM_ABI,
@@ -641,19 +671,19 @@ const em_model rimless_wheel_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &rimless_wheel_lanes,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -667,7 +697,7 @@ const em_model rimless_wheel_model = {
     .event_partials = em_watched_partials,
     .motion_along = em_motion_along,
     .act_along = em_act_along,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

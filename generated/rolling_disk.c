@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:ebf673f56124576bb73c451bf74d9ad949082b5169abf6dd5acef9f804275009 */
+/* body sha256:8bd6cf8a5caef510b21acf36e9f871d46a5969ce3637c3f0e7b34b272921d91d */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -31,7 +31,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 5,                /* coordinates */
     N_ROWS = 2,           /* constraint rows */
@@ -45,9 +45,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 30,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -938,7 +936,6 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
 EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &rolling_disk_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -1188,8 +1185,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1227,6 +1222,45 @@ static const char *const left_out[] = {
     "dM/dx, dM/dy, dM/dpsi: M does not depend on them",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&rolling_disk_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&rolling_disk_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&rolling_disk_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&rolling_disk_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&rolling_disk_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&rolling_disk_model, run, mode); }
 
 const em_model rolling_disk_model = {
     .abi = EM_ABI,
@@ -1277,19 +1311,19 @@ const em_model rolling_disk_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1303,7 +1337,7 @@ const em_model rolling_disk_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:f7099c76abe3595dab591e87b99a182784965bc3b6c6fc3297018351528949ae */
+/* body sha256:a4d93e240406ebd25f43ca292e161086b2074e27129a31a09432af53187a99a5 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -36,7 +36,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 5,                /* coordinates */
     N_ROWS = 2,           /* constraint rows */
@@ -50,9 +50,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -686,7 +684,6 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 /* Where the other is linked it takes the place of this. */
 extern em_lanes snakeboard_lanes;
 EM_WEAK em_lanes snakeboard_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &snakeboard_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -933,8 +930,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -978,6 +973,44 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {phi}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&snakeboard_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&snakeboard_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&snakeboard_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&snakeboard_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&snakeboard_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&snakeboard_model, run, mode); }
 
 const em_model snakeboard_model = {
     .abi = EM_ABI,
@@ -1028,19 +1061,19 @@ const em_model snakeboard_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &snakeboard_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1054,7 +1087,7 @@ const em_model snakeboard_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

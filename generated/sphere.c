@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:87fcfceb530674a524220a6812c1bd35ccba13b97f87d16d8ddc76de85c67965 */
-/* body sha256:8dbfa8955017e45d03bd2ce84123b411c36b11291789cf70ad0378f633a2e3b2 */
+/* body sha256:5a8bd6263bdc5361639759994c5390b89824d9c11094b22d137077619c04790c */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -36,7 +36,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 5,                /* coordinates */
     N_ROWS = 2,           /* constraint rows */
@@ -50,9 +50,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -1324,7 +1322,6 @@ EM_ACROSS void quasi_partials(double t, const double *restrict x, const double *
 /* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
 EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &sphere_lanes; }
 
 #include "em_blocks.h"
 #include "em_assumptions.h"
@@ -1613,8 +1610,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1660,6 +1655,45 @@ static const char *const left_out[] = {
     "C, s, mu, Omega of {y}: this block is constant, factored once per parameter set",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .rows = em_rows_at,
+    .settle_motion = em_settle_motion,
+    .reach = em_newton_from_afar,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&sphere_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&sphere_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&sphere_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&sphere_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&sphere_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&sphere_model, run, mode); }
 
 const em_model sphere_model = {
     .abi = EM_ABI,
@@ -1710,23 +1744,23 @@ const em_model sphere_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .initial_y = initial_y,
     .quasi = quasi,
     .event = model_events,
     .lanes = &sphere_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -1741,7 +1775,7 @@ const em_model sphere_model = {
     .quasi_partials = quasi_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .further = em_further,
+    .dynamics = &dynamics,
     .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

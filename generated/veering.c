@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:c842575eccd6f61ede20d03f1544e8c4b380edcc4d48536768aeb762bd885022 */
+/* body sha256:3c289dc87b34f53f5a8a237e6ad3650744eedf214f4b07b020bb1daaaf9f07f7 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -31,7 +31,7 @@
 #include "em_functions.h"
 #include "em_multipliers.h"
 
-/* The shape: all that the stepper knows of this model. */
+/* How large it is. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -45,9 +45,7 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
 };
-#define EM_MODEL_LANES (*lanes_here())
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
@@ -418,7 +416,6 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
 EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &veering_lanes; }
 
 #include "em_blocks.h"
 
@@ -580,8 +577,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
-#elif EM_HOLDS(EM_METHODS)
-#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -614,6 +609,42 @@ static const char *const left_out[] = {
     "dM/dz: M does not depend on it",
     NULL
 };
+
+/* What steppers ask of it. */
+static const em_dynamics dynamics = {
+    .n_C = N_C,
+    .n_s = N_S,
+    .n_C_delta = N_CD,
+    .n_s_delta = N_SD,
+    .n_memory = N_MEMORY,
+    .second_order = EM_SECOND_ORDER,
+    .settles = 1,
+    .rhs = model_rhs,
+    .settle = model_settle,
+    .velocity = model_velocity,
+    .velocity_error = model_velocity_error,
+    .publish = model_publish,
+    .events = model_events,
+    .factored = factored,
+    .acceleration = em_acceleration,
+    .worst_factors = em_worst_factors_of,
+};
+
+/* What of the stepper is told which model it is of: a run, */
+static int simulate(em_run *run) { return em_simulate(&veering_model, run); }
+/* the state within it, */
+static int interpolate(const em_run *run, size_t step, double t, double *y)
+{
+    return em_interpolate(&veering_model, run, step, t, y);
+}
+/* the end of its tables, */
+static void release(em_run *run) { em_release(&veering_model, run); }
+/* a run that goes on as it is told, */
+static void *open_run(em_run *run) { return em_handle_open(&veering_model, run); }
+/* its size, */
+static size_t saved(void) { return em_handle_saved(&veering_model); }
+/* and a run in a lane. */
+static void *enter(em_run *run, int *mode) { return em_member_enter(&veering_model, run, mode); }
 
 const em_model veering_model = {
     .abi = EM_ABI,
@@ -664,19 +695,19 @@ const em_model veering_model = {
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
     .motion_jacobian = em_motion_jacobian,
-    .simulate = em_simulate,
-    .interpolate = em_interpolate,
-    .release = em_release,
+    .simulate = simulate,
+    .interpolate = interpolate,
+    .release = release,
     .event = model_events,
     .lanes = &veering_lanes,
-    .enter = em_member_enter,
+    .enter = enter,
     .board = em_member_board,
     .look = em_member_look,
-    .open = em_handle_open,
+    .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = em_handle_saved,
+    .saved = saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
@@ -684,7 +715,7 @@ const em_model veering_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .further = em_further,
+    .dynamics = &dynamics,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif

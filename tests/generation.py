@@ -2,7 +2,6 @@
 
 import ctypes
 import os
-import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
@@ -29,9 +28,6 @@ FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC")
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
-OF_OTHER_UNITS = re.compile(
-    r"#if EM_HOLDS\(EM_(MODEL|RHS|ASIDE|DERIVATIVES|MODEL \| EM_RHS \| EM_ASIDE \| EM_DERIVATIVES)\)|#ifdef EM_ON_LANES"
-)
 LARGE = ("bicycle", "jansen")
 """Models with a block of more than six coordinates, whose inverse nothing writes out."""
 
@@ -127,7 +123,7 @@ def _library(sources: Sources, flags: tuple[str, ...], lanes: bool, runs: bool) 
 def compile_into(
     folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False, duals: bool = False, runs: bool = True
 ) -> None:
-    """Write NAME.c, NAME.h and compile NAME.so in a folder, in a hurry with the stepper of any model of its shape."""
+    """Write NAME.c, NAME.h and compile NAME.so in a folder, in a hurry with the stepper that all have in common."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)
     source, cc = f"{sources.name}.c", [*_compiler(flags), *FLAGS, *flags, f"-I{INCLUDE}"]
@@ -136,40 +132,20 @@ def compile_into(
         _run([*cc, "-DEM_ON_LANES", "-c", source, "-o", "lanes.o"], folder)
         others = ["lanes.o"]
     elif "-O0" in flags or not runs:
-        others = ["-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, [*cc, "-O0"], source)]
+        others = ["-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES", _stepper([*cc, "-O0"])]
     if duals:
         _run([*cc, "-DEM_ON_LANES", "-DEM_ON_DUALS", "-c", source, "-o", "duals.o"], folder)
         others.append("duals.o")
     _run([*cc, "-shared", source, *others, "-lm", "-o", f"{sources.name}.so"], folder)
 
 
-def _stepper(folder: Path, cc: list[str], source: str) -> str:
-    """Return the path of the stepper's object, which another model may have left."""
-    unit = [*cc, "-DEM_UNIT=EM_STEPPER|EM_METHODS", source]
+def _stepper(cc: list[str]) -> str:
+    """Return the path of the stepper's object, which all models have in common."""
 
     def fill(kept: Path) -> None:
-        _run([*unit, "-c", "-o", str(kept / "stepper.o")], folder)
+        _run([*cc, "-c", str(INCLUDE / "em_stepper.c"), "-o", str(kept / "stepper.o")], kept)
 
-    name = key(*unit[:-1], _read_for_the_stepper((folder / source).read_text()), *_headers())
-    return str(entry("tests", name, fill) / "stepper.o")
-
-
-def _read_for_the_stepper(text: str) -> str:
-    """Return what of a C file its stepper may see: all but comments and what is known to belong to other units.
-
-    That takes a compiler's preprocessor as long as a quarter of a model.
-    """
-    kept, elsewhere = [], []
-    for line in re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL).splitlines():
-        if line.startswith("#if"):
-            elsewhere.append(OF_OTHER_UNITS.fullmatch(line) is not None)
-        elif line.startswith("#else"):
-            elsewhere[-1] = False
-        elif line.startswith("#endif"):
-            elsewhere.pop()
-        elif not any(elsewhere):
-            kept.append(line.strip())
-    return "\n".join(kept)
+    return str(entry("tests", key(*cc, *_headers()), fill) / "stepper.o")
 
 
 def _run(command: list[str], folder: Path) -> str:

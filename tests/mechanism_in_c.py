@@ -12,10 +12,10 @@ SOURCE = string.Template(r"""
 enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0 };
 enum { N_STATE = 2 * N + N_C + N_S };
 enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events };
-enum { N_MEMORY = $n_memory, SETTLES = $settles };
+enum { N_MEMORY = $n_memory };
 #define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
 $preamble
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault) {
     const double h = 0.0;
     UNUSED;
@@ -55,9 +55,15 @@ int interpolate(const em_run *run, size_t step, double t, double *y);
 void release(em_run *run);
 const em_tableau *tableau(int method);
 enum { METHODS = $methods };
-int simulate(em_run *run) { return em_simulate(run); }
-int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(run, step, t, y); }
-void release(em_run *run) { em_release(run); }
+static const em_dynamics dynamics = {
+    .n_C = N_C, .n_s = N_S, .n_memory = N_MEMORY, .second_order = EM_SECOND_ORDER, .settles = $settles,
+    .rhs = model_rhs, .settle = model_settle, .velocity = model_velocity, .velocity_error = model_velocity_error,
+    .publish = model_publish, .events = model_events};
+static const em_model model = {.n = N, .m = N_ROWS, .h = N_POSITIONS, .n_state = N_STATE, .n_inputs = N_INPUTS,
+                               .n_events = N_EVENTS, .dynamics = &dynamics};
+int simulate(em_run *run) { return em_simulate(&model, run); }
+int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(&model, run, step, t, y); }
+void release(em_run *run) { em_release(&model, run); }
 const em_tableau *tableau(int method) {
     static const em_tableau *const all[METHODS] = {$tableaux};
     return all[method];

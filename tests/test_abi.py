@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.running import start
-from eigenmotion.running.methods import AT_ONCE, METHODS, STEPPED
+from eigenmotion.running.methods import METHODS, STEPPED
 from eigenmotion.runtime import StopReason
 
 from .stepping import COMPILER, INCLUDE
@@ -98,9 +98,8 @@ def test_reasons_stand_in_the_order_of_the_abi():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_has_a_case_of_its_own(method):
-    """A number without one would run nothing; those that a run takes by itself are compiled with every stepper."""
-    table = "em_methods.h" if method in AT_ONCE else "em_further_methods.h"
-    assert f"case EM_{method.upper()}:" in (INCLUDE / table).read_text(encoding="utf-8")
+    """A number without one would run nothing."""
+    assert f"case EM_{method.upper()}:" in (INCLUDE / "em_methods.h").read_text(encoding="utf-8")
 
 
 SAID_TWICE = {

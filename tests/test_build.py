@@ -80,16 +80,17 @@ def test_what_differs_is_built_apart_and_nothing_twice(own_cache, monkeypatch):
     assert (entries(own_cache, "binaries"), entries(own_cache, "sources")) == before
 
 
-def test_models_of_one_shape_share_the_stepper(own_cache):
-    """That is about half of a build; what they run is their own."""
+def test_all_models_share_the_stepper(own_cache):
+    """Compiled once, by each compiler with each of its flags; what models run is their own."""
     for gravity in (9.81, 1.62):
         acceleration, _ = em.build(swing(gravity=gravity)).acceleration([0.3], [0.0])
         assert acceleration == pytest.approx([-gravity / 0.5 * np.sin(0.3)], rel=1e-14)
     assert len(entries(own_cache, "binaries")) == 2
+    assert em.build(swing(), formulation="lagrange").simulate((0.0, 0.1)).success
+    assert em.build(Path(__file__).parents[1] / "models" / "four_bar.py").simulate((0.0, 0.1)).success
     assert len(entries(own_cache, "steppers")) == 1
-    em.build(swing(), formulation="lagrange")
     em.build(swing(), flags="-O0 -DOTHER")
-    assert len(entries(own_cache, "steppers")) == 3
+    assert len(entries(own_cache, "steppers")) == 2
 
 
 def test_the_processor_is_part_of_the_compilers_identity():

@@ -68,9 +68,7 @@ def test_compilers_on_the_path_come_first():
 
 @HERE
 @pytest.mark.nightly
-@pytest.mark.parametrize(
-    "macro", ["EM_UNIT=EM_MODEL", "EM_UNIT=EM_RHS", "EM_UNIT=EM_STEPPER", "EM_UNIT=EM_METHODS", "EM_ON_LANES"]
-)
+@pytest.mark.parametrize("macro", ["EM_UNIT=EM_MODEL", "EM_UNIT=EM_RHS", "EM_UNIT=EM_STEPPER", "EM_ON_LANES"])
 @pytest.mark.parametrize("target", ["aarch64-linux-gnu", "aarch64-macos", "x86_64-windows-gnu"])
 def test_generated_c_compiles_for_other_systems(target, macro, tmp_path):
     """As numbers, and in the vectors of their processors; nothing of it is run."""

@@ -21,7 +21,7 @@ from eigenmotion.building.toolchain import UNITS, Toolchain, toolchain
 from .generation import model_of
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="there a module has all from the start")
-FIRST = ["aside", "lanes", "model", "rhs", "stepper"]
+FIRST = ["aside", "lanes", "model", "rhs"]
 
 
 @pytest.fixture(autouse=True)
@@ -64,10 +64,10 @@ def test_each_part_is_compiled_once_and_nothing_changes(own_cache, units, monkey
     stepper.advance(0.5)
     assert sorted(units) == FIRST
     assert system.simulate((0.0, 1.0), method="radau5").success
-    assert sorted(units) == sorted([*FIRST, "derivatives", "methods"])
+    assert sorted(units) == sorted([*FIRST, "derivatives"])
     assert system.simulate((0.0, 1.0), method="rk34").success
     assert system.linearize().A.shape == (2, 2)
-    assert len(units) == len(FIRST) + 2
+    assert len(units) == len(FIRST) + 1
     assert system.jacobian(0.0, system.state()).shape == (system.n_state,) * 2
     assert em.simulate_ensemble(system, (0.0, 1.0), x0={"theta": [0.1, 0.2]}, method="dop853").success.all()
     assert sorted(units) == sorted(UNITS)
@@ -85,9 +85,9 @@ def test_each_part_is_compiled_once_and_nothing_changes(own_cache, units, monkey
 
 
 ASKING = {
-    "an explicit method": ("methods", lambda system: system.simulate((0.0, 1.0), method="dopri5")),
-    "an implicit one": ("implicit", lambda system: system.simulate((0.0, 1.0), method="radau9")),
-    "a stepper": ("methods", lambda system: system.stepper(method="rk4", step=0.1)),
+    "an explicit method": ("", lambda system: system.simulate((0.0, 1.0), method="dopri5")),
+    "an implicit one": ("derivatives", lambda system: system.simulate((0.0, 1.0), method="radau9")),
+    "a stepper": ("", lambda system: system.stepper(method="rk4", step=0.1)),
     "steppers": ("members", lambda system: system.steppers(2, method="midpoint", step=0.1)),
     "an ensemble": (
         "members",
@@ -115,13 +115,13 @@ def test_who_needs_a_part_asks_for_it(formulation, what, monkeypatch):
     system.compiled.later = lambda part: asked.append(part) or given(part)
     assert ask(system) is not None
     assert not part or part in asked  # by each of the threads that find it missing at once
-    assert set(asked) <= {part, "methods"}
+    assert set(asked) <= {part}
 
 
 def test_a_run_that_carries_interpolants_elsewhere(monkeypatch):
-    """A solution by a further method is unpickled where that is not compiled in yet."""
+    """A solution by an implicit method is unpickled where its derivatives are not compiled in yet."""
     system = em.build(model_of("pendulum"))
-    found = system.simulate((0.0, 1.0), method="dopri5", dense_output=True)
+    found = system.simulate((0.0, 1.0), method="radau5", dense_output=True)
     text, expected = pickle.dumps(found), found.sol(0.3)
     forget(monkeypatch)
     np.testing.assert_array_equal(pickle.loads(text).sol(0.3), expected)
@@ -130,15 +130,15 @@ def test_a_run_that_carries_interpolants_elsewhere(monkeypatch):
 def test_threads_that_ask_at_once_take_the_same(own_cache, units):
     system = em.build(model_of("pendulum"))
     with ThreadPoolExecutor(4) as pool:
-        runs = list(pool.map(lambda _: system.simulate((0.0, 1.0), method="rk34").y, range(4)))
+        runs = list(pool.map(lambda _: system.simulate((0.0, 1.0), method="radau5").y, range(4)))
     assert all((run == runs[0]).all() for run in runs)
-    assert units.count("methods") == 1
+    assert units.count("derivatives") == 1
 
 
 RUN = """
 import eigenmotion as em
 from eigenmotion.models.pendulum import model
-print(em.build(model).simulate((0.0, 1.0), method="dopri5").x[0, -1])
+print(em.build(model).simulate((0.0, 1.0), method="radau5").x[0, -1])
 """
 
 
@@ -147,8 +147,8 @@ def test_processes_that_ask_at_once_take_the_same(own_cache):
     command = [sys.executable, "-c", RUN]
     both = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     ends = [float(one.communicate()[0]) for one in both]
-    assert ends == [em.build(model_of("pendulum")).simulate((0.0, 1.0), method="dopri5").x[0, -1]] * 2
-    assert len([one for one in (own_cache / "steppers").iterdir() if (one / "methods.o").exists()]) == 1
+    assert ends == [em.build(model_of("pendulum")).simulate((0.0, 1.0), method="radau5").x[0, -1]] * 2
+    assert [one.name for one in (own_cache / "steppers").glob("*/*.o")] == ["em_stepper.o"]
 
 
 def test_a_process_after_a_fork_asks_for_itself(monkeypatch):
@@ -156,7 +156,7 @@ def test_a_process_after_a_fork_asks_for_itself(monkeypatch):
     system = em.build(model_of("pendulum"))
     child = os.fork()
     if child == 0:
-        os._exit(0 if system.simulate((0.0, 1.0), method="rk34").success else 1)
+        os._exit(0 if system.simulate((0.0, 1.0), method="radau5").success else 1)
     assert os.waitpid(child, 0)[1] == 0
 
 
@@ -166,15 +166,15 @@ def test_a_compiler_that_has_gone(own_cache, tmp_path):
     there.symlink_to(shutil.which(toolchain().command[0]))
     system = em.build(model_of("pendulum"), compiler=str(there))
     there.rename(gone)
-    words = r"cannot start .*/cc(.|\n)*further methods of pendulum(.|\n)*`eigenmotion build`"
+    words = r"cannot start .*/cc(.|\n)*derivatives of pendulum(.|\n)*`eigenmotion build`"
     for _ in range(2):
         with pytest.raises(em.BuildError, match=words):
-            system.simulate((0.0, 1.0), method="rk34")
-    with pytest.raises(em.BuildError, match="implicit methods of pendulum"):
+            system.simulate((0.0, 1.0), method="radau9")
+    with pytest.raises(em.BuildError, match="derivatives of pendulum"):
         system.stepper(method="radau5")
     assert system.simulate((0.0, 1.0), method="ra15").success
     gone.rename(there)
-    assert system.simulate((0.0, 1.0), method="rk34").success
+    assert system.simulate((0.0, 1.0), method="radau9").success
 
 
 def test_what_has_all_needs_no_compiler(own_cache, tmp_path, units):
@@ -199,17 +199,13 @@ def test_an_interrupt_leaves_nothing_and_is_no_end(own_cache, monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(Toolchain, "link", interrupted)
         with pytest.raises(KeyboardInterrupt):
-            system.simulate((0.0, 1.0), method="rk34")
+            system.simulate((0.0, 1.0), method="radau5")
     assert sorted((own_cache / "binaries").iterdir()) == entries
-    assert system.simulate((0.0, 1.0), method="rk34").success
+    assert system.simulate((0.0, 1.0), method="radau5").success
 
 
-PROVED = {
-    "methods": ("rk34", "dopri5"),
-    "implicit": ("rk34", "dopri5", "radau5", "radau9"),
-    "members": ("dop853", "ra15"),
-    "derivatives": (),
-}
+EXPLICIT = ("rk34", "dopri5", "dop853", "ra15")
+PROVED = {"derivatives": ("radau5", "radau9"), "members": EXPLICIT, "duals": ()}
 
 
 @pytest.mark.parametrize(("part", "methods"), PROVED.items())
@@ -219,19 +215,19 @@ def test_what_is_compiled_later_is_proved_then(part, methods, own_cache, monkeyp
 
     def first_steps(system, methods):
         held.extend(methods)
-        yield from ((name, "is made up") for name in methods if len(held) > len(parts.AT_ONCE))
+        yield from ((name, "is made up") for name in methods if len(held) > len(EXPLICIT))
 
     monkeypatch.setattr(verdict, "first_steps", first_steps)
     em.build(asked.model)
-    assert held == list(parts.AT_ONCE)
+    assert held == list(EXPLICIT)
     if methods:
         words = rf"a run by {methods[0]} is made up(.|\n)*{parts.WORDS[part]} of pendulum"
         with pytest.raises(em.ProofError, match=words):
             later(asked, toolchain(), part)
     else:
         later(asked, toolchain(), part)
-    assert tuple(held[len(parts.AT_ONCE) :]) == methods
-    assert len(list((own_cache / "binaries").iterdir())) == {"implicit": 2, "derivatives": 2}.get(part, 1)
+    assert tuple(held[len(EXPLICIT) :]) == methods
+    assert len(list((own_cache / "binaries").iterdir())) == (1 if methods else 2)
 
 
 def test_what_acts_is_there_at_first():
@@ -258,13 +254,13 @@ def test_a_cache_that_cannot_be_used_any_more(own_cache, monkeypatch):
     system = em.build(model_of("pendulum"))
     monkeypatch.setenv("EIGENMOTION_CACHE", str(own_cache / "locks" / next((own_cache / "locks").iterdir()).name))
     with pytest.raises(em.BuildError, match="EIGENMOTION_CACHE"):
-        system.simulate((0.0, 1.0), method="rk34")
+        system.simulate((0.0, 1.0), method="radau5")
 
 
 @pytest.mark.nightly
 def test_a_command_that_needs_a_part(own_cache):
-    """`run` by a further method compiles it."""
+    """`run` by an implicit method has derivatives compiled."""
     model = "models/pendulum.py"
-    command = [sys.executable, "-m", "eigenmotion", "run", model, "--t-end", "1", "--method", "rk34"]
+    command = [sys.executable, "-m", "eigenmotion", "run", model, "--t-end", "1", "--method", "radau5"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -206,16 +206,16 @@ def test_steps_that_a_compiler_spoilt_are_found(own_cache, tmp_path, monkeypatch
     right = "em_pivoted(m, Delta, 0.0, L, pivot, row);"
     assert header.read_text().count(right) == 1
     header.write_text(header.read_text().replace(right, f"{right} pivot[m - 1] = 0.0;"))
-    for module in ("building.build", "building.toolchain"):
-        monkeypatch.setattr(sys.modules[f"eigenmotion.{module}"], "INCLUDE", tmp_path / "include")
-    sys.modules["eigenmotion.building.build"]._abi.cache_clear()
+    toolchain = sys.modules["eigenmotion.building.toolchain"]
+    monkeypatch.setattr(toolchain, "INCLUDE", tmp_path / "include")
+    toolchain.headers.cache_clear()
     x = dynamicsymbols("x1:9")
     rows = [one**2 + other**2 - 1 for one, other in pairwise(x[::2] + x[1::2])][:4]
     model = em.Model(name="four_rows", coordinates=x, kinetic_energy=sum(one.diff() ** 2 for one in x),
                      holonomic_constraints=rows, initial=dict.fromkeys(x, 0.5**0.5))  # fmt: skip
     with pytest.raises(ProofError, match="ends at the start"):
         em.build(model, formulation="lagrange")
-    sys.modules["eigenmotion.building.build"]._abi.cache_clear()
+    toolchain.headers.cache_clear()
 
 
 @pytest.mark.parametrize(("function", "old", "named"), [("position", "phi[0] = ", r"holonomic_constraints\[0\]"),

@@ -189,14 +189,14 @@ static int one_run(em_method method, double t_end) {
                   .max_step = INFINITY, .max_steps = 10000, .dense = 1, .event_direction = direction,
                   .event_terminal = terminal};
     const em_run again = run;
-    int ended = em_simulate(&run);
+    int ended = simulate(&run);
     for (size_t i = 0; i < run.n_dense; ++i)
-        if (em_interpolate(&run, i, run.dense_steps[i].t + 0.5 * run.dense_steps[i].h, inside)) ended = -1;
-    em_release(&run);
+        if (interpolate(&run, i, run.dense_steps[i].t + 0.5 * run.dense_steps[i].h, inside)) ended = -1;
+    release(&run);
     run = again;
     run.t_eval = t_eval, run.n_t_eval = 3;
-    if (em_simulate(&run) != ended) ended = -1;
-    em_release(&run);
+    if (simulate(&run) != ended) ended = -1;
+    release(&run);
     return ended;
 }
 int main(void) {

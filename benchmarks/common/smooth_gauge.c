@@ -21,16 +21,13 @@
 #endif
 
 enum { N = 2, N_ROWS = 0, N_POSITIONS = 0, N_C = 4, N_S = 0, N_CD = 0, N_SD = 0, N_STATE = 8 };
-enum { N_INPUTS = 0, N_EVENTS = 0, L_KEPT = 0, R_KEPT = 4, PACE = 6, N_MEMORY = 7, EM_SECOND_ORDER = 0, SETTLES = 1 };
-#define EM_MODEL_LANES (*lanes_here())
+enum { N_INPUTS = 0, N_EVENTS = 0, L_KEPT = 0, R_KEPT = 4, PACE = 6, N_MEMORY = 7 };
 enum { GAP, K_X, K_Z, N_PARAMETERS };
 
 #include "em_units.h"
 
 EM_ACROSS const double scales[N] = {1.0, 1.0};
 EM_ACROSS const em_block *const blocks[] = {NULL}; /* none with factors in the published meaning */
-static const em_lanes no_lanes = {0};
-EM_ACROSS const em_lanes *lanes_here(void) { return &no_lanes; }
 
 static void masses(const double *x, const double *c, double *M) {
     M[0] = 2.0 + 0.5 * x[0];
@@ -175,7 +172,6 @@ EM_ACROSS void model_events(double t, const double *x, const double *v, const do
 }
 
 #include "em_mechanics.h"
-#include "em_newton.h"
 #include "em_handle.h"
 
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault) {
@@ -199,9 +195,20 @@ EM_ACROSS int state(double t, const double *x, const double *v, const double *c,
 
 static const double defaults[] = {1e-3, 4.0, 1.0}, initial_x[] = {1.0, 0.5}, initial_v[] = {0.0, 0.3};
 
+static const em_dynamics dynamics = {
+    .n_C = N_C, .n_memory = N_MEMORY, .settles = 1, .rhs = model_rhs, .settle = model_settle, .velocity = model_velocity,
+    .velocity_error = model_velocity_error, .publish = model_publish, .events = model_events, .factored = factored,
+    .acceleration = em_acceleration};
+
 extern const em_model veering_model;
+static int simulate(em_run *run) { return em_simulate(&veering_model, run); }
+static int interpolate(const em_run *run, size_t step, double t, double *y) {
+    return em_interpolate(&veering_model, run, step, t, y);
+}
+static void release(em_run *run) { em_release(&veering_model, run); }
+
 const em_model veering_model = {
     .abi = EM_ABI, .name = "veering", .n = N, .n_state = N_STATE, .n_parameters = N_PARAMETERS,
     .n_prepared = N_PARAMETERS, .parameter_defaults = defaults, .initial_x = initial_x, .initial_v = initial_v,
-    .conserves_energy = 1, .prepare = prepare, .state = state, .energy = energy, .simulate = em_simulate,
-    .interpolate = em_interpolate, .release = em_release};
+    .conserves_energy = 1, .prepare = prepare, .state = state, .energy = energy, .dynamics = &dynamics,
+    .simulate = simulate, .interpolate = interpolate, .release = release};

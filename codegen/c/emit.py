@@ -12,7 +12,7 @@ import jinja2
 
 from .bytecode import Bytecode
 from .lines import WHOLE, folded
-from .program import Outline, Program
+from .program import Program
 
 TEMPLATES = {"h": "model.h.jinja", "c": "model.c.jinja", "pyx": "module.pyx.jinja"}
 ESCAPES = {"\\": r"\\", '"': r"\"", "?": r"\?", "\n": r"\n", "\t": r"\t"}
@@ -59,11 +59,6 @@ def emit(program: Program, origin: str, input_hash: str) -> Sources:
     stamped = (SourceFile(f"{program.name}.{suffix}", _stamped(suffix, text, origin, input_hash))
                for suffix, text in rendered)  # fmt: skip
     return Sources(program.name, tuple(stamped))
-
-
-def stepper(outline: Outline) -> str:
-    """Return what NAME.c says to its stepper, once its shape is known."""
-    return environment().get_template("stepper.c.jinja").render(program=outline)
 
 
 def _stamped(suffix: str, text: str, origin: str, input_hash: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from itertools import accumulate
 
 from ..choices import Choices
@@ -12,7 +12,7 @@ from ..model.event import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, Declared, EventView, Named, Outline, Program, ShapeView, SwitchView
+from .program import BlockView, Declared, EventView, Named, Program, ShapeView, SwitchView
 from .roles import Kernels, Stages
 
 
@@ -36,23 +36,18 @@ class Defaults:
     rows: tuple[str, ...]
 
 
-def lower(scene: Scene, outline: Outline, choices: Choices, whole: bool = True) -> Program:
-    """Write the kernels: `whole` with derivatives, without which no event acts and no run extrapolates."""
-    layout = laid_out(scene, choices)
-    extrapolates = layout.couples and choices.extrapolate
-    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates or _acts(scene))
-    known = {field.name: getattr(outline, field.name) for field in fields(outline)}
-    return Program(**known, n_prepared=layout.first_constant + n_constants,
-                   costs=_costs(kernels, choices.formulation), kernels=kernels)  # fmt: skip
+def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
+    """Lay out state and memory, and write the kernels.
 
-
-def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
-    """Lay out state and memory."""
+    `whole` is with derivatives, without which no event acts and no run extrapolates.
+    """
     layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
     blocks, groups = layout.blocks, layout.row_groups
     turning = [block for block in blocks if block.turning and eigen]
     coupled = [group for group in groups if group.size > 1]
-    return Outline(
+    extrapolates = layout.couples and choices.extrapolate
+    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates or _acts(scene))
+    return Program(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
@@ -76,6 +71,7 @@ def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
         delta_eigenfactors=bool(groups), row_groups=groups,
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
+        n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation), kernels=kernels,
     )  # fmt: skip
 
 

@@ -144,8 +144,8 @@ class ShapeView:
 
 
 @dataclass(frozen=True, slots=True)
-class Outline:
-    """What the files of one model say but for its kernels, and known before they are written.
+class Program:
+    """Everything that the files of one model say.
 
     eigenfactor, cholesky : whether that is the formulation
     carries_v : whether the state holds xdot itself
@@ -164,6 +164,8 @@ class Outline:
     normals : of each norm of multipliers that takes part in forces, for each row 1 or 0: whether it is among them
     n_impacts, resets, switches : what events do; of resets, whether they are in quasi-velocities
     shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
+    n_prepared : numbers of a parameter set, the constants that kernels share among them
+    costs : operations of the model-specific part and of the whole right-hand side, for readers
     """
 
     name: str
@@ -217,6 +219,9 @@ class Outline:
     layout: tuple[Slice, ...]
     left_out: tuple[str, ...]
     conserves_energy: bool
+    n_prepared: int
+    costs: tuple[str, ...]
+    kernels: Kernels
 
     @property
     def acts(self) -> bool:
@@ -226,7 +231,7 @@ class Outline:
     @property
     def n_breaks(self) -> int:
         """How many times, or series of them, there are at which conditions in the time alone change."""
-        return 0
+        return self.kernels.breaks.count
 
     @property
     def pushed(self) -> str:
@@ -267,24 +272,6 @@ class Outline:
     def coupled(self) -> tuple[RowGroup, ...]:
         """Groups of more than one constraint row."""
         return tuple(group for group in self.row_groups if group.size > 1)
-
-
-@dataclass(frozen=True, slots=True)
-class Program(Outline):
-    """Everything that the files of one model say.
-
-    n_prepared : numbers of a parameter set, the constants that kernels share among them
-    costs : operations of the model-specific part and of the whole right-hand side, for readers
-    """
-
-    n_prepared: int
-    costs: tuple[str, ...]
-    kernels: Kernels
-
-    @property
-    def n_breaks(self) -> int:
-        """How many times, or series of them, there are at which conditions in the time alone change."""
-        return self.kernels.breaks.count
 
     @property
     def lane_by_lane(self) -> tuple[str, ...]:

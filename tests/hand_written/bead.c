@@ -8,9 +8,7 @@
  */
 #include "em_linear.h"
 
-enum { N = 2, N_ROWS = 1, N_POSITIONS = 1, N_STATE = 4, N_INPUTS = 1, N_EVENTS = 2, N_MEMORY = 0, EM_SECOND_ORDER = 1 };
-enum { N_C = 0, N_S = 0, N_CD = 0, N_SD = 0 };
-enum { SETTLES = 1 };
+enum { N = 2, N_ROWS = 1, N_POSITIONS = 1, N_STATE = 4, N_INPUTS = 1, N_EVENTS = 2 };
 enum { MASS, GRAVITY, RADIUS, N_PARAMETERS };
 
 static int motion(const double *x, const double *v, const double *c, const double *u, int least_norm, double *a,
@@ -40,7 +38,7 @@ static int project(double *x, double *v, const double *c, em_fault *fault) {
 
 /* --- what the stepper relies on --- */
 
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault) {
     double lambda;
     (void)mode, (void)t, (void)memory;
@@ -196,7 +194,20 @@ static const double defaults[] = {2.0, 9.81, 1.5}, rest[] = {0.0}, initial_x[] =
 static const int block[] = {0, 1}, carried[] = {0, 0}, direction[] = {0, 1}, terminal[] = {0, 1};
 static const em_slice layout[] = {{"x", 0, 2}, {"v", 2, 2}};
 
+/* No `factored`: it states no terms of its equations that a step could be held against. */
+static const em_dynamics dynamics = {
+    .second_order = 1, .settles = 1, .rhs = model_rhs, .settle = model_settle, .velocity = model_velocity,
+    .velocity_error = model_velocity_error, .publish = model_publish, .events = model_events};
+
 extern const em_model bead_model;
+static int simulate(em_run *run) { return em_simulate(&bead_model, run); }
+static int interpolate(const em_run *run, size_t step, double t, double *y) {
+    return em_interpolate(&bead_model, run, step, t, y);
+}
+static void release(em_run *run) { em_release(&bead_model, run); }
+static void *open_run(em_run *run) { return em_handle_open(&bead_model, run); }
+static size_t saved(void) { return em_handle_saved(&bead_model); }
+
 const em_model bead_model = {
     .abi = EM_ABI, .name = "bead", .formulation = "lagrange", .close_eigenvalues = "bounded", .schur = "factor",
     .n = N, .m = N_ROWS, .h = N_POSITIONS, .n_state = N_STATE, .n_parameters = N_PARAMETERS,
@@ -207,9 +218,9 @@ const em_model bead_model = {
     .scales = scales, .conserves_energy = 0, .prepare = prepare, .state = state, .velocity = velocity, .rhs = rhs,
     .carried = carried, .mass_matrix = mass_matrix, .mass_matrix_gradient = mass_matrix_gradient, .pfaffian = pfaffian,
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
-    .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,
-    .open = em_handle_open, .advance = em_handle_advance, .now = em_handle_now, .publish = em_handle_publish,
-    .saved = em_handle_saved, .save = em_handle_save, .restore = em_handle_restore,
+    .eigenfactors = eigenfactors, .output = output, .simulate = simulate, .interpolate = interpolate,
+    .open = open_run, .advance = em_handle_advance, .now = em_handle_now, .publish = em_handle_publish,
+    .saved = saved, .save = em_handle_save, .restore = em_handle_restore,
     .close = em_handle_close, .again = em_handle_again,
-    .jacobian = jacobian,
-    .motion_jacobian = motion_jacobian, .release = em_release, .event = model_events};
+    .jacobian = jacobian, .dynamics = &dynamics,
+    .motion_jacobian = motion_jacobian, .release = release, .event = model_events};

@@ -2,7 +2,6 @@
 
 import logging
 import sys
-from collections.abc import Callable
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
@@ -13,10 +12,10 @@ from ..codegen.model import Model
 from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
-from .extension import compile_in, load, stepper_ahead
+from .extension import compile_in, load, stepper_meanwhile
 from .parts import ALL_AT_FIRST, PARTS, WORDS, at_first
 from .request import Request, request
-from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
+from .toolchain import EXTENSION_SUFFIX, Toolchain, headers, toolchain
 
 if TYPE_CHECKING:
     from ..runtime import CompiledModel
@@ -113,14 +112,14 @@ def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
     once both are there.
     """
-    with stepper_ahead(tools) as ahead:
+    with stepper_meanwhile(tools):
         if output is not None:
-            sources = cached_sources(wanted, ahead)
+            sources = cached_sources(wanted)
             binary = all_of(sources, tools, wanted.model)
             with guarded():
                 module = binary.read_bytes()
             _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-        return compiled(first_sources(wanted, ahead), tools, wanted.model)
+        return compiled(first_sources(wanted), tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -138,20 +137,20 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
         raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
-def cached_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
-    """Return the sources of a request, derived unless the same generator did so before; `ahead` as of `generate`."""
-    return _cached_sources(wanted, wanted.sources_hash, whole=True, ahead=ahead)
+def cached_sources(wanted: Request) -> Sources:
+    """Return the sources of a request, derived unless the same generator did so before."""
+    return _cached_sources(wanted, wanted.sources_hash, whole=True)
 
 
-def first_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
+def first_sources(wanted: Request) -> Sources:
     """Return what of the sources first runs need: all but derivatives, unless those are part of that."""
     if ALL_AT_FIRST:
-        return cached_sources(wanted, ahead)
-    return _cached_sources(wanted, key(wanted.sources_hash, "first"), whole=False, ahead=ahead)
+        return cached_sources(wanted)
+    return _cached_sources(wanted, key(wanted.sources_hash, "first"), whole=False)
 
 
-def _cached_sources(wanted: Request, name: str, whole: bool, ahead: Callable[[str], object] | None) -> Sources:
-    folder = entry("sources", name, lambda folder: _generate(wanted, folder, whole, ahead))
+def _cached_sources(wanted: Request, name: str, whole: bool) -> Sources:
+    folder = entry("sources", name, lambda folder: _generate(wanted, folder, whole))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
@@ -175,8 +174,6 @@ def part_of(wanted: Request, tools: Toolchain, part: str) -> Path:
     """Return the path of the library that has a part in new objects, and the rest in those of `compiled`."""
     units, model, first = PARTS[part], wanted.model, first_sources(wanted)
     kept = _objects(compiled(first, tools, model))
-    if part == "implicit":  # of which derivatives are a part by themselves
-        kept |= _objects(part_of(wanted, tools, "derivatives"))
     sources = cached_sources(wanted) if part == "derivatives" else first
 
     def fill(folder: Path) -> None:
@@ -210,19 +207,13 @@ def _text(sources: Sources) -> str:
 def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     bodies = [body_hash(file.text) for file in sources.files]
     proved = () if model is None else (model.canonical(), _proof())
-    return key(sources.name, *bodies, _abi(), tools.identity, *proved)
+    return key(sources.name, *bodies, headers(), tools.identity, *proved)
 
 
-def _generate(wanted: Request, folder: Path, whole: bool, ahead: Callable[[str], object] | None) -> None:
+def _generate(wanted: Request, folder: Path, whole: bool) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources(whole, ahead).files:
+    for file in wanted.sources(whole).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
-
-
-@cache
-def _abi() -> str:
-    """Hash of the headers that are compiled in, and of what makes a module of a model."""
-    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.[ch]"))))
 
 
 def _python() -> str:

@@ -3,7 +3,7 @@
 import ctypes
 import logging
 import shutil
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import SourceFile, Sources
 from ..codegen.model import Model
+from ..cores import cores
 from ..garbage import uncollected
 from .cache import LOCATION, entry, key
 from .errors import BuildError
 from .parts import methods_of, whole
-from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, OF_A_SHAPE, Toolchain
-from .turns import briefly
+from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, STEPPER, Toolchain, headers
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -69,44 +69,37 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
     """
     is_module, units = not units, tuple(units) or whole()
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
-    shaped = [unit for unit in dict.fromkeys(("stepper", *units)) if unit in OF_A_SHAPE]
     there = {path.name for path in kept}
-    text = (work / f"{name}.c").read_text(encoding="utf-8")
-    with ThreadPoolExecutor(max_workers=len(units) + 2) as pool:
-        shared = [pool.submit(_shared_unit, text, unit, tools) for unit in shaped]
-        own = [unit for unit in units if unit not in OF_A_SHAPE and f"{name}_{unit}.o" not in there]
+    with ThreadPoolExecutor(max_workers=cores()) as pool:
+        shared = pool.submit(stepper, tools)
+        own = [unit for unit in units if f"{name}_{unit}.o" not in there]
         made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
         if is_module:
             made.append(pool.submit(tools.compile_module, work, name))
-        new, others = tuple(one.result() for one in made), [one.result() for one in shared]
-    tools.link(work, (*new, *others, *(str(path) for path in kept if path.name not in replaced)), name)
+        new = tuple(one.result() for one in made)
+    tools.link(work, (*new, shared.result(), *(str(path) for path in kept if path.name not in replaced)), name)
     return new
 
 
+def stepper(tools: Toolchain) -> str:
+    """Return the path of the object that all models have in common: compiled once by each compiler, with its flags."""
+
+    def fill(folder: Path) -> None:
+        with _work((), folder) as work:
+            shutil.move(work / tools.compile_stepper(work), folder / f"{STEPPER}.o")
+
+    return str(entry("steppers", key(headers(), tools.identity), fill) / f"{STEPPER}.o")
+
+
 @contextmanager
-def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
-    """What this gives has a stepper compiled that it is told, while a model's kernels are still being written.
+def stepper_meanwhile(tools: Toolchain) -> Iterator[None]:
+    """Have the stepper compiled, where it is not yet, while a model is derived.
 
     Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
     """
-
-    def make(text: str) -> None:
-        with tools.stepper_first():
-            _shared_unit(text, "stepper", tools)
-
-    with briefly, ThreadPoolExecutor(max_workers=1) as pool:
-        pool.submit(getattr, tools, "identity")  # which compilers take a while to tell
-        yield lambda text: pool.submit(make, text)
-
-
-def _shared_unit(text: str, unit: str, tools: Toolchain) -> str:
-    """Return the path of the object of a unit that a model of the same shape may have left in the cache."""
-
-    def fill(folder: Path) -> None:
-        with _work([SourceFile(f"{unit}.c", text)], folder) as work:
-            shutil.move(work / tools.compile_unit(work, unit, unit), folder / f"{unit}.o")
-
-    return str(entry("steppers", key(tools.preprocess_unit(text, unit), tools.identity), fill) / f"{unit}.o")
+    with ThreadPoolExecutor(max_workers=1) as pool:
+        pool.submit(stepper, tools)
+        yield
 
 
 def load(binary: Path) -> "System":

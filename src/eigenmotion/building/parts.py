@@ -8,27 +8,23 @@ import sys
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ..running.methods import AT_ONCE, METHODS
+from ..running.methods import METHODS
 from .toolchain import IN_PLACE_OF, UNITS
 
 PARTS: Mapping[str, tuple[str, ...]] = MappingProxyType({
-    "methods": ("methods",),
     "derivatives": ("derivatives",),
-    "implicit": ("methods", "derivatives"),
     "members": ("members",),
     "duals": ("duals",),
 })  # fmt: skip
 """Their units; by what names runtime/point.pyx asks for them."""
 WORDS: Mapping[str, str] = MappingProxyType({
-    "methods": "further methods",
     "derivatives": "derivatives",
-    "implicit": "implicit methods",
     "members": "what runs side by side need",
     "duals": "the Jacobian of the right-hand side",
 })  # fmt: skip
 ALL_AT_FIRST = not sys.platform.startswith("linux")
 """Whether nothing may be missing as a library is linked: where objects are not ELF's."""
-_AT_FIRST = ("stepper", "model", "rhs", "lanes", "aside")
+_AT_FIRST = ("model", "rhs", "lanes", "aside")
 _DERIVED = {"#define EM_ACTS", '#include "em_extrapolate.h"'}
 """In a NAME.c that wants derivatives at once: what events do stands among them, and dM/dx tells where axes turn."""
 _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
@@ -49,8 +45,6 @@ def whole() -> tuple[str, ...]:
 
 def methods_of(units: tuple[str, ...]) -> tuple[str, ...]:
     """Return the methods that these units are new to, explicit ones first."""
-    first = AT_ONCE if {"stepper", "lanes", "members"}.intersection(units) else ()
-    if "methods" not in units:
-        return first
-    further = (name for name in METHODS if name not in AT_ONCE)
-    return (*first, *(name for name in further if "derivatives" in units or not METHODS[name].implicit))
+    explicit = {"model", "lanes", "members"}.intersection(units)
+    first = [name for name, method in METHODS.items() if explicit and not method.implicit]
+    return (*first, *(name for name, method in METHODS.items() if "derivatives" in units and method.implicit))

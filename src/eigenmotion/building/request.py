@@ -1,6 +1,6 @@
 """What to generate: a model, the options that shape its code, and the command that a header states."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 from importlib.metadata import version
@@ -40,10 +40,10 @@ class Request:
         """Hash of all that the generated text depends on, the generator included."""
         return key(self.input_hash, self.origin, generator_hash())
 
-    def sources(self, whole: bool = True, ahead: Callable[[str], object] | None = None) -> Sources:
-        """Derive and render; `whole` and `ahead` as of `generate`."""
+    def sources(self, whole: bool = True) -> Sources:
+        """Derive and render; `whole` as of `generate`."""
         with uncollected():
-            return generate(self.model, self.choices, origin=self.origin, whole=whole, ahead=ahead)
+            return generate(self.model, self.choices, origin=self.origin, whole=whole)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""

@@ -6,15 +6,13 @@ import shutil
 import subprocess
 import sys
 import sysconfig
-from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from importlib.util import find_spec
 from pathlib import Path
 
 from .cache import key
 from .errors import BuildError, CompilerNotFoundError
-from .turns import Turns
 
 INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
 OPTIMISED = (
@@ -29,10 +27,8 @@ MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
 HURRIED = ("-O1",)  # for what is called at times only
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
-    "stepper": ("EM_UNIT=EM_STEPPER",),
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
-    "methods": ("EM_UNIT=EM_METHODS",),
     "model": ("EM_UNIT=EM_MODEL",),
     "rhs": ("EM_UNIT=EM_RHS",),
     "lanes": ("EM_NODES_ALONE",),
@@ -40,8 +36,8 @@ UNITS = {
     "duals": ("EM_ON_LANES", "EM_ON_DUALS"),
 }
 """What a model's C file is compiled to, side by side and the longest first, and the macros that say so (em_real.h)."""
-OF_A_SHAPE = ("stepper", "methods")
-"""Those that models of one shape have in common."""
+STEPPER = "em_stepper"
+"""A C file beside the headers: the object that all models have in common."""
 IN_PLACE_OF = {"members": "lanes"}
 """What a unit has besides its own, so that the other is not linked beside it."""
 FLAGS = "EIGENMOTION_CFLAGS"
@@ -51,17 +47,18 @@ _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
 
+@cache
+def headers() -> str:
+    """Return a hash of all that is compiled in, and of what makes a module of a model."""
+    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.[ch]"))))
+
+
 @dataclass(frozen=True)
 class Toolchain:
-    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins).
-
-    Of one build no more units are compiled at once than there are cores, in the order in which they are asked for: with
-    more of them, the one that takes longest would not be done first, but last.
-    """
+    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins)."""
 
     command: tuple[str, ...]
     flags: tuple[str, ...] = field(default=())
-    _turns: Turns = field(default_factory=Turns, init=False, compare=False, repr=False)
 
     @cached_property
     def optimised(self) -> tuple[str, ...]:
@@ -96,26 +93,19 @@ class Toolchain:
 
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
-        target = f"{stem}_{unit}.o"
-        with self._turns.taken(kept=unit == "stepper"):
-            self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
+        target, optimised = f"{stem}_{unit}.o", HURRIED if unit == "duals" else self.optimised
+        macros = (f"-D{macro}" for macro in UNITS[unit])
+        self._run(*self._object(optimised), *macros, "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
 
-    def stepper_first(self) -> AbstractContextManager[None]:
-        """Keep a turn for the stepper, which takes longest, until it is compiled or need not be.
+    def compile_stepper(self, folder: Path) -> str:
+        """em_stepper.c -> em_stepper.o, what all models have in common, of which the name is returned."""
+        target = f"{STEPPER}.o"
+        self._run(*self._object(self.optimised), "-c", str(INCLUDE / f"{STEPPER}.c"), "-o", target, folder=folder)
+        return target
 
-        It is asked for last, for its text must be known before it can be looked for in the cache.
-        """
-        return self._turns.keeping()
-
-    def preprocess_unit(self, text: str, unit: str) -> str:
-        """Return all that the compiler reads of a unit: a text and its headers, without comments and empty lines."""
-        read = self._run(*self._of_unit(unit), "-E", "-P", "-x", "c", "-", text=text)
-        return "\n".join(filter(None, read.splitlines()))
-
-    def _of_unit(self, unit: str) -> tuple[str, ...]:
-        optimised = HURRIED if unit == "duals" else self.optimised
-        return (*STANDARD, *optimised, *SHARED, *self.flags, f"-I{INCLUDE}", *(f"-D{macro}" for macro in UNITS[unit]))
+    def _object(self, optimised: tuple[str, ...]) -> tuple[str, ...]:
+        return (*STANDARD, *optimised, *SHARED, *self.flags, f"-I{INCLUDE}")
 
     def compile_module(self, folder: Path, stem: str) -> str:
         """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""
@@ -137,8 +127,8 @@ class Toolchain:
             return error.__cause__ is not None
         return True
 
-    def _run(self, *arguments: str, folder: Path | None = None, text: str = "") -> str:
-        return run((*self.command, *arguments), folder, text)
+    def _run(self, *arguments: str, folder: Path | None = None) -> str:
+        return run((*self.command, *arguments), folder)
 
 
 def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchain:

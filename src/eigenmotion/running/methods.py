@@ -42,8 +42,6 @@ METHODS = _table(
     Method("radau5", order=5, number=6, implicit=True),
     Method("radau9", order=9, number=7, implicit=True),
 )
-AT_ONCE = ("dop853", "ra15")
-"""Those that every model has at once, for a run may take them by itself; others are compiled as asked for."""
 AUTO = "auto"
 """The name by which users leave the choice to choosing.py."""
 FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))

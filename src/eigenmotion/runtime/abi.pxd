@@ -221,6 +221,5 @@ cdef extern from "eigenmotion.h" nogil:
         int n_breaks
         void (*breaks)(const double *, double *) noexcept nogil
         void (*break_partials)(const double *, double *) noexcept nogil
-        void (*further)(em_method, void *) noexcept nogil
         void (*rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
         const em_declared *declared

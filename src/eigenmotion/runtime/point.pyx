@@ -9,7 +9,7 @@ from libc.math cimport INFINITY
 from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy
 
-from .abi cimport EM_ABI, EM_DOP853, EM_RA15, EM_RADAU5, EM_RADAU9, em_fault, em_model
+from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, em_fault, em_model
 from .arrays cimport Numbers, constants, given, takes, texts, zeros
 from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_break, em_start
 
@@ -78,8 +78,6 @@ cdef class PointModel:
         cdef em_model *mine = self.taken
         cdef const em_model *found = other.model
         self.others.append(other)
-        if mine.further == NULL:
-            mine.further = found.further
         if mine.rate_jacobian == NULL:
             mine.rate_jacobian = found.rate_jacobian
         if found.lanes != NULL and found.lanes.run != NULL:
@@ -102,11 +100,7 @@ cdef class PointModel:
 
     cdef int need_method(self, int method) except -1:
         """What a run by em_method calls."""
-        if method == EM_DOP853 or method == EM_RA15:
-            return 0
-        if (method == EM_RADAU5 or method == EM_RADAU9) and (self.model.further == NULL or self.model.motion_jacobian == NULL):
-            return self.need("implicit")
-        return self.need("methods") if self.model.further == NULL else 0
+        return self.need_derivatives() if method == EM_RADAU5 or method == EM_RADAU9 else 0
 
     @property
     def differentiates(self):

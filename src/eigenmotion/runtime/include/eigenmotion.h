@@ -9,10 +9,11 @@
 
 #include <stddef.h>
 
+#include "em_dynamics.h"
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 22 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 23 /* changes whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -181,11 +182,10 @@ typedef struct em_model {
     void (*breaks)(const double *c, double *at);        /* (n_breaks, 3): at, period, eps terms its rounding; or NULL */
     void (*break_partials)(const double *c, double *D); /* (n_breaks, 2, n_arguments), of at and period; or NULL */
 
-    /* *scheme (an em_scheme of em_walk.h) <- that of a method which is compiled apart from the stepper; NULL: it is not here */
-    void (*further)(em_method method, void *scheme);
     /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
     void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);
     const char *const *rows; /* (m) names of constraint rows, "" of those without; NULL: none has one */
+    const em_dynamics *dynamics; /* what steppers ask of it on the way */
     const em_declared *declared; /* (n_parameters + n + n_inputs) of parameters, x, inputs; NULL: any. prepare holds the first */
 } em_model;
 

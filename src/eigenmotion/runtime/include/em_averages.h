@@ -90,12 +90,12 @@ static double em_left_out(const em_inside_step *in, int count, const double *ser
 
 /* How far v may be off inside the step where signal i is so, in tolerances. 0 where that has no rate. */
 static double em_off_inside(em_walk *w, int i, double left_out) {
-    double dy[EM_WIDTH], off[N];
+    double dy[w->width], off[w->n];
     em_signals(w, w->t);
     w->u[i] += left_out;
     if (em_motion_rate_here(w, w->t, w->y, dy)) return 0.0;
-    for (int k = 0; k < N; ++k) off[k] = w->h * (dy[N + k] - w->K[0][N + k]);
-    return sqrt(em_weighted_squares(N, off, w->weight + N) / (2 * N));
+    for (int k = 0; k < w->n; ++k) off[k] = w->h * (dy[w->n + k] - w->K[0][w->n + k]);
+    return sqrt(em_weighted_squares(w->n, off, w->weight + w->n) / (2 * w->n));
 }
 
 /* The values of signal i at the start and the stages; how far that is off. */
@@ -105,13 +105,13 @@ static double em_average_signal(const em_radau_iia *rk, em_walk *w, int i) {
     if (in.count == 0) {
         for (int j = -1; j < rk->stages; ++j) {
             em_signals(w, j < 0 ? w->t : w->t + rk->c[j] * w->h);
-            w->stages.u[1 + j][i] = w->u[i];
+            w->stages.u[(1 + j) * w->n_inputs + i] = w->u[i];
         }
         return 0.0;
     }
     em_average(&in, rk->stages, series);
     for (int j = -1; j < rk->stages; ++j)
-        w->stages.u[1 + j][i] = em_series_at(rk->stages, series, j < 0 ? 0.0 : rk->c[j]);
+        w->stages.u[(1 + j) * w->n_inputs + i] = em_series_at(rk->stages, series, j < 0 ? 0.0 : rk->c[j]);
     w->stages.averaged = 1;
     return em_off_inside(w, i, em_left_out(&in, rk->stages, series));
 }
@@ -119,7 +119,7 @@ static double em_average_signal(const em_radau_iia *rk, em_walk *w, int i) {
 /* The step ends at a sample: the middle one of those of the signal that has most. */
 static void em_end_at_sample(em_walk *w) {
     em_inside_step most = {NULL, 0, 0, 1, 0.0, 0.0, 0.0, 0.0};
-    for (int i = 0; i < N_INPUTS; ++i) {
+    for (int i = 0; i < w->n_inputs; ++i) {
         const em_inside_step in = em_samples_inside(w, &w->run->inputs[i]);
         if (in.count > most.count) most = in;
     }
@@ -129,10 +129,10 @@ static void em_end_at_sample(em_walk *w) {
 
 /* Signals for the stages; the step gets shorter where they are too rough. */
 static void em_average_signals(const em_radau_iia *rk, em_walk *w) {
-    for (double off = 1.0; N_INPUTS > 0 && off > EM_ROUGH;) {
+    for (double off = 1.0; w->n_inputs > 0 && off > EM_ROUGH;) {
         w->stages.averaged = 0;
         off = 0.0;
-        for (int i = 0; i < N_INPUTS; ++i) off = em_max(off, em_average_signal(rk, w, i));
+        for (int i = 0; i < w->n_inputs; ++i) off = em_max(off, em_average_signal(rk, w, i));
         if (off > EM_ROUGH) em_end_at_sample(w);
     }
 }

@@ -3,16 +3,16 @@
 #define EM_BUNDLES_H
 
 #include "em_radau.h"
-#include "em_walk.h"
+#include "em_asked.h"
 
 EM_INLINE em_bundle em_bundle_at(const double *numbers) { return *(const em_bundle *)numbers; }
 
 /* Number j of eight. */
-EM_INLINE double em_number_at(em_bundle (*at)[N_STATE], int k, int j) {
+EM_INLINE double em_number_at(em_bundle *const *at, int k, int j) {
     return ((const double *)&at[j / EM_LANES][k])[j % EM_LANES];
 }
 
-EM_INLINE void em_put_at(em_bundle (*at)[N_STATE], int k, int j, double number) {
+EM_INLINE void em_put_at(em_bundle *const *at, int k, int j, double number) {
     ((double *)&at[j / EM_LANES][k])[j % EM_LANES] = number;
 }
 
@@ -31,20 +31,33 @@ EM_INLINE double em_sum_of(em_bundle a) {
 
 enum { EM_SUMS = 4 }; /* partial sums, which do not wait for each other */
 
+/* The tables of a step by nodes, by hand: what is written to one of them then leaves the others' places known. */
+typedef struct em_tables {
+    em_bundle *F[EM_BUNDLES], *a[EM_BUNDLES], *series[EM_BUNDLES];
+    const double *weight;
+} em_tables;
+
+EM_INLINE em_tables em_tables_of(const em_walk *w) {
+    em_tables at = {.weight = w->nodes.weight};
+    EM_UNROLL
+    for (int b = 0; b < EM_BUNDLES; ++b) at.F[b] = w->nodes.F[b], at.a[b] = w->nodes.a[b], at.series[b] = w->nodes.series[b];
+    return at;
+}
+
 /* A number at each of the nodes of bundle b, of row k. */
-typedef em_bundle em_term(em_walk *w, int b, int k);
+typedef em_bundle em_term(const em_tables *at, int b, int k);
 
 /* The sum of the squares of terms of rows first ... end. */
-EM_INLINE em_bundle em_sum_of_squares(em_walk *w, int b, int first, int end, em_term *term) {
+EM_INLINE em_bundle em_sum_of_squares(const em_tables *at, int b, int first, int end, em_term *term) {
     em_bundle sum[EM_SUMS] = {{0.0}};
     int k = first;
     for (; k + EM_SUMS <= end; k += EM_SUMS)
         for (int place = 0; place < EM_SUMS; ++place) {
-            const em_bundle number = term(w, b, k + place);
+            const em_bundle number = term(at, b, k + place);
             sum[place] += number * number;
         }
     for (; k < end; ++k) {
-        const em_bundle number = term(w, b, k);
+        const em_bundle number = term(at, b, k);
         sum[0] += number * number;
     }
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
@@ -53,9 +66,9 @@ EM_INLINE em_bundle em_sum_of_squares(em_walk *w, int b, int first, int end, em_
 /* Rows of a linear map's images that are made together: they share its numbers, which come from memory. */
 enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 
-/* out_(to + r) <- base_r + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
-EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_bundle (*a)[N_STATE], int from,
-                           const double *base, double factor, em_bundle (*out)[N_STATE], int to) {
+/* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
+EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_bundle *const *a, int from,
+                           const double *base, double factor, em_bundle *const *out, int to) {
     em_bundle sum[EM_TOGETHER][EM_BUNDLES] = {{{0.0}}};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
@@ -63,21 +76,24 @@ EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_b
             for (int b = 0; b < EM_BUNDLES; ++b)
                 sum[r][b] += em_bundle_at(column[j] + b * EM_LANES) * em_number_at(a, from + r, j);
     for (int r = 0; r < rows; ++r)
-        for (int b = 0; b < EM_BUNDLES; ++b) out[b][to + r] = base[r] + factor * sum[r][b];
+        for (int b = 0; b < EM_BUNDLES; ++b) out[b][to + r] = (base ? base[r] : 0.0) + factor * sum[r][b];
 }
 
 /* The same for any number of rows. */
-EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle (*a)[N_STATE], int from,
-                      const double *base, double factor, em_bundle (*out)[N_STATE], int to) {
+EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle *const *a, int from,
+                      const double *base, double factor, em_bundle *const *out, int to) {
+    em_bundle *in[EM_BUNDLES], *image[EM_BUNDLES];
     int r = 0;
+    EM_UNROLL
+    for (int b = 0; b < EM_BUNDLES; ++b) in[b] = a[b], image[b] = out[b];
     for (; r + EM_TOGETHER <= rows; r += EM_TOGETHER)
-        em_map_rows(EM_TOGETHER, column, a, from + r, base + r, factor, out, to + r);
-    if (r < rows) em_map_rows(1, column, a, from + r, base + r, factor, out, to + r);
+        em_map_rows(EM_TOGETHER, column, in, from + r, base ? base + r : NULL, factor, image, to + r);
+    if (r < rows) em_map_rows(1, column, in, from + r, base ? base + r : NULL, factor, image, to + r);
 }
 
 /* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
 EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
-                            em_bundle (*a)[N_STATE], int from, em_bundle (*sum)[2][EM_BUNDLES]) {
+                            em_bundle *const *a, int from, em_bundle (*sum)[2][EM_BUNDLES]) {
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
         for (int r = 0; r < rows; ++r) {

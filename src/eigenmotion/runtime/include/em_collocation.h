@@ -24,14 +24,18 @@ enum { EM_STEPS_ALONE = 16 }; /* with slopes of each stage, before others are tr
 /* a <- the polynomial through the last accelerations at start + ratio c_i, in units of their step. */
 static void em_extend_last(const em_radau_iia *rk, em_walk *w, double start, double ratio) {
     em_implicit *q = &w->stages;
-    memset(q->a, 0, sizeof q->a);
+    const int stride = w->stride;
+    memset(q->a, 0, (size_t)(EM_MOST_NODES * stride) * sizeof *q->a);
     for (int i = 0; i < rk->stages; ++i)
         for (int j = 0; j < rk->stages; ++j) {
             const double theta = start + ratio * rk->c[i];
             double share = 1.0;
             for (int l = 0; l < rk->stages; ++l)
                 if (l != j) share *= (theta - rk->c[l]) / (rk->c[j] - rk->c[l]);
-            for (int k = 0; k < N; ++k) q->a[i][k] += share * q->last[j][k];
+            for (int k = 0; k < stride; k += EM_PACK) {
+                double *const a = q->a + i * stride + k;
+                EM_PUT_PACK(a, EM_PACK_AT(a) + share * EM_PACK_AT(q->last + j * stride + k));
+            }
         }
 }
 
@@ -41,7 +45,7 @@ static void em_guess_stages(const em_radau_iia *rk, em_walk *w) {
     if (q->known && w->t == q->t) em_extend_last(rk, w, 0.0, w->h / q->h);
     else if (q->known && w->t == q->t_new) em_extend_last(rk, w, 1.0, w->h / q->h);
     else
-        for (int i = 0; i < rk->stages; ++i) memcpy(q->a[i], w->K[0] + N, sizeof q->a[i]);
+        for (int i = 0; i < rk->stages; ++i) em_copy_packs(w->n, q->a + i * w->stride, w->K[0] + w->n);
     em_stage_states(rk, w);
     em_weigh_stages(rk, w);
 }
@@ -83,33 +87,33 @@ static int em_solve_stages(const em_radau_iia *rk, em_walk *w) {
 static void em_filtered_error(const em_radau_iia *rk, em_walk *w, const double *rate, double *error) {
     em_implicit *q = &w->stages;
     const double sigma = rk->mu[0][0] / w->h;
-    double raw[N];
-    for (int k = 0; k < N; ++k) {
-        double p = rate[k] / sigma, r = rate[N + k] / sigma;
-        for (int i = 0; i < rk->stages; ++i) p += w->h * rk->e[i] * q->V[i][k], r += w->h * rk->e[i] * q->a[i][k];
+    double raw[w->n];
+    for (int k = 0; k < w->n; ++k) {
+        double p = rate[k] / sigma, r = rate[w->n + k] / sigma;
+        for (int i = 0; i < rk->stages; ++i) p += w->h * rk->e[i] * q->V[i * w->stride + k], r += w->h * rk->e[i] * q->a[i * w->stride + k];
         raw[k] = p;
         error[k] = sigma * (r + sigma * p);
     }
-    for (int i = 0; i < N; ++i)
-        for (int k = 0; k < N; ++k) error[i] -= sigma * q->D[i * N + k] * raw[k];
-    em_lu_solve(N, q->G[0], q->pivot[0], error);
-    for (int k = 0; k < N; ++k) error[N + k] = sigma * (error[k] - raw[k]);
+    for (int i = 0; i < w->n; ++i)
+        for (int k = 0; k < w->n; ++k) error[i] -= sigma * q->D[i * w->n + k] * raw[k];
+    em_lu_solve(w->n, q->G[0], q->pivot[0], error);
+    for (int k = 0; k < w->n; ++k) error[w->n + k] = sigma * (error[k] - raw[k]);
 }
 
 /* 0, or -1 and w->reason. A large error at the start of a motion, or of an attempt after another, is looked at again:
  * it may be of parts that die out. */
 static int em_estimate_stages(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
-    double rate[EM_WIDTH], shifted[2 * N];
-    memcpy(rate, w->K[0], sizeof rate);
-    if (q->averaged && em_rate_of_stage(w, -1, w->t, w->y, w->y + N, rate)) return -1;
+    double rate[w->width], shifted[2 * w->n + EM_PACK];
+    em_copy_state(w, rate, w->K[0]);
+    if (q->averaged && em_rate_of_stage(w, -1, w->t, w->y, w->y + w->n, rate)) return -1;
     em_filtered_error(rk, w, rate, w->error);
-    w->error_norm = sqrt(em_weighted_squares(2 * N, w->error, w->weight) / (2 * N));
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
     if (w->error_norm < 1.0 || (q->accepted && !w->retries) || !isfinite(w->error_norm)) return 0;
-    for (int k = 0; k < 2 * N; ++k) shifted[k] = w->y[k] + w->error[k];
-    if (em_rate_of_stage(w, -1, w->t, shifted, shifted + N, rate)) return -1;
+    for (int k = 0; k < 2 * w->n; ++k) shifted[k] = w->y[k] + w->error[k];
+    if (em_rate_of_stage(w, -1, w->t, shifted, shifted + w->n, rate)) return -1;
     em_filtered_error(rk, w, rate, w->error);
-    w->error_norm = sqrt(em_weighted_squares(2 * N, w->error, w->weight) / (2 * N));
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
     return 0;
 }
 
@@ -139,7 +143,7 @@ static void em_remember_stages(em_walk *w) {
 
 /* An attempt whose stages are not found: the next one is shorter. */
 static int em_give_up(const em_radau_iia *rk, em_walk *w) {
-    memcpy(w->y_new, w->y, sizeof w->y);
+    em_copy_state(w, w->y_new, w->y);
     w->error_norm = w->size_norm = pow(EM_SAFE / EM_NOT_SO_LONG, rk->stages + 1);
     return 0;
 }
@@ -147,14 +151,14 @@ static int em_give_up(const em_radau_iia *rk, em_walk *w) {
 /* y_new, the error and what the next size follows from. 0, or -1 and w->reason */
 static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
-    memcpy(w->y_new, w->y, sizeof w->y);
-    memcpy(w->y_new, q->X[rk->stages - 1], sizeof q->X[0]);
-    memcpy(w->y_new + N, q->V[rk->stages - 1], sizeof q->V[0]);
+    em_copy_state(w, w->y_new, w->y);
+    memcpy(w->y_new, q->X + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->X);
+    memcpy(w->y_new + w->n, q->V + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->V);
     em_weigh_stages(rk, w);
     if (em_estimate_stages(rk, w)) return -1;
     q->outdated = q->contraction > EM_WELL || (w->error_norm >= 1.0 && !em_slopes_are_fresh(w));
     w->size_norm = em_size_by(rk, w, em_max(w->error_norm, 1e-10));
-    memcpy(q->last, q->a, sizeof q->last);
+    em_copy_packs(EM_MOST_NODES * w->stride, q->last, q->a);
     q->t = w->t, q->t_new = w->t_new, q->h = w->h;
     q->error = w->error_norm;
     q->known = 1;
@@ -178,23 +182,22 @@ static int em_collocation_step(em_walk *w) {
 static int em_collocation_interpolate(em_walk *w) {
     const em_radau_iia *const rk = w->scheme.radau_iia;
     const em_implicit *q = &w->stages;
-    memset(w->F, 0, sizeof w->F);
-    memcpy(w->F[0], w->y, sizeof w->F[0]);
+    em_clear_interpolant(w);
     for (int j = 0; j < rk->stages; ++j)
         for (int i = 0; i < rk->stages; ++i)
-            for (int k = 0; k < N; ++k) {
-                w->F[1 + j][k] += rk->powers[j][i] * (q->X[i][k] - w->y[k]);
-                w->F[1 + j][N + k] += rk->powers[j][i] * (q->V[i][k] - w->y[N + k]);
+            for (int k = 0; k < w->n; ++k) {
+                w->F[1 + j][k] += rk->powers[j][i] * (q->X[i * w->stride + k] - w->y[k]);
+                w->F[1 + j][w->n + k] += rk->powers[j][i] * (q->V[i * w->stride + k] - w->y[w->n + k]);
             }
     return 0;
 }
 
 static int em_collocation_sketch(em_walk *w) { return em_collocation_interpolate(w), w->scheme.terms; }
 
-static void em_collocation_evaluate(const double *F, int terms, double theta, double *y) {
-    memset(y, 0, N_STATE * sizeof *y);
+static void em_collocation_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
+    memset(y, 0, (size_t)n_state * sizeof *y);
     for (int j = terms; j >= 0; --j)
-        for (int k = 0; k < N_STATE; ++k) y[k] = y[k] * theta + F[j * N_STATE + k];
+        for (int k = 0; k < n_state; ++k) y[k] = y[k] * theta + F[j * n_state + k];
 }
 
 #endif

@@ -8,8 +8,6 @@
 
 #include "em_pieces.h"
 
-#ifdef EM_BREAKS
-
 #define EM_JUMPS 1e-9 /* the part of its terms by which a number jumps */
 
 /* Two times on each side of a break: where its condition has changed by all means, and further away. */
@@ -39,49 +37,48 @@ static int em_first_jump(int count, int most, const double *g, const double *ter
 
 /* The coordinate whose momentum M v + G jumps, or -1. */
 static int em_momentum_jumps(const em_walk *w, const em_sides *at) {
-    enum { NUMBERS = N * N + N };
-    double g[4][NUMBERS], terms[NUMBERS], e[4], one[N];
+    const int n = w->n, numbers = n * n + n;
+    double g[4][numbers], terms[numbers], e[4], one[n];
     for (int side = 0; side < 4; ++side) {
-        mass_matrix(at->t[side], w->y, w->run->prepared, g[side]);
-        for (int k = 0; k < N; ++k) {
+        w->model->mass_matrix(at->t[side], w->y, w->run->prepared, g[side]);
+        for (int k = 0; k < n; ++k) {
             memset(one, 0, sizeof one);
             one[k] = 1.0;
-            energy(at->t[side], w->y, one, w->run->prepared, e);
-            g[side][N * N + k] = e[1];
+            w->model->energy(at->t[side], w->y, one, w->run->prepared, e);
+            g[side][n * n + k] = e[1];
         }
     }
-    for (int i = 0; i < N * N; ++i) terms[i] = sqrt(fabs(g[1][i / N * (N + 1)] * g[1][i % N * (N + 1)]));
-    for (int k = 0; k < N; ++k) terms[N * N + k] = fabs(g[1][N * N + k]) + fabs(g[2][N * N + k]);
-    const int first = em_first_jump(NUMBERS, NUMBERS, g[0], terms);
-    return first < 0 ? -1 : first < N * N ? first / N : first - N * N;
+    for (int i = 0; i < n * n; ++i) terms[i] = sqrt(fabs(g[1][i / n * (n + 1)] * g[1][i % n * (n + 1)]));
+    for (int k = 0; k < n; ++k) terms[n * n + k] = fabs(g[1][n * n + k]) + fabs(g[2][n * n + k]);
+    const int first = em_first_jump(numbers, numbers, g[0], terms);
+    return first < 0 ? -1 : first < n * n ? first / n : first - n * n;
 }
 
-#ifdef EM_SWITCHED_ROWS
 /* The contact whose row jumps while it holds, or -1: it may push, but not pull, as the nearest velocities would have it. */
 static int em_contact_jumps(const em_walk *w, const em_sides *at) {
-    enum { NUMBERS = N_ROWS * N + N_ROWS };
-    double rows[4][NUMBERS], terms[NUMBERS];
+    const int n = w->n, m = w->n_rows, numbers = m * n + m;
+    if (w->of->switched_rows == 0) return -1;
+    double rows[4][numbers], terms[numbers];
     for (int side = 0; side < 4; ++side)
-        pfaffian(at->t[side], w->y, w->run->prepared, rows[side], rows[side] + N_ROWS * N);
-    for (int i = 0; i < NUMBERS; ++i) terms[i] = fabs(rows[1][i]) + fabs(rows[2][i]);
-    const int first = em_first_jump(NUMBERS, NUMBERS, rows[0], terms);
-    const int row = first < N_ROWS * N ? first / N : first - N_ROWS * N;
-    return first >= 0 && (EM_SWITCHED_ROWS >> row & 1) ? row : -1;
+        w->model->pfaffian(at->t[side], w->y, w->run->prepared, rows[side], rows[side] + m * n);
+    for (int i = 0; i < numbers; ++i) terms[i] = fabs(rows[1][i]) + fabs(rows[2][i]);
+    const int first = em_first_jump(numbers, numbers, rows[0], terms);
+    const int row = first < m * n ? first / n : first - m * n;
+    return first >= 0 && (w->of->switched_rows >> row & 1) ? row : -1;
 }
-#else
-static int em_contact_jumps(const em_walk *w, const em_sides *at) { return (void)w, (void)at, -1; }
-#endif
 
 /* Velocities as the rows after a break want them. 0, or -1 and w->reason. */
 static int em_meet_rows(em_walk *w, const em_sides *at) {
-    double phi[4][EM_ROWS_OR_ONE] = {{0.0}}, terms[EM_ROWS_OR_ONE] = {0.0};
-    if (N_ROWS == 0) return 0;
-    for (int side = 0; N_POSITIONS > 0 && side < 4; ++side) position(at->t[side], w->y, w->run->prepared, phi[side], terms);
-    const int row = em_first_jump(N_POSITIONS, EM_ROWS_OR_ONE, phi[0], terms);
+    const int m = w->n_rows;
+    double phi[4][em_some(m)], terms[em_some(m)];
+    memset(phi, 0, sizeof phi), memset(terms, 0, sizeof terms);
+    if (m == 0) return 0;
+    for (int side = 0; w->n_positions > 0 && side < 4; ++side) w->model->position(at->t[side], w->y, w->run->prepared, phi[side], terms);
+    const int row = em_first_jump(w->n_positions, m, phi[0], terms);
     if (row >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, row, 1, fabs(phi[2][row] - phi[1][row]));
     const int contact = em_contact_jumps(w, at);
     if (contact >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, contact, 2, NAN);
-    return em_settle(w->run, &w->mode, EM_STABILISE, at->t[2], w->y, w->memory, 0.0, &w->reason) < 0 ? -1 : 0;
+    return em_settle(w->model, w->run, &w->mode, EM_STABILISE, at->t[2], w->y, w->memory, 0.0, &w->reason) < 0 ? -1 : 0;
 }
 
 /* From one side of a break to the other. 0, or -1 and w->reason. */
@@ -91,7 +88,5 @@ EM_COLD int em_cross(em_walk *w) {
     if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, 0, NAN);
     return em_meet_rows(w, &at);
 }
-
-#endif
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef EM_END_H
 #define EM_END_H
 
-#include "em_walk.h"
+#include "em_asked.h"
 
 /* What a function of the loop answers: go on, or the run has ended with run->fault. */
 enum { EM_GO_ON = 0, EM_END = -1 };

@@ -15,7 +15,7 @@ EM_INLINE void em_swap(double *a, double *b) {
 
 /* G (n, n) <- L and U, pivot (n) <- the row that came in place of each. unit (n): what a row counts in. 0, or -1: G is
  * singular. */
-EM_COLD int em_lu(int n, double *restrict G, const double *restrict unit, int *restrict pivot) {
+EM_INLINE int em_lu_of(int n, double *restrict G, const double *restrict unit, int *restrict pivot) {
     double weight[n];
     memcpy(weight, unit, sizeof weight);
     for (int j = 0; j < n; ++j) {
@@ -38,7 +38,7 @@ EM_COLD int em_lu(int n, double *restrict G, const double *restrict unit, int *r
 }
 
 /* b (n) <- G^-1 b */
-EM_COLD void em_lu_solve(int n, const double *restrict G, const int *restrict pivot, double *restrict b) {
+EM_INLINE int em_lu_solve_of(int n, const double *restrict G, const int *restrict pivot, double *restrict b) {
     for (int i = 0; i < n; ++i) em_swap(&b[i], &b[pivot[i]]);
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < i; ++k) b[i] -= G[i * n + k] * b[k];
@@ -46,11 +46,12 @@ EM_COLD void em_lu_solve(int n, const double *restrict G, const int *restrict pi
         for (int k = i + 1; k < n; ++k) b[i] -= G[i * n + k] * b[k];
         b[i] /= G[i * n + i];
     }
+    return 0;
 }
 
 /* The same of G + i H. */
-EM_COLD int em_complex_lu(int n, double *restrict G, double *restrict H, const double *restrict unit,
-                          int *restrict pivot) {
+EM_INLINE int em_complex_lu_of(int n, double *restrict G, double *restrict H, const double *restrict unit,
+                               int *restrict pivot) {
     double weight[n];
     memcpy(weight, unit, sizeof weight);
     for (int j = 0; j < n; ++j) {
@@ -82,7 +83,7 @@ EM_COLD int em_complex_lu(int n, double *restrict G, double *restrict H, const d
 }
 
 /* b + i d (n) <- (G + i H)^-1 (b + i d) */
-EM_COLD void em_complex_lu_solve(int n, const double *restrict G, const double *restrict H, const int *restrict pivot,
+EM_INLINE int em_complex_lu_solve_of(int n, const double *restrict G, const double *restrict H, const int *restrict pivot,
                                  double *restrict b, double *restrict d) {
     for (int i = 0; i < n; ++i) em_swap(&b[i], &b[pivot[i]]), em_swap(&d[i], &d[pivot[i]]);
     for (int i = 0; i < n; ++i)
@@ -99,6 +100,29 @@ EM_COLD void em_complex_lu_solve(int n, const double *restrict G, const double *
         b[i] = (re * g + d[i] * h) / square;
         d[i] = (d[i] * g - re * h) / square;
     }
+    return 0;
+}
+
+/* The same of any size; of those that are small by loops that unroll. */
+#define EM_OF_SIZE(n, of, ...)        \
+    switch (n) {                      \
+        case 1: of(1, __VA_ARGS__);   \
+        case 2: of(2, __VA_ARGS__);   \
+        case 3: of(3, __VA_ARGS__);   \
+        case 4: of(4, __VA_ARGS__);   \
+        default: of(n, __VA_ARGS__);  \
+    }
+
+EM_COLD int em_lu(int n, double *G, const double *unit, int *pivot) { EM_OF_SIZE(n, return em_lu_of, G, unit, pivot) }
+
+EM_COLD int em_lu_solve(int n, const double *G, const int *pivot, double *b) { EM_OF_SIZE(n, return em_lu_solve_of, G, pivot, b) }
+
+EM_COLD int em_complex_lu(int n, double *G, double *H, const double *unit, int *pivot) {
+    EM_OF_SIZE(n, return em_complex_lu_of, G, H, unit, pivot)
+}
+
+EM_COLD int em_complex_lu_solve(int n, const double *G, const double *H, const int *pivot, double *b, double *d) {
+    EM_OF_SIZE(n, return em_complex_lu_solve_of, G, H, pivot, b, d)
 }
 
 #endif

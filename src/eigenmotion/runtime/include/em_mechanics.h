@@ -44,6 +44,18 @@ EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root
     return 0;
 }
 
+/* em_dynamics.rows: B and the lower triangle of Delta. */
+EM_COLD int em_rows_at(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault) {
+    em_root root;
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    memcpy(B, root.B, sizeof root.B);
+    memcpy(Delta, root.Delta, sizeof root.Delta);
+    return 0;
+}
+
+/* em_dynamics.worst_factors */
+EM_COLD double em_worst_factors_of(const double *M, const double *y, int *first) { return em_worst_factors(blocks, M, y, first); }
+
 /* Flags of a solution with Delta; least_norm: em_dependent, or flags that say which rows are kept. */
 EM_COLD int em_flags_at(const em_root *root, int least_norm) {
     if (least_norm == EM_SHARED_FROM_START) return em_rank(EM_SOME_ROWS, root->Delta) < N_ROWS ? EM_LEAST_NORM : 0;

@@ -19,17 +19,14 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
 }
 
 /* Whether a step would end at a break, which lanes do not know of. */
-static int em_breaks_on_the_way(EM_UNUSED const em_walk *w) {
-#ifdef EM_BREAKS
-    return isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0;
-#else
-    return 0;
-#endif
+static int em_breaks_on_the_way(const em_walk *w) {
+    return w->model->n_breaks > 0 &&
+           (isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0);
 }
 
 /* em_model.enter */
-EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
-    em_walk *const w = em_open(run);
+EM_ACROSS void *em_member_enter(const em_model *model, em_run *run, int *mode) {
+    em_walk *const w = em_open(model, run);
     if (w == NULL) return NULL;
     if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
     *mode = w->mode;
@@ -40,14 +37,14 @@ EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
 EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
     const em_walk *const w = walk;
     const em_run *const run = w->run;
-    const int width = EM_MODEL_LANES.width;
+    const int width = w->lanes->width;
     const double steps = (double)run->n_steps;
-    for (int k = 0; k < N_STATE; ++k) {
+    for (int k = 0; k < w->n_state; ++k) {
         EM_LANE(f->y, k) = w->y[k];
         EM_LANE(f->K, k) = w->K[0][k];
     }
-    for (int k = 0; k < EM_MODEL_LANES.n_prepared; ++k) EM_LANE(f->c, k) = run->prepared[k];
-    for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
+    for (int k = 0; k < w->lanes->n_prepared; ++k) EM_LANE(f->c, k) = run->prepared[k];
+    for (int k = 0; k < w->n_inputs; ++k) EM_LANE(f->u, k) = w->u[k];
     for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory, k) = w->memory[k];
     f->t[lane] = w->t;
     f->h_next[lane] = w->h_next;
@@ -65,20 +62,19 @@ EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
 
 /* The stages of the step under way, from the lane, and what the last was made at. */
 EM_RARE static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
-    enum { PADDED = (N_STATE + 3) / 4 * 4 };
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    const int width = EM_MODEL_LANES.width, last = rk->stages - 1;
+    const int width = w->lanes->width, last = rk->stages - 1;
     for (int stage = 1; stage < rk->stages; ++stage)
-        for (int k = 0; k < N_STATE; ++k) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
-    em_combine(rk->a[last], last, 0, w->h, w->y, w->K, w->argument);
+        for (int k = 0; k < w->n_state; ++k) w->K[stage][k] = EM_LANE(f->K, stage * w->width + k);
+    em_combine(w, rk->a[last], last, 0, w->h, 0, w->y, w->argument);
 }
 
 /* Its ends, and what the run has done so far. */
 EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     em_run *const run = w->run;
-    const int width = EM_MODEL_LANES.width;
+    const int width = w->lanes->width;
     const long steps = (long)f->n_steps[lane];
-    for (int k = 0; k < N_STATE; ++k) {
+    for (int k = 0; k < w->n_state; ++k) {
         w->y[k] = EM_LANE(f->y, k);
         w->y_new[k] = EM_LANE(f->y_new, k);
         w->K[0][k] = EM_LANE(f->K, k);
@@ -103,29 +99,29 @@ EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     w->error_norm = w->size_norm = f->error[lane];
     w->log_size = log(w->size_norm);
     w->mode_new = w->mode;
-    w->moved = SETTLES;
+    w->moved = w->of->settles;
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 
 /* What em_land does about a step that was settled. 0, or -1 */
 EM_RARE static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
-    if (N_EVENTS > 0 || em_needs_interpolant(w)) {
+    if (w->n_events > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
         em_member_read_stages(w, f, lane);
-        em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+        em_combine(w, rk->a[rk->solution], rk->stages, 0, w->h, 0, w->y, w->y_raw);
     }
-    if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
+    if ((!w->bare && em_check_chart(w)) || em_check_witness(w) || (w->n_events > 0 && em_watch(w))) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
 /* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
 EM_RARE static int em_member_lands(em_walk *w, em_flock *f, int lane) {
-    const int width = EM_MODEL_LANES.width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
-    if (N_EVENTS > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
+    const int width = w->lanes->width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
+    if (w->n_events > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
     --w->run->n_rhs; /* that of the lane was in vain */
-    if (em_land(w) || !(w->error_norm < 1.0) || (N_POSITIONS > 0 && w->near)) return -1; /* stages are settled there */
-    for (int k = 0; k < N_STATE; ++k) {
+    if (em_land(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* stages are settled there */
+    for (int k = 0; k < w->n_state; ++k) {
         EM_LANE(f->y_new, k) = w->y_new[k];
         EM_LANE(f->f_new, k) = w->f_new[k];
     }

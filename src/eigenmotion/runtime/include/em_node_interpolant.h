@@ -10,20 +10,19 @@
 static int em_nodes_interpolate(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    memset(w->F, 0, sizeof w->F);
-    memcpy(w->F[0], w->y, sizeof w->F[0]);
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
+    em_clear_interpolant(w);
+    for (int k = w->first_rate; k < w->n_state; ++k)
         for (int l = 0; l < EM_NODE_COUNT; ++l) w->F[1 + l][k] = h * em_number_at(q->series, k, l);
-    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
-        w->F[1][k] = h * (w->y[N + k] + 0.5 * w->F[1][N + k]);
-        w->F[2][k] = 0.5 * h * w->F[1][N + k];
+    for (int k = 0; w->second_order && k < w->n; ++k) {
+        w->F[1][k] = h * (w->y[w->n + k] + 0.5 * w->F[1][w->n + k]);
+        w->F[2][k] = 0.5 * h * w->F[1][w->n + k];
         for (int l = 1; l < EM_NODE_COUNT; ++l) {
-            const double part = h * w->F[1 + l][N + k] / (2 * (2 * l + 1));
+            const double part = h * w->F[1 + l][w->n + k] / (2 * (2 * l + 1));
             w->F[2 + l][k] += part;
             w->F[l][k] -= part;
         }
     }
-    for (int k = EM_FIRST_RATE; k < em_rates_end(w); ++k) { /* places that are integrals of integrals err by less */
+    for (int k = w->first_rate; k < em_rates_end(w); ++k) { /* places that are integrals of integrals err by less */
         w->F[EM_NODE_COUNT][k] += 0.5 * h * w->nodes.miss[k];
         w->F[EM_NODE_COUNT + 1][k] = 0.5 * h * w->nodes.miss[k];
     }
@@ -39,7 +38,7 @@ static void em_nodes_within(em_walk *w) {
 static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
 
 /* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
-static void em_nodes_evaluate(const double *F, int terms, double theta, double *y) {
+static void em_nodes_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
     double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
     const double x = 2.0 * theta - 1.0;
     P[0] = 1.0, P[1] = x;
@@ -50,9 +49,9 @@ static void em_nodes_evaluate(const double *F, int terms, double theta, double *
     }
     integral[0] = theta;
     EM_UNROLL for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) * (1.0 / (2 * (2 * l + 1)));
-    memcpy(y, F, N_STATE * sizeof *y);
+    memcpy(y, F, (size_t)n_state * sizeof *y);
     for (int l = 0; l < terms; ++l)
-        for (int k = 0; k < N_STATE; ++k) y[k] += integral[l] * F[(1 + l) * N_STATE + k];
+        for (int k = 0; k < n_state; ++k) y[k] += integral[l] * F[(1 + l) * n_state + k];
 }
 
 #endif

@@ -7,22 +7,21 @@
 /* F <- f at the nodes, one by one. 0, or -1 and w->reason. */
 EM_COLD int em_rates_one_by_one(em_walk *w) {
     em_nodes *q = &w->nodes;
-    double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH] = {0.0};
+    double y[w->width], dy[w->width];
+    memset(y, 0, sizeof y);
     for (int i = 0; i < EM_NODE_COUNT; ++i) {
-        for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(q->Y, k, i);
-        if (em_stage_rate(w, w->t + em_node_place[i] * w->h, y, dy)) return -1;
-        for (int k = 0; k < N_STATE; ++k) em_put_at(q->F, k, i, dy[k]);
+        for (int k = 0; k < w->n_state; ++k) y[k] = em_number_at(q->Y, k, i);
+        if (em_any_stage_rate(w, w->t + em_node_place[i] * w->h, y, dy)) return -1;
+        for (int k = 0; k < w->n_state; ++k) em_put_at(q->F, k, i, dy[k]);
     }
     return 0;
 }
-
-#ifdef EM_MODEL_LANES
 
 /* Whether the model can be asked on lanes: it is linked for the same machine, stages are not settled, and no multipliers
  * of least norm are wanted. */
 static int em_lanes_serve(const em_walk *w) {
     const int flags = em_constraint_flags(w->run), least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
-    return EM_MODEL_LANES.width == EM_LANES && !least_norm && !(N_POSITIONS > 0 && w->near);
+    return w->lanes->width == EM_LANES && !least_norm && !(w->n_positions > 0 && w->near);
 }
 
 /* What does not change while a step is iterated: times, signals, parameters. */
@@ -33,11 +32,11 @@ static void em_begin_nodes(em_walk *w) {
         const int b = i / EM_LANES, lane = i % EM_LANES;
         const double t = w->t + em_node_place[i] * w->h;
         ((double *)&q->times[b])[lane] = em_clock(w, t);
-        if (N_INPUTS > 0) em_signals(w, t);
-        for (int k = 0; k < N_INPUTS; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
+        if (w->n_inputs > 0) em_signals(w, t);
+        for (int k = 0; k < w->n_inputs; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
     }
     if (w->c_is_known) return;
-    for (int k = 0; k < EM_MODEL_LANES.n_prepared; ++k) w->c[k] = (em_bundle){0.0} + w->run->prepared[k];
+    for (int k = 0; k < w->lanes->n_prepared; ++k) w->c[k] = (em_bundle){0.0} + w->run->prepared[k];
     w->c_is_known = 1;
 }
 
@@ -46,7 +45,7 @@ static int em_rates_at_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes) return em_rates_one_by_one(w);
     for (int b = 0; b < EM_BUNDLES; ++b)
-        EM_MODEL_LANES.rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->u[b],
+        w->lanes->rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->u[b],
                            em_constraint_flags(w->run), (double *)q->F[b]);
     w->run->n_rhs += EM_NODE_COUNT;
     return 0;
@@ -55,25 +54,17 @@ static int em_rates_at_nodes(em_walk *w) {
 /* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
 static void em_drift(em_walk *w) {
     em_nodes *q = &w->nodes;
-    em_map(N, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
+    em_map(w->n, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
     q->drifted = 1;
 }
 
 /* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */
 static void em_velocities_at_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
-    if (!q->on_lanes || w->mode != 0 || EM_MODEL_LANES.velocity == NULL) return;
+    if (!q->on_lanes || w->mode != 0 || w->lanes->velocity == NULL) return;
     for (int b = 0; b < EM_BUNDLES; ++b)
-        EM_MODEL_LANES.velocity((double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->a[b]);
+        w->lanes->velocity((double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->a[b]);
     em_drift(w);
 }
-
-#else
-
-static void em_velocities_at_nodes(em_walk *w) { (void)w; }
-static void em_begin_nodes(em_walk *w) { w->nodes.on_lanes = 0; }
-static int em_rates_at_nodes(em_walk *w) { return em_rates_one_by_one(w); }
-
-#endif
 
 #endif

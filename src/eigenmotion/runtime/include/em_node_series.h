@@ -10,18 +10,18 @@
 #define EM_WITHIN 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
 #define EM_TURNS 20.0 /* in what its last coefficients count: a change that may still turn a polynomial into another */
 
-static double em_rates_count(const em_walk *w) { return EM_SECOND_ORDER ? N : em_count(w); }
+static int em_rates_count(const em_walk *w) { return w->second_order ? w->n : em_count(w); }
 
-EM_INLINE em_bundle em_weighed_series(em_walk *w, int b, int k) { return w->nodes.series[b][k] * w->nodes.weight[k]; }
+EM_INLINE em_bundle em_weighed_series(const em_tables *at, int b, int k) { return at->series[b][k] * at->weight[k]; }
 
 /* series, and the size of each term. */
 static void em_find_series(em_walk *w) {
     em_nodes *const q = &w->nodes;
     em_bundle squares[EM_BUNDLES];
-    static const double zeros[N_STATE] = {0.0};
-    const int first = EM_FIRST_RATE, end = em_rates_end(w);
-    em_map(end - first, em_series_of, q->a, first, zeros, 1.0, q->series, first);
-    for (int b = 0; b < EM_BUNDLES; ++b) squares[b] = em_sum_of_squares(w, b, first, end, em_weighed_series);
+    const int first = w->first_rate, end = em_rates_end(w);
+    em_map(end - first, em_series_of, q->a, first, NULL, 1.0, q->series, first);
+    const em_tables at = em_tables_of(w);
+    for (int b = 0; b < EM_BUNDLES; ++b) squares[b] = em_sum_of_squares(&at, b, first, end, em_weighed_series);
     const double *const square = (const double *)squares;
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
 }
@@ -54,20 +54,21 @@ static double em_size_by_truncation(double truncation) {
 enum { EM_UPPER = EM_BUNDLES / 2 }; /* the first bundle of the upper four of eight */
 
 /* Coefficients of a row of the series, as far as the iteration has found it. */
-EM_INLINE em_bundle em_weighed_terms(em_walk *w, int b, int k) {
+EM_INLINE em_bundle em_weighed_terms(const em_tables *at, int b, int k) {
     em_bundle term = {0.0};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
-        term += em_bundle_at(em_series_of[j] + b * EM_LANES) * em_number_at(w->nodes.a, k, j);
-    return term * w->nodes.weight[k];
+        term += em_bundle_at(em_series_of[j] + b * EM_LANES) * em_number_at(at->a, k, j);
+    return term * at->weight[k];
 }
 
 /* The error of the polynomial that the iteration is about to find, as far as its coefficients tell, where the last change
  * no longer turns it into another; else 0. Where that is too large the rest of the iteration need not be waited for. */
 static double em_foreseen(em_walk *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
+    const em_tables at = em_tables_of(w);
     for (int b = EM_UPPER; b < EM_BUNDLES; ++b)
-        *(em_bundle *)(square + b * EM_LANES) = em_sum_of_squares(w, b, EM_FIRST_RATE, em_rates_end(w), em_weighed_terms);
+        *(em_bundle *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
     return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }
@@ -76,7 +77,7 @@ static double em_foreseen(em_walk *w, double change) {
 static double em_missed(em_walk *w, const double *f) {
     em_nodes *const q = &w->nodes;
     double missed = 0.0;
-    for (int k = EM_FIRST_RATE; k < em_rates_end(w); ++k) {
+    for (int k = w->first_rate; k < em_rates_end(w); ++k) {
         em_bundle end = {0.0};
         for (int b = 0; b < EM_BUNDLES; ++b) end += q->series[b][k];
         q->miss[k] = f[k] - em_sum_of(end);

@@ -10,7 +10,7 @@ enum {
 };
 
 /* Behind the last number whose rate is found: with the triangular root eigenfactors rest. */
-EM_INLINE int em_rates_end(const em_walk *w) { return w->mode == 1 ? 2 * N : N_STATE; }
+EM_INLINE int em_rates_end(const em_walk *w) { return w->mode == 1 ? 2 * w->n : w->n_state; }
 
 /* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
 EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
@@ -43,25 +43,25 @@ static int em_terms_to_continue(const em_walk *w, double (*P)[EM_NODE_COUNT]) {
 }
 
 /* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
-static void em_continue(em_walk *w, em_bundle (*series)[N_STATE], double start, double ratio) {
-    double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[N_STATE];
+static void em_continue(em_walk *w, em_bundle *const *series, double start, double ratio) {
+    double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[w->n_state];
     const int end = em_rates_end(w);
     em_legendre(start, ratio, P);
     const int terms = start > 0.0 ? em_terms_to_continue(w, P) : EM_NODE_COUNT;
     if (terms < EM_NODE_COUNT) memset(P[terms], 0, (size_t)(EM_NODE_COUNT - terms) * sizeof *P);
-    for (int k = EM_FIRST_RATE; k < end; ++k) {
+    for (int k = w->first_rate; k < end; ++k) {
         jump[k] = w->K[0][k];
         for (int l = 0; l < EM_NODE_COUNT; ++l) jump[k] -= P[l][0] * em_number_at(series, k, l);
     }
-    em_map(end - EM_FIRST_RATE, (const double (*)[EM_NODE_COUNT])P, series, EM_FIRST_RATE, jump + EM_FIRST_RATE, 1.0,
-           w->nodes.a, EM_FIRST_RATE);
+    em_map(end - w->first_rate, (const double (*)[EM_NODE_COUNT])P, series, w->first_rate, jump + w->first_rate, 1.0,
+           w->nodes.a, w->first_rate);
 }
 
 /* What is known of the step before, once it has been accepted. */
 static void em_remember(em_walk *w) {
     em_nodes *q = &w->nodes;
     if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
-    memcpy(q->before, q->series, sizeof q->before);
+    for (int b = 0; b < EM_BUNDLES; ++b) memcpy(q->before[b], q->series[b], (size_t)w->n_state * sizeof *q->before[b]);
     memcpy(q->before_size, q->size, sizeof q->before_size);
     q->before_h = q->h;
     q->before_t_new = q->t_new;
@@ -78,7 +78,7 @@ static int em_predict(em_walk *w) {
     if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
         return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
     for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
+        for (int k = w->first_rate; k < w->n_state; ++k) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
     return EM_MOST_AT_START;
 }
 

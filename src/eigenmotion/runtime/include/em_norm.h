@@ -3,7 +3,7 @@
 #ifndef EM_NORM_H
 #define EM_NORM_H
 
-#include "em_walk.h"
+#include "em_asked.h"
 
 /* sum_k (e_k weight_k)^2, in EM_PACK partial sums so that it is vectorised. */
 EM_INLINE double em_weighted_squares(int n, const double *restrict e, const double *restrict weight) {
@@ -18,56 +18,70 @@ EM_INLINE double em_weighted_squares(int n, const double *restrict e, const doub
     return (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;
 }
 
-/* 1 / (atol + rtol max(|before|, |after|)); finite where both tolerances vanish. */
+/* 1 / (atol + rtol max(|before|, |after|)); finite where both tolerances vanish. By packs, of which the last may reach behind
+ * the n numbers. */
 EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const double *restrict before,
                         const double *restrict after, double *restrict weight) {
-    for (int k = 0; k < n; ++k) {
-        weight[k] = 1.0 / (atol[k] + rtol * em_max(fabs(before[k]), fabs(after[k])) + DBL_MIN);
-    }
+    for (int k = 0; k < n; k += EM_PACK)
+        for (int place = k; place < k + EM_PACK; ++place)
+            weight[place] = 1.0 / (atol[place] + rtol * em_max(fabs(before[place]), fabs(after[place])) + DBL_MIN);
 }
 
 /* Eigenfactors, which count where nothing settles them: C is of size one, s scales with itself. */
-static void em_weigh_factors(em_walk *w, const double *before, const double *after) {
-    const int start[] = {2 * N, 2 * N + N_C, 2 * N + N_C + N_S, 2 * N + N_C + N_S + N_CD, N_STATE};
-    for (int part = 0; part < 4; ++part)
-        for (int k = start[part]; k < start[part + 1]; ++k) {
+EM_COLD void em_weigh_factors(em_walk *w, const double *before, const double *after) {
+    const int count[] = {w->of->n_C, w->of->n_s, w->of->n_C_delta, w->of->n_s_delta};
+    for (int part = 0, k = 2 * w->n, end = k; part < 4; ++part)
+        for (end += count[part]; k < end; ++k) {
             const double size = part % 2 == 0 ? 1.0 : em_max(fabs(before[k]), fabs(after[k]));
             w->weight[k] = 1.0 / (w->rtol * size + DBL_MIN);
         }
 }
 
 /* Whether errors of eigenfactors count: where they are integrated and nothing settles them. */
-static int em_counts_factors(const em_walk *w) { return w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise); }
+EM_INLINE int em_counts_factors(const em_walk *w) {
+    return w->n_state > 2 * w->n && (w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise));
+}
 
 /* The weights of x and v (and, unless settled, of the eigenfactors) between two states and their right-hand sides. */
-static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
-    em_weigh(N, w->run->atol, w->rtol, y, y_new, w->weight);
-    em_weigh(N, w->run->atol, w->rtol, dy, dy_new, w->weight + N);
+EM_INLINE void em_set_weights_of(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
+    em_weigh(w->n, w->atol, w->rtol, y, y_new, w->weight);
+    em_weigh(w->n, w->atol, w->rtol, dy, dy_new, w->weight + w->n); /* behind x, over what the last pack left there */
     if (em_counts_factors(w)) em_weigh_factors(w, y, y_new);
+}
+
+static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
+    em_set_weights_of(w, y, dy, y_new, dy_new);
 }
 
 /* Weights of the state at the start; what is 0 and has no absolute tolerance says nothing of its size. */
 static void em_weigh_start(em_walk *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
-    for (int k = 0; k < N_STATE; ++k)
+    for (int k = 0; k < w->n_state; ++k)
         if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
 }
 
 /* The weighted sum of squares of q (n_state): x, v and factors. */
-static double em_squares(const em_walk *w, const double *q) {
-    double sum = em_weighted_squares(2 * N, q, w->weight);
-    if (em_counts_factors(w)) sum += em_weighted_squares(N_STATE - 2 * N, q + 2 * N, w->weight + 2 * N);
+EM_INLINE double em_squares(const em_walk *w, const double *q) {
+    double sum = em_weighted_squares(2 * w->n, q, w->weight);
+    if (em_counts_factors(w)) sum += em_weighted_squares(w->n_state - 2 * w->n, q + 2 * w->n, w->weight + 2 * w->n);
     return sum;
 }
 
 /* The same of e, an error or a rate of the state, whose part of eta becomes one of v in place. */
-static double em_squares_of_error(const em_walk *w, double *restrict e) {
-    double ev[N];
-    em_velocity_error(w, e + N, ev);
-    memcpy(e + N, ev, sizeof ev);
+EM_INLINE double em_squares_of_error(const em_walk *w, double *restrict e) {
+    if (!em_is_velocity_error(w)) {
+        em_velocity_error(w, e + w->n, w->spare);
+        memcpy(e + w->n, w->spare, (size_t)w->n * sizeof *e);
+    }
     return em_squares(w, e);
 }
 
-static double em_count(const em_walk *w) { return w->run->stabilise ? 2.0 * N : (double)N_STATE; }
+static int em_count(const em_walk *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
+
+/* sum / count: where that is a power of two by its inverse, which is exact, and there before the sum is. */
+EM_INLINE double em_mean(double sum, int count) {
+    const double inverse = 1.0 / count;
+    return count & (count - 1) ? sum / count : sum * inverse;
+}
 
 #endif

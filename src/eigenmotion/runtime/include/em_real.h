@@ -31,8 +31,7 @@
 #define EM_MODEL 1       /* what every step calls, but for right-hand sides */
 #define EM_ASIDE 2       /* what none calls */
 #define EM_DERIVATIVES 4 /* partial derivatives, and what events do */
-#define EM_STEPPER 8     /* runs: of a model it knows the shape */
-#define EM_METHODS 16    /* steps of methods that no run takes by itself: likewise */
+#define EM_STEPPER 8     /* runs, where they are not an object by themselves (em_stepper.c) */
 #define EM_RHS 32        /* right-hand sides */
 #ifdef EM_UNIT
 #define EM_ALONE(unit) ((EM_UNIT) == (unit))

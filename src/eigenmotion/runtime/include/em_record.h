@@ -10,14 +10,14 @@
 static int em_append(em_walk *w, em_rows *rows, int mode, double t, const double *y, const double *memory) {
     em_fault fault;
     double *row = em_rows_next(rows, &fault);
-    if (row == NULL || em_publish(w->run, mode, t, y, memory, row, &fault)) return em_end_with(w, fault);
+    if (row == NULL || em_publish(w->model, w->run, mode, t, y, memory, row, &fault)) return em_end_with(w, fault);
     em_rows_keep(rows, t);
     return EM_GO_ON;
 }
 
 /* The same at t, inside the step under way or at its end. */
 static int em_append_at(em_walk *w, em_rows *rows, double t) {
-    double memory[EM_SOME_MEMORY];
+    double memory[em_padded(w->n_memory)];
     if (t == w->t_new) return em_append(w, rows, w->mode_new, t, w->y_new, w->memory_new);
     if (em_inside(w, t, w->argument, memory)) return em_end_with(w, w->reason);
     return em_append(w, rows, w->mode, t, w->argument, memory);
@@ -57,14 +57,14 @@ static int em_is_reached(const em_walk *w, double t, double t_stop, int stops) {
 
 /* Record the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and what else happens then. */
 static int em_append_crossings(em_walk *w, double *t_stop, int *terminal) {
-    em_crossing list[EM_MOST_FOUND];
+    em_crossing list[EM_MOST_FOUND * w->n_events];
     const int count = em_locate_crossings(w, list);
     int stops = 0;
-    memset(w->fired, 0, sizeof w->fired);
+    memset(w->fired, 0, (size_t)w->n_events * sizeof *w->fired);
     w->acting = 0;
     if (count < 0) return em_end_with(w, w->reason);
     for (int i = 0; i < count && em_is_reached(w, list[i].t, *t_stop, stops); ++i) {
-        const int event = list[i].event, acts = em_event_acts(event);
+        const int event = list[i].event, acts = em_event_acts(w, event);
         if (w->fired[event]) continue;
         if (!stops && (acts || w->run->event_terminal[event])) stops = 1, *t_stop = list[i].t;
         *terminal |= w->run->event_terminal[event];
@@ -81,9 +81,9 @@ static int em_record(em_walk *w, double *t_stop, int *terminal) {
     const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run),
                                 w->run->legs.count};
     em_fault fault;
-    if (N_EVENTS > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
+    if (w->n_events > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;
-    return w->run->dense && *t_stop != w->t && em_dense_keep(w->run, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_GO_ON;
+    return w->run->dense && *t_stop != w->t && em_dense_keep(w->run, (size_t)w->n_state, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_GO_ON;
 }
 
 #endif

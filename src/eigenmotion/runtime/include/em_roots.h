@@ -37,7 +37,7 @@ static double em_spacing_at(const em_walk *w, double t) {
 /* *g <- g_i at t. Where it is 0 and stays so beyond t, it has not passed zero yet: *g <- next to nothing, on the side
  * from which it came. 1: t is the root; 0; or -1 and w->reason. */
 static int em_at_root(em_walk *w, const em_found *found, double t, double *g) {
-    double here[EM_SOME_EVENTS], beyond[EM_SOME_EVENTS];
+    double here[em_some(w->n_events)], beyond[em_some(w->n_events)];
     const double later = t + w->direction * em_spacing_at(w, t);
     if (em_events_inside(w, t, here)) return -1;
     *g = here[found->event];

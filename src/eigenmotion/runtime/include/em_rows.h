@@ -33,34 +33,35 @@ static double *em_rows_next(em_rows *rows, em_fault *fault) {
 
 static void em_rows_keep(em_rows *rows, double t) { rows->t[rows->count++] = t; }
 
-EM_COLD int em_dense_grow(em_run *run, em_fault *fault) {
+EM_COLD int em_dense_grow(em_run *run, size_t n_state, em_fault *fault) {
     const size_t capacity = run->dense_capacity > 0 ? 2 * run->dense_capacity : 64;
     em_dense_step *steps = realloc(run->dense_steps, capacity * sizeof *steps);
     if (steps == NULL) return em_fail(fault, EM_OUT_OF_MEMORY, -1, -1, (double)capacity);
     run->dense_steps = steps;
-    if (em_resize(&run->dense_table, capacity, (size_t)EM_DENSE_COEFFICIENTS * N_STATE, fault)) return -1;
+    if (em_resize(&run->dense_table, capacity, EM_DENSE_COEFFICIENTS * n_state, fault)) return -1;
     run->dense_capacity = capacity;
     return 0;
 }
 
 /* Keep the interpolant F (EM_DENSE_COEFFICIENTS, n_state) of one step. */
-static int em_dense_keep(em_run *run, em_dense_step step, const double *F, em_fault *fault) {
-    const size_t size = (size_t)EM_DENSE_COEFFICIENTS * N_STATE;
-    if (run->n_dense == run->dense_capacity && em_dense_grow(run, fault)) return -1;
+static int em_dense_keep(em_run *run, size_t n_state, em_dense_step step, const double *F, em_fault *fault) {
+    const size_t size = EM_DENSE_COEFFICIENTS * n_state;
+    if (run->n_dense == run->dense_capacity && em_dense_grow(run, n_state, fault)) return -1;
     memcpy(run->dense_table + run->n_dense * size, F, size * sizeof *F);
     run->dense_steps[run->n_dense++] = step;
     return 0;
 }
 
 /* Empty tables of the run's width. */
-static int em_rows_prepare(em_run *run) {
-    run->rows.width = N_STATE;
-    if (N_EVENTS == 0) return 0;
-    run->events = calloc((size_t)N_EVENTS, sizeof *run->events);
-    if (run->events == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)N_EVENTS);
-    run->after = calloc((size_t)N_EVENTS, sizeof *run->after);
-    if (run->after == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)N_EVENTS);
-    for (int i = 0; i < N_EVENTS; ++i) run->events[i].width = run->after[i].width = N_STATE;
+static int em_rows_prepare(const em_model *model, em_run *run) {
+    const size_t events = (size_t)model->n_events, width = (size_t)model->n_state;
+    run->rows.width = width;
+    if (events == 0) return 0;
+    run->events = calloc(events, sizeof *run->events);
+    if (run->events == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)events);
+    run->after = calloc(events, sizeof *run->after);
+    if (run->after == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)events);
+    for (size_t i = 0; i < events; ++i) run->events[i].width = run->after[i].width = width;
     return 0;
 }
 
@@ -71,10 +72,10 @@ static void em_rows_free(em_rows *rows) {
 }
 
 /* em_model.release: frees what simulate allocated; may be called again, and after a failed run. */
-EM_RARE EM_ACROSS void em_release(em_run *run) {
+EM_RARE EM_ACROSS void em_release(const em_model *model, em_run *run) {
     em_rows_free(&run->rows);
-    for (int i = 0; run->events != NULL && i < N_EVENTS; ++i) em_rows_free(&run->events[i]);
-    for (int i = 0; run->after != NULL && i < N_EVENTS; ++i) em_rows_free(&run->after[i]);
+    for (int i = 0; run->events != NULL && i < model->n_events; ++i) em_rows_free(&run->events[i]);
+    for (int i = 0; run->after != NULL && i < model->n_events; ++i) em_rows_free(&run->after[i]);
     em_rows_free(&run->legs);
     free(run->events);
     free(run->after);

@@ -9,50 +9,68 @@
 #include "em_norm.h"
 #include "em_tableaux.h"
 
-/* EM_PACK numbers in one register, from wherever they stand. */
-typedef double em_pack __attribute__((vector_size(8 * EM_PACK), aligned(8), may_alias));
-
-/* out <- y + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
+/* out <- y, or 0, + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
  * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
  * which volatile sees to. */
-EM_INLINE void em_combine(const double *restrict a, int n, int fresh, double h, const double *restrict y,
-                          double (*restrict K)[EM_WIDTH], double *restrict out) {
-    const volatile double *const last = K[n - 1];
-    for (int k = 0; k < EM_WIDTH; k += EM_PACK) {
+EM_INLINE void em_combine(const em_walk *w, const double *restrict a, int n, int fresh, double h,
+                          int from_zero, const double *restrict y, double *restrict out) {
+    const int width = w->width;
+    const double *const restrict K = w->K[0];
+    const volatile double *const last = K + (n - 1) * width;
+    const int motion = fresh ? 2 * w->n : 0;
+    for (int k = 0; k < width; k += EM_PACK) {
         em_pack sum = {0.0};
         EM_UNROLL
         for (int j = 0; j < n; ++j) {
             if (a[j] == 0.0) continue;
-            if (fresh && j == n - 1 && k < 2 * N) sum += a[j] * (em_pack){last[k], last[k + 1], last[k + 2], last[k + 3]};
-            else sum += a[j] * *(const em_pack *)&K[j][k];
+            if (j == n - 1 && k < motion) sum += a[j] * (em_pack){last[k], last[k + 1], last[k + 2], last[k + 3]};
+            else sum += a[j] * *(const em_pack *)&K[j * width + k];
         }
-        *(em_pack *)(out + k) = *(const em_pack *)(y + k) + h * sum;
+        *(em_pack *)(out + k) = (from_zero ? (em_pack){0.0} : EM_PACK_AT(y + k)) + h * sum;
+    }
+}
+
+/* one <- sum_j a_j K_j and two <- sum_j b_j K_j over j < n: what is read is read once. */
+EM_INLINE void em_combine_both(const em_walk *w, const double *restrict a, const double *restrict b, int n,
+                               double *restrict one, double *restrict two) {
+    const int width = w->width;
+    const double *const restrict K = w->K[0];
+    for (int k = 0; k < width; k += EM_PACK) {
+        em_pack sum[2] = {{0.0}};
+        EM_UNROLL
+        for (int j = 0; j < n; ++j) {
+            if (a[j] != 0.0) sum[0] += a[j] * EM_PACK_AT(K + j * width + k);
+            if (b[j] != 0.0) sum[1] += b[j] * EM_PACK_AT(K + j * width + k);
+        }
+        EM_PUT_PACK(one + k, sum[0]);
+        EM_PUT_PACK(two + k, sum[1]);
     }
 }
 
 /* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
 EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
+    const int plain = em_is_plain(w);
     EM_UNROLL
     for (int i = first; i <= last; ++i) {
         double *argument = i == rk->solution ? w->y_new : w->argument;
-        em_combine(rk->a[i], i, 1, w->h, w->y, w->K, argument);
-        if (em_stage_rate(w, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
+        em_combine(w, rk->a[i], i, 1, w->h, 0, w->y, argument);
+        if (em_stage_rate(w, plain, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
     }
     return 0;
 }
 
-static const double em_zero[EM_WIDTH] = {0.0};
-
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
 EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
-    em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    em_set_weights_of(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
     if (rk->errors == 0) return 0.0;
-    em_combine(rk->e[0], rk->stages, 0, 1.0, em_zero, w->K, w->error);
-    const double first = em_squares_of_error(w, w->error);
-    if (rk->errors == 1) return fabs(w->h) * sqrt(first / em_count(w));
-    em_combine(rk->e[1], rk->stages, 0, 1.0, em_zero, w->K, w->error);
-    const double denominator = first + 0.01 * em_squares_of_error(w, w->error);
-    return denominator == 0.0 ? 0.0 : fabs(w->h) * first / sqrt(denominator * em_count(w));
+    if (rk->errors == 1) {
+        em_combine(w, rk->e[0], rk->stages, 0, 1.0, 1, w->y, w->error);
+        return fabs(w->h) * sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
+    }
+    double *const first = w->y_raw; /* where nothing is yet */
+    em_combine_both(w, rk->e[0], rk->e[1], rk->stages, first, w->error);
+    const double square = em_squares_of_error(w, first), denominator = square + 0.01 * em_squares_of_error(w, w->error);
+    return denominator == 0.0 ? 0.0 : fabs(w->h) * square / sqrt(denominator * em_count(w));
 }
 
 /* First same as last: the last stage is the rate at the end. */
@@ -61,7 +79,7 @@ EM_INLINE int em_is_fsal(const em_tableau *rk) { return rk->solution < rk->stage
 EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
     if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
     w->end_rate = em_is_fsal(rk) ? w->K[rk->solution] : NULL;
-    if (!em_is_fsal(rk)) em_combine(rk->a[rk->solution], rk->stages, 1, w->h, w->y, w->K, w->y_new);
+    if (!em_is_fsal(rk)) em_combine(w, rk->a[rk->solution], rk->stages, 1, w->h, 0, w->y, w->y_new);
     w->error_norm = w->size_norm = em_error_norm(rk, w);
     return 0;
 }
@@ -72,12 +90,12 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
 EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_walk *w) {
     if (w->run->n_steps % EM_STIFF_EVERY || w->mode_new != w->mode) return 0;
     const int last = em_is_fsal(rk) ? rk->solution - 1 : rk->stages - 1;
-    double state[2 * N], rate[2 * N];
-    for (int k = 0; k < 2 * N; ++k) {
+    double state[2 * w->n], rate[2 * w->n];
+    for (int k = 0; k < 2 * w->n; ++k) {
         state[k] = w->y_new[k] - w->argument[k];
         rate[k] = w->f_new[k] - w->K[last][k];
     }
-    const double apart = em_weighted_squares(2 * N, state, w->weight), driven = em_weighted_squares(2 * N, rate, w->weight);
+    const double apart = em_weighted_squares(2 * w->n, state, w->weight), driven = em_weighted_squares(2 * w->n, rate, w->weight);
     w->stiff = w->h * w->h * driven > stable * stable * apart;
     return 0;
 }
@@ -89,15 +107,15 @@ EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
     const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
     EM_UNROLL
     for (int i = 0; i < rk->corrections; ++i) {
-        em_combine(rk->d[i], stages, 0, w->h, em_zero, w->K, w->argument);
-        memcpy(w->F[4 + i], w->argument, sizeof w->F[0]);
+        em_combine(w, rk->d[i], stages, 0, w->h, 1, w->y, w->argument);
+        memcpy(w->F[4 + i], w->argument, (size_t)w->n_state * sizeof *w->argument);
     }
 }
 
 /* F_0 .. F_2: y, f at both ends. */
 static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
-    memcpy(w->F[0], w->y, sizeof w->F[0]);
-    for (int k = 0; k < N_STATE; ++k) {
+    memcpy(w->F[0], w->y, (size_t)w->n_state * sizeof *w->y);
+    for (int k = 0; k < w->n_state; ++k) {
         const double delta = y_end[k] - w->y[k];
         w->F[1][k] = delta;
         w->F[2][k] = w->h * w->K[0][k] - delta;
@@ -109,7 +127,7 @@ static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
 EM_INLINE const double *em_raw_end(const em_tableau *rk, em_walk *w) {
     double *const f_raw = w->K[rk->solution];
     if (em_is_fsal(rk)) return f_raw;
-    if (!w->moved) memcpy(f_raw, w->f_new, sizeof w->f_new);
+    if (!w->moved) em_copy_state(w, f_raw, w->f_new);
     else if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, f_raw)) return NULL;
     return f_raw;
 }
@@ -123,13 +141,13 @@ EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_walk *w) {
 }
 
 /* y <- the interpolant F (., n_state) at theta, by the first of its terms: 3 are the cubic. */
-static void em_rk_evaluate(const double *F, int terms, double theta, double *y) {
-    memset(y, 0, N_STATE * sizeof *y);
+static void em_rk_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
+    memset(y, 0, (size_t)n_state * sizeof *y);
     for (int j = terms - 1; j >= 0; --j) {
         const double factor = j % 2 == 0 ? theta : 1.0 - theta;
-        for (int k = 0; k < N_STATE; ++k) y[k] = (y[k] + F[(1 + j) * N_STATE + k]) * factor;
+        for (int k = 0; k < n_state; ++k) y[k] = (y[k] + F[(1 + j) * n_state + k]) * factor;
     }
-    for (int k = 0; k < N_STATE; ++k) y[k] += F[k];
+    for (int k = 0; k < n_state; ++k) y[k] += F[k];
 }
 
 /* The interpolant without further stages: with the rate at the end, and with one within where the whole would take more. */
@@ -140,7 +158,7 @@ EM_INLINE int em_rk_sketch(const em_tableau *rk, em_walk *w) {
     else em_hermite(w, w->y_new, w->f_new);
     if (stage == 0) return em_corrections(rk, w), 3 + rk->corrections;
     const double c = rk->c[stage], unit = 2.0 * c * (1.0 - c) * (1.0 - 2.0 * c);
-    for (int k = 0; k < N_STATE; ++k) {
+    for (int k = 0; k < w->n_state; ++k) {
         const double rate = w->F[1][k] + (1.0 - 2.0 * c) * w->F[2][k] + c * (2.0 - 3.0 * c) * w->F[3][k];
         w->F[4][k] = (w->h * w->K[stage][k] - rate) / unit;
     }

@@ -26,14 +26,14 @@ static int em_most_iterations(const em_radau_iia *rk) { return 7 + 5 * (rk->stag
 /* X, V of the stages, from their accelerations. */
 static void em_stage_states(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
-    em_by_stages(rk, w->h, w->y + N, q->a, q->V);
-    em_by_stages(rk, w->h, w->y, q->V, q->X);
+    em_by_stages(rk, w->h, w->stride, w->y + w->n, q->a, q->V);
+    em_by_stages(rk, w->h, w->stride, w->y, q->V, q->X);
 }
 
 /* v^T M v */
-static double em_square_of_motion(const double *M, const double *v) {
+static double em_square_of_motion(int n, const double *M, const double *v) {
     double sum = 0.0;
-    for (int k = 0; k < N * N; ++k) sum += M[k] * v[k / N] * v[k % N];
+    for (int k = 0; k < n * n; ++k) sum += M[k] * v[k / n] * v[k % n];
     return em_max(sum, 0.0);
 }
 
@@ -42,19 +42,19 @@ static double em_square_of_motion(const double *M, const double *v) {
  * coordinate that does not move. */
 static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
     const em_implicit *q = &w->stages;
-    const double *const v = q->V[rk->stages - 1], *const atol = w->run->atol;
-    double M[N * N], least[2 * N];
+    const double *const v = q->V + (rk->stages - 1) * w->stride, *const atol = w->run->atol;
+    double M[w->n * w->n], least[2 * w->n];
     int relative = 0;
-    em_set_weights(w, w->y, w->K[0], q->X[rk->stages - 1], v);
-    for (int k = 0; k < N; ++k) relative |= !(atol[k] > 0.0);
+    em_set_weights(w, w->y, w->K[0], q->X + (rk->stages - 1) * w->stride, v);
+    for (int k = 0; k < w->n; ++k) relative |= !(atol[k] > 0.0);
     if (!relative) return;
-    em_mass_at(w->t, w->y, w->run->prepared, M);
-    const double speed = sqrt(em_max(em_square_of_motion(M, w->K[0]), em_square_of_motion(M, v)));
-    for (int k = 0; k < N; ++k) {
-        least[N + k] = EM_SHAKEN * speed / sqrt(M[k * N + k]);
-        least[k] = fabs(w->h) * least[N + k];
+    em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
+    const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v)));
+    for (int k = 0; k < w->n; ++k) {
+        least[w->n + k] = EM_SHAKEN * speed / sqrt(M[k * w->n + k]);
+        least[k] = fabs(w->h) * least[w->n + k];
     }
-    for (int k = 0; k < 2 * N; ++k)
+    for (int k = 0; k < 2 * w->n; ++k)
         if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
         else if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
 }
@@ -63,58 +63,59 @@ static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
  * crosses samples. 0, or -1 and w->reason */
 static int em_rate_of_stage(em_walk *w, int i, double t, const double *x, const double *v, double *dy) {
     em_implicit *q = &w->stages;
-    memcpy(w->argument, x, N * sizeof *x);
-    memcpy(w->argument + N, v, N * sizeof *v);
-    if (N_POSITIONS > 0 && w->near && !q->averaged) return em_settled_rhs(w, t, w->argument, dy);
-    if (q->averaged) memcpy(w->u, q->u[1 + i], sizeof w->u);
-    else if (N_INPUTS > 0) em_signals(w, t);
+    em_copy_packs(w->n, w->argument, x);
+    em_copy_packs(w->n, w->argument + w->n, v); /* over what the last pack has left there */
+    if (w->n_positions > 0 && w->near && !q->averaged) return em_settled_rhs(w, t, w->argument, dy);
+    if (q->averaged) memcpy(w->u, q->u + (1 + i) * w->n_inputs, (size_t)w->n_inputs * sizeof *w->u);
+    else if (w->n_inputs > 0) em_signals(w, t);
     return em_motion_rate_here(w, t, w->argument, dy);
 }
 
 /* r (n) of every stage <- its rate less its acceleration. 0, or -1 and w->reason */
 static int em_stage_residuals(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
-    double dy[EM_WIDTH];
+    double dy[w->width];
     for (int i = 0; i < rk->stages; ++i) {
-        if (em_rate_of_stage(w, i, w->t + rk->c[i] * w->h, q->X[i], q->V[i], dy)) return -1;
-        for (int k = 0; k < N; ++k) q->r[i][k] = dy[N + k] - q->a[i][k];
+        if (em_rate_of_stage(w, i, w->t + rk->c[i] * w->h, q->X + i * w->stride, q->V + i * w->stride, dy)) return -1;
+        for (int k = 0; k < w->n; ++k) q->r[i * w->stride + k] = dy[w->n + k] - q->a[i * w->stride + k];
     }
     return 0;
 }
 
 /* Takes over changes of the accelerations; X and V anew, for what a bad guess would leave in them of rounding. Returns how
  * large the changes of x and v are, in tolerances. */
-static double em_take_changes(const em_radau_iia *rk, em_walk *w, double (*change)[N]) {
+static double em_take_changes(const em_radau_iia *rk, em_walk *w, const double *change) {
     em_implicit *q = &w->stages;
-    const double zero[N] = {0.0};
-    double faster[EM_MOST_NODES][N], farther[EM_MOST_NODES][N], sum = 0.0;
-    em_by_stages(rk, w->h, zero, change, faster);
-    em_by_stages(rk, w->h, zero, faster, farther);
+    const int n = w->n, stride = w->stride, last = (rk->stages - 1) * stride;
+    double faster[EM_MOST_NODES * stride], farther[EM_MOST_NODES * stride], sum = 0.0;
+    em_by_stages(rk, w->h, stride, NULL, change, faster);
+    em_by_stages(rk, w->h, stride, NULL, faster, farther);
     for (int i = 0; i < rk->stages; ++i) {
-        for (int k = 0; k < N; ++k) q->a[i][k] += change[i][k];
-        sum += em_weighted_squares(N, farther[i], w->weight) + em_weighted_squares(N, faster[i], w->weight + N);
+        double *const a = q->a + i * stride;
+        for (int k = 0; k < stride; k += EM_PACK) EM_PUT_PACK(a + k, EM_PACK_AT(a + k) + EM_PACK_AT(change + i * stride + k));
+        sum += em_weighted_squares(n, farther + i * stride, w->weight) + em_weighted_squares(n, faster + i * stride, w->weight + n);
     }
     em_stage_states(rk, w);
-    memcpy(w->error, farther[rk->stages - 1], sizeof farther[0]);
-    memcpy(w->error + N, faster[rk->stages - 1], sizeof faster[0]);
-    return sqrt(sum / (2 * N * rk->stages));
+    em_copy_packs(n, w->error, farther + last);
+    em_copy_packs(n, w->error + n, faster + last);
+    return sqrt(em_mean(sum, 2 * n * rk->stages));
 }
 
 /* What rounding of x and v may move the stages by, in tolerances. */
 static double em_stage_noise(const em_walk *w) {
-    double sum = em_weighted_squares(2 * N, w->y, w->weight);
-    for (int k = 0; k < N; ++k) {
-        const double shaken = w->y[k] / w->h * w->weight[N + k];
+    double sum = em_weighted_squares(2 * w->n, w->y, w->weight);
+    for (int k = 0; k < w->n; ++k) {
+        const double shaken = w->y[k] / w->h * w->weight[w->n + k];
         sum += shaken * shaken;
     }
-    return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * N)));
+    return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * w->n)));
 }
 
 /* What the residuals would make of the velocities if nothing were stiff, in tolerances. */
 static double em_size_of_residuals(const em_radau_iia *rk, const em_walk *w) {
     double sum = 0.0;
-    for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(N, w->stages.r[i], w->weight + N);
-    return fabs(w->h) * sqrt(sum / (2 * N * rk->stages));
+    for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n);
+    return fabs(w->h) * sqrt(em_mean(sum, 2 * w->n * rk->stages));
 }
 
 /* Whether slopes of an earlier state may be all that makes changes small: too stiff ones leave residuals as they are. */
@@ -126,7 +127,7 @@ static int em_trusts_slopes(const em_walk *w, double residual, double before) {
 static int em_iterate_stages(const em_radau_iia *rk, em_walk *w) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);
-    double change[EM_MOST_NODES][N], before = 0.0, left = 1.0, residual = 0.0;
+    double change[EM_MOST_NODES * w->stride], before = 0.0, left = 1.0, residual = 0.0;
     q->contraction = 0.0;
     for (q->iterations = 1; q->iterations <= most; ++q->iterations) {
         const double last = residual;

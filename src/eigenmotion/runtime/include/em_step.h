@@ -42,20 +42,20 @@ static int em_needs_interpolant(const em_walk *w) {
 /* What follows a step whose error is small enough. 0, or -1 and w->reason. */
 static int em_land(em_walk *w) {
     w->mode_new = w->mode;
-    memcpy(w->memory_new, w->memory, sizeof w->memory);
-    memcpy(w->y_raw, w->y_new, sizeof w->y_new);
-    w->moved = em_settle(w->run, &w->mode_new, 0, em_clock(w, w->t_new), w->y_new, w->memory_new, w->h * w->stretch,
+    em_copy_memory(w, w->memory_new, w->memory);
+    em_copy_state(w, w->y_raw, w->y_new);
+    w->moved = em_settle(w->model, w->run, &w->mode_new, 0, em_clock(w, w->t_new), w->y_new, w->memory_new, w->h * w->stretch,
                          &w->reason);
     if (w->moved < 0) return -1;
     if (w->mode_new != w->mode) w->moved = 1;
-    if (w->end_rate != NULL && !w->moved) memcpy(w->f_new, w->end_rate, sizeof w->f_new);
+    if (w->end_rate != NULL && !w->moved) em_copy_state(w, w->f_new, w->end_rate);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
-    if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
+    if (!em_all_finite(w, w->y_new) || !em_all_finite(w, w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
     if (w->scheme.judge != NULL && w->scheme.judge(w)) return -1;
     if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
     if (!(w->error_norm < 1.0)) return 0;
     if (!w->scheme.fixed && em_check_step(w)) return -1;
-    if (N_EVENTS > 0 && em_watch(w)) return -1;
+    if (w->n_events > 0 && em_watch(w)) return -1;
     if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
@@ -64,7 +64,7 @@ static int em_land(em_walk *w) {
 static int em_attempt(em_walk *w) {
     w->error_norm = w->size_norm = INFINITY;
     if (w->scheme.step(w)) return -1;
-    if (!isfinite(w->error_norm) || !em_all_finite(w->y_new)) return em_not_finite(w, w->y_new, w->error);
+    if (!isfinite(w->error_norm) || !em_all_finite(w, w->y_new)) return em_not_finite(w, w->y_new, w->error);
     return w->error_norm < 1.0 ? em_land(w) : 0;
 }
 

@@ -35,20 +35,20 @@ typedef struct em_outset {
 
 /* Root mean square, in tolerances, of a vector (n_state) that is a state's rate. */
 static double em_rate_norm(em_walk *w, const double *rate) {
-    memcpy(w->error, rate, sizeof w->error);
-    return sqrt(em_squares_of_error(w, w->error) / em_count(w));
+    em_copy_state(w, w->error, rate);
+    return sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
 }
 
 /* places, speeds <- sums of squares of what a rate of the state makes of x (and of factors that count) and of v; both in
  * tolerances of x, so that their ratio is a time squared. */
 static void em_split_rate(em_walk *w, const double *rate, double *places, double *speeds) {
-    memcpy(w->error, rate, sizeof w->error);
-    em_velocity_error(w, rate + N, w->error + N);
-    *places = em_weighted_squares(N, w->error, w->weight);
-    if (em_counts_factors(w)) *places += em_weighted_squares(N_STATE - 2 * N, w->error + 2 * N, w->weight + 2 * N);
+    em_copy_state(w, w->error, rate);
+    em_velocity_error(w, rate + w->n, w->error + w->n);
+    *places = em_weighted_squares(w->n, w->error, w->weight);
+    if (em_counts_factors(w)) *places += em_weighted_squares(w->n_state - 2 * w->n, w->error + 2 * w->n, w->weight + 2 * w->n);
     *speeds = 0.0;
-    for (int k = 0; k < N; ++k) {
-        const double r = w->error[N + k] * (w->weight[k] > 0.0 ? w->weight[k] : w->weight[N + k]);
+    for (int k = 0; k < w->n; ++k) {
+        const double r = w->error[w->n + k] * (w->weight[k] > 0.0 ? w->weight[k] : w->weight[w->n + k]);
         *speeds += r * r;
     }
 }
@@ -56,11 +56,11 @@ static void em_split_rate(em_walk *w, const double *rate, double *places, double
 /* K[1], K[2] <- f at h / 2 and h (Kutta's method of third order). 0, or -1. */
 static int em_look_ahead(em_walk *w, double h) {
     const double step = w->direction * h;
-    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + 0.5 * step * w->K[0][k];
-    if (em_stage_rate(w, w->t + 0.5 * step, w->argument, w->K[1])) return -1;
-    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + step * (2.0 * w->K[1][k] - w->K[0][k]);
-    if (em_stage_rate(w, w->t + step, w->argument, w->K[2])) return -1;
-    return em_all_finite(w->K[1]) && em_all_finite(w->K[2]) ? 0 : -1;
+    for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + 0.5 * step * w->K[0][k];
+    if (em_any_stage_rate(w, w->t + 0.5 * step, w->argument, w->K[1])) return -1;
+    for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + step * (2.0 * w->K[1][k] - w->K[0][k]);
+    if (em_any_stage_rate(w, w->t + step, w->argument, w->K[2])) return -1;
+    return em_all_finite(w, w->K[1]) && em_all_finite(w, w->K[2]) ? 0 : -1;
 }
 
 /* z with z^2 (a z + b) = c z + d, none of them negative; not a finite positive number where there is none. */
@@ -78,7 +78,7 @@ static int em_measure(em_walk *w, em_outset *at) {
     const double h = at->h;
     at->d2 = at->rate = 0.0;
     if (em_look_ahead(w, h)) return -1;
-    for (int k = 0; k < EM_WIDTH; ++k) {
+    for (int k = 0; k < w->width; ++k) {
         const double first = w->K[1][k] - w->K[0][k];
         w->K[2][k] = w->K[2][k] - w->K[1][k] - first;
         w->K[1][k] = first;

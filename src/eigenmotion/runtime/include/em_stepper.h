@@ -1,18 +1,17 @@
 /* em_stepper.h: a run as a handle that is opened, advanced and closed; and in one go, em_model.simulate.
  *
- * Included at the end of a generated NAME.c, whose enumerators and static functions it uses (docs/architecture.md); no
- * state of its own, all memory belongs to the run and is taken as it opens, but for the tables of rows that somebody wants
- * kept. From the inside out: em_walk.h (what a run carries), em_norm.h, em_methods.h (the methods), em_interpolant.h,
- * em_watch.h (events), em_trust.h (what an accepted step is worth), em_record.h (rows), em_step_size.h, em_step.h (one
- * step), and here the loop.
+ * Of its model it knows what em_model says: it is compiled once for all of them (em_stepper.c), or at the end of a NAME.c
+ * that is compiled whole (docs/architecture.md). No state of its own, all memory belongs to the run and is taken as it opens,
+ * but for the tables of rows that somebody wants kept. From the inside out: em_walk.h (what a run carries), em_asked.h,
+ * em_norm.h, em_methods.h (the methods), em_interpolant.h, em_watch.h (events), em_trust.h (what an accepted step is worth),
+ * em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
  */
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
 
 #include "em_crossing.h"
 #include "em_legs.h"
-
-_Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
+#include "em_walk_memory.h"
 
 /* --- the start of a run --- */
 
@@ -20,14 +19,14 @@ _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C,
 static int em_enter(em_walk *w) {
     em_run *run = w->run;
     run->t_reached = w->t = run->t_start;
-    memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
-    if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
+    memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y);
+    if (!em_all_finite(w, w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
     run->least_norm = em_shares(w);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     w->shares = run->least_norm;
-    if (em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    if (w->of->act != NULL && em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_enter_mode(w);
-    if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
+    if (settled < 0) memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
 }
@@ -38,9 +37,9 @@ static int em_begin(em_walk *w) {
     if (em_enter_pieces(w) < 0) return em_end_with(w, w->reason);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
-    if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
-    em_begin_chart(w);
-    if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
+    if (!em_all_finite(w, w->y) || !em_all_finite(w, w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
+    if (!w->bare) em_begin_chart(w);
+    if (em_begin_witness(w) || (w->n_events > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w);
     w->begun = 1;
     return EM_GO_ON;
@@ -49,28 +48,23 @@ static int em_begin(em_walk *w) {
 /* What a walk, zeroed, knows of its run before it stands anywhere. */
 static void em_walk_prepare(em_walk *w) {
     const em_run *run = w->run;
+    memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
     w->fresh = EM_FIRST_LEG;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
-#ifdef EM_BREAKS
     w->inside[0] = -INFINITY, w->inside[1] = INFINITY;
-#endif
     w->most_steps = run->max_steps;
 }
 
-/* A walk on cache lines of its own, or NULL. */
-static em_walk *em_walk_create(em_run *run) {
-    enum { LINE = 64 };
-    void *block = calloc(1, sizeof(em_walk) + EM_FOR_LANES * sizeof(em_bundle) + LINE);
-    if (block == NULL) return NULL;
-    em_walk *w = (em_walk *)(((uintptr_t)block + LINE - 1) / LINE * LINE);
-    w->block = block;
-    w->c = (em_bundle *)(w + 1);
+/* A walk that stands nowhere yet, or NULL. */
+static em_walk *em_walk_create(const em_model *model, em_run *run) {
+    em_walk *const w = em_walk_take(model);
+    if (w == NULL) return NULL;
     w->run = run;
     w->asked = run->least_norm;
-    w->scheme = em_scheme_of(run->model, run->method);
+    w->scheme = em_scheme_of(run->method);
     em_walk_prepare(w);
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);
@@ -90,31 +84,29 @@ static void em_commit(em_walk *w) {
     w->t = w->t_new;
     w->mode = w->mode_new;
     w->last_error = em_max(w->log_size, EM_LEAST_ERROR);
-    memcpy(w->y, w->y_new, sizeof w->y);
-    memcpy(w->K[0], w->f_new, sizeof w->f_new);
-    memcpy(w->memory, w->memory_new, sizeof w->memory);
-    memcpy(w->g, w->g_new, sizeof w->g);
-    memcpy(w->side, w->side_new, sizeof w->side);
+    em_copy_state(w, w->y, w->y_new);
+    em_copy_state(w, w->K[0], w->f_new);
+    em_copy_memory(w, w->memory, w->memory_new);
+    if (w->n_events > 0) {
+        em_copy_events(w, w->g, w->g_new);
+        memcpy(w->side, w->side_new, (size_t)w->n_events * sizeof *w->side);
+    }
     w->fresh = 0;
     w->deep = 0.0;
-    memset(w->stirred, 0, sizeof w->stirred);
+    if (w->of->act != NULL) memset(w->stirred, 0, (size_t)w->n_rows * sizeof *w->stirred);
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece begins. */
 static int em_resume(em_walk *w) {
-#ifdef EM_BREAKS
     if (w->crosses < 0 || (w->crosses && em_cross(w))) return em_end_with(w, w->reason);
     w->crosses = 0;
-#endif
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
-    return N_EVENTS > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
+    return w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
 /* From one piece to the next; where the run may end there, not before it goes on. */
 static int em_go_over(em_walk *w) {
-#ifdef EM_BREAKS
     if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_GO_ON;
-#endif
     return em_resume(w);
 }
 
@@ -137,10 +129,10 @@ static int em_go_on(em_walk *w) {
 static void em_close(em_walk *w) { free(w->block); }
 
 /* A run at its start, or NULL without memory. Whether it is over already `ended` says, and run->fault why. */
-static em_walk *em_open(em_run *run) {
+static em_walk *em_open(const em_model *model, em_run *run) {
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    if (em_rows_prepare(run)) return NULL;
-    em_walk *w = em_walk_create(run);
+    if (em_rows_prepare(model, run)) return NULL;
+    em_walk *w = em_walk_create(model, run);
     if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
     if (w->scheme.step == NULL) return em_fail(&run->fault, EM_START_REFUSED, -1, -1, 0.0), em_close(w), NULL;
     w->refused = w->ended = em_enter(w);
@@ -156,8 +148,8 @@ static int em_advance(em_walk *w, double t_goal) {
 }
 
 /* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
-EM_ACROSS int em_simulate(em_run *run) {
-    em_walk *w = em_open(run);
+EM_ACROSS int em_simulate(const em_model *model, em_run *run) {
+    em_walk *w = em_open(model, run);
     if (w == NULL) return (int)run->fault.status;
     em_advance(w, run->t_end);
     em_close(w);

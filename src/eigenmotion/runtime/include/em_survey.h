@@ -10,7 +10,9 @@
  * more, EM_PROBE, where no node is. */
 typedef struct em_survey {
     int count, near;
-    double t[EM_PLACES], g[EM_PLACES][EM_SOME_EVENTS], probe[EM_SOME_EVENTS];
+    double t[EM_PLACES];
+    int n_events;
+    double *g, *probe; /* (EM_PLACES, n_events), (n_events) */
 } em_survey;
 
 /* The nodes of Chebyshev's polynomials, in [0, 1]. */
@@ -18,16 +20,16 @@ static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
 
 static int em_look(em_walk *w, em_survey *s, double t) {
     s->t[s->count] = t;
-    return em_events_inside(w, t, s->g[s->count++]);
+    return em_events_inside(w, t, s->g + s->count++ * w->n_events);
 }
 
 /* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
 static int em_quarters(em_walk *w, int *quarters) {
-    double g[EM_SOME_EVENTS];
+    double g[em_some(w->n_events)];
     for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
         int left = 0;
         if (em_events_inside(w, w->t + ldexp(w->h, -2 * *quarters), g)) return -1;
-        for (int i = 0; i < N_EVENTS; ++i) left |= w->side[i] == 0 && em_side_of(g[i], w->quiet[i]);
+        for (int i = 0; i < w->n_events; ++i) left |= w->side[i] == 0 && em_side_of(g[i], w->quiet[i]);
         if (!left) break;
     }
     return 0;
@@ -36,7 +38,7 @@ static int em_quarters(em_walk *w, int *quarters) {
 /* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
 static int em_survey_step(em_walk *w, em_survey *s) {
     int zero = 0, quarters = 0;
-    for (int i = 0; i < N_EVENTS; ++i) zero |= w->side[i] == 0;
+    for (int i = 0; i < w->n_events; ++i) zero |= w->side[i] == 0;
     if (zero && em_quarters(w, &quarters)) return -1;
     s->count = 0;
     if (em_look(w, s, w->t)) return -1;
@@ -48,7 +50,7 @@ static int em_survey_step(em_walk *w, em_survey *s) {
     return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
 }
 
-static double em_at_node(const em_survey *s, int j, int i) { return s->g[j > 0 ? j + s->near : 0][i]; }
+static double em_at_node(const em_survey *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
 
 /* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
 static void em_polynomial(const em_survey *s, int i, double *a) {
@@ -113,7 +115,7 @@ static int em_next_low(const double *a, em_way *way, double side, double *theta,
 /* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
  * closer places, at first `apart` from each other. 1, 0, or -1 and w->reason. */
 static int em_dips(em_walk *w, int i, double side, double apart, double *theta, double *value) {
-    double f[3], g[EM_SOME_EVENTS];
+    double f[3], g[em_some(w->n_events)];
     for (int n = 0; n < 8; ++n) {
         *theta = em_min(1.0 - apart, em_max(apart, *theta));
         for (int place = 0; place < 3; ++place) {
@@ -135,13 +137,13 @@ static int em_fires(int direction, int before) { return direction == 0 || direct
 
 /* Whether g_i, zero so far, is where it must not go from there: then it fires where it left. */
 static int em_enters(const em_walk *w, int i, double g) {
-    return w->side_new[i] == 0 && em_keeps_apart(i) && em_side_of(g, 0.0) == w->run->event_direction[i];
+    return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
 /* Whether a leg begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
 static int em_is_rash(const em_walk *w, int i, double g) {
     enum { RETRIES = 10 };
-    return w->fresh == EM_NEXT_LEG && em_lets_go(i) && w->retries < RETRIES && em_enters(w, i, g);
+    return w->fresh == EM_NEXT_LEG && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
 
 /* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
@@ -186,7 +188,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     em_point before = {w->t, w->g[i]};
     em_pass(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
-        const em_point here = {s->t[k], s->g[k][i]};
+        const em_point here = {s->t[k], s->g[k * s->n_events + i]};
         if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
         if (em_is_rash(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
         em_pass(w, i, &before, &here);
@@ -197,11 +199,9 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
 
 /* g (n_events) as they are at the end of the run itself: before a break the model is asked a little earlier. */
 static void em_events_at_end(em_walk *w, double *g) {
-    memcpy(g, w->g_new, sizeof w->g_new);
-#ifdef EM_BREAKS
+    em_copy_events(w, g, w->g_new);
     if (w->t_new == w->run->t_end && em_clock(w, w->t_new) != w->t_new && em_events_in_mode(w, w->t_new, w->y_new, w->f_new, g))
-        memcpy(g, w->g_new, sizeof w->g_new);
-#endif
+        em_copy_events(w, g, w->g_new);
 }
 
 /* What is zero at the end of the run, where g_i is g, has come there, unless it rested at zero before; what has the other sign
@@ -210,7 +210,7 @@ static void em_arrive(em_walk *w, const em_survey *s, int i, double g) {
     const em_point end = {w->t_new, g};
     const int sign = em_side_of(g, 0.0);
     if (w->t_new != w->run->t_end || sign == w->side_new[i] || w->side[i] == 0) return;
-    if (sign == 0 && s->g[s->count - 2][i] == 0.0) return;
+    if (sign == 0 && s->g[(s->count - 2) * s->n_events + i] == 0.0) return;
     if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
 }
 

@@ -1,7 +1,6 @@
 /* em_units.h: what the units of one NAME.c call of each other (docs/architecture.md). A file compiled whole needs none of it.
  *
- * The stepper is a unit that knows of its model what is declared here and how large it is, its shape: models of one shape
- * share one object. x, v, y, c, u and the rest are as em_model has them (eigenmotion.h). */
+ * x, v, y, c, u and the rest are as em_model has them (eigenmotion.h). */
 #ifndef EM_UNITS_H
 #define EM_UNITS_H
 
@@ -15,7 +14,6 @@ extern const em_deed deeds[];
 extern const em_switch switches[];
 extern const int resets_quasi[];
 
-__attribute__((const)) const em_lanes *lanes_here(void);
 int prepare(const double *parameters, double *c, em_fault *fault);
 int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
 int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace, em_fault *fault);
@@ -86,27 +84,23 @@ int em_acceleration_shown(double t, const double *x, const double *v, const doub
 void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
 
-/* --- of EM_STEPPER: em_model has them --- */
+/* --- of the stepper, compiled once for all models (em_stepper.c): em_model has them --- */
 
-int em_simulate(em_run *run);
-int em_interpolate(const em_run *run, size_t step, double t, double *y);
-void em_release(em_run *run);
-void *em_handle_open(em_run *run);
+int em_simulate(const em_model *model, em_run *run);
+int em_interpolate(const em_model *model, const em_run *run, size_t step, double t, double *y);
+void em_release(const em_model *model, em_run *run);
+void *em_handle_open(const em_model *model, em_run *run);
 int em_handle_advance(void *walk, double t, int jumped);
 double em_handle_now(const void *walk, double *x, double *v);
 int em_handle_publish(const void *walk, double *y, em_fault *fault);
-size_t em_handle_saved(void);
+size_t em_handle_saved(const em_model *model);
 void em_handle_save(const void *walk, void *saved);
 void em_handle_restore(void *walk, const void *saved);
 void em_handle_close(void *walk);
 int em_handle_again(void *walk);
-void *em_member_enter(em_run *run, int *mode);
+void *em_member_enter(const em_model *model, em_run *run, int *mode);
 void em_member_board(void *walk, em_flock *f, int lane);
 int em_member_look(void *walk, em_flock *f, int lane, em_landing landing);
-
-/* --- of EM_METHODS: likewise --- */
-
-void em_further(em_method method, void *scheme);
 
 /* --- of EM_ON_DUALS: likewise --- */
 
@@ -120,9 +114,6 @@ void em_rate_jacobian(double t, const double *y, const double *c, const double *
 #endif
 #if EM_HOLDS(EM_MODEL)
 EM_LATER(em_rate_jacobian);
-#if !EM_HOLDS(EM_METHODS)
-EM_LATER(em_further);
-#endif
 #if !EM_HOLDS(EM_DERIVATIVES)
 EM_LATER(mass_matrix_gradient);
 EM_LATER(factored_gradient);

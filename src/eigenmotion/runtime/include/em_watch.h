@@ -7,15 +7,15 @@
 
 /* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
 static int em_watch(em_walk *w) {
-    double glances[EM_GLANCES][EM_SOME_EVENTS], end[EM_SOME_EVENTS];
-    em_survey survey = {0, 0, {0.0}, {{0.0}}, {0.0}};
+    double glances[EM_GLANCES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
+    em_survey survey = {.n_events = w->n_events, .g = g, .probe = probe};
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
     const int count = em_glance(w, glances);
     em_events_at_end(w, end);
     if (w->fresh) em_begin_sides(w, count, glances);
-    memcpy(w->side_new, w->side, sizeof w->side);
-    for (int i = 0; i < N_EVENTS; ++i) {
+    memcpy(w->side_new, w->side, (size_t)w->n_events * sizeof *w->side);
+    for (int i = 0; i < w->n_events; ++i) {
         if (!em_may_cross(w, count, glances, i) && end[i] * w->side[i] >= 0.0) continue;
         if (survey.count == 0 && (w->scheme.interpolate(w) || em_survey_step(w, &survey))) return -1;
         if (em_search(w, &survey, i)) return -1;

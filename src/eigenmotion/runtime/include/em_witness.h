@@ -14,8 +14,9 @@
 #define EM_DRIFT_MAY 1000.0 /* where C and s may drift by as much */
 
 /* Whether there is an energy to look at: what drifts off constraints does work against them. */
-static int em_has_witness(const em_run *run) {
-    const int drifts = N_ROWS > 0 && !run->stabilise;
+static int em_has_witness(const em_walk *w) {
+    const em_run *const run = w->run;
+    const int drifts = w->n_rows > 0 && !run->stabilise;
     return !drifts && run->model != NULL && run->model->conserves_energy;
 }
 
@@ -27,14 +28,14 @@ static double em_jacobi_integral(const em_walk *w, double t, const double *x, co
 
 /* What the energy changes by with x and v, one after the other, by their tolerances, and by rounding of its terms. */
 EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, const double *v) {
-    double z[2 * N], e[4], sum = 0.0;
-    memcpy(z, x, N * sizeof *z);
-    memcpy(z + N, v, N * sizeof *z);
-    const double here = em_jacobi_integral(w, t, z, z + N);
-    for (int k = 0; k < 2 * N; ++k) {
+    double z[2 * w->n], e[4], sum = 0.0;
+    memcpy(z, x, (size_t)w->n * sizeof *z);
+    memcpy(z + w->n, v, (size_t)w->n * sizeof *z);
+    const double here = em_jacobi_integral(w, t, z, z + w->n);
+    for (int k = 0; k < 2 * w->n; ++k) {
         const double kept = z[k];
         z[k] += 1.0 / w->weight[k];
-        const double change = fabs(em_jacobi_integral(w, t, z, z + N) - here);
+        const double change = fabs(em_jacobi_integral(w, t, z, z + w->n) - here);
         if (isfinite(change)) sum += change;
         z[k] = kept;
     }
@@ -45,7 +46,7 @@ EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, 
 /* Energy and constraints at the start. 0, or -1 and w->reason: the energy is not finite. */
 static int em_begin_witness(em_walk *w) {
     em_begin_drift(w);
-    if (!em_has_witness(w->run)) return 0;
+    if (!em_has_witness(w)) return 0;
     w->energy = em_jacobi_integral(w, w->t, w->y, w->K[0]);
     w->energy_tolerance = em_energy_tolerance(w, w->t, w->y, w->K[0]);
     return isfinite(w->energy) ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, w->energy);
@@ -53,7 +54,7 @@ static int em_begin_witness(em_walk *w) {
 
 EM_COLD int em_look_at_energy(em_walk *w) {
     const em_run *run = w->run;
-    if (!em_has_witness(run)) return 0;
+    if (!em_has_witness(w)) return 0;
     const double drift = fabs(em_jacobi_integral(w, w->t_new, w->y_new, w->f_new) - w->energy);
     const double steps = (run->stabilise ? EM_RUN_MAY : EM_DRIFT_MAY) + EM_STEP_MAY * (double)run->n_steps;
     if (!(drift <= 0.1 * steps * w->energy_tolerance))
