@@ -144,10 +144,12 @@ static double em_advance(em_pass *p, double from, double last) {
         if (is_least && (solved > 0 || p->n_least > EM_MOST_LEAST)) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (p->n_crawling > EM_MOST_CRAWLING) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (off <= 1.0 || is_least) {
+            p->longest = fmax(p->longest, length);
+            if (length > 0.25 * p->longest) p->n_again = 0;
             p->h = fmax(length < p->h ? p->h : 0.0, length * em_longer(off));
             return em_keep_step(p, from, to) ? NAN : to;
         }
-        ++w->n_refused;
+        ++w->n_refused, ++p->n_again;
         p->h = fmax(length * fmin(0.7, em_longer(off)), least);
     }
 }

@@ -60,7 +60,8 @@ typedef struct em_pass {
     double origin[EM_VARIATION_NODES]; /* of a series at its beginning, by values at nodes */
     double inside[2], h;               /* h: the length of the next step, as far as the last one tells */
     size_t row;
-    int n_least, n_crawling, mended; /* mended: a step has a motion of its own */
+    double longest;                         /* of the steps that were made */
+    int n_least, n_crawling, n_again, mended; /* n_again: refused since one was about as long; mended: has a motion of its own */
     em_pile *pile;
     long *piece;
 } em_pass;

@@ -4,7 +4,8 @@
  * back cancels against their multipliers, and nothing but rounding is left of it, wherever one looks: of a coordinate that does
  * not move at all, of what a common factor of all forces changes, of a heading that a bicycle at rest does not know. It is
  * known to the last digits of what cancels there, |M^-1| |A|^T |dlambda|: of the largest such term of a row, by any number of
- * the state, in units of M. */
+ * the state, in units of M. Where steps made shorter do not have less of an error, neither is more known of what a parameter
+ * changes than the last digits of all that balances. */
 #ifndef EM_VARIATION_ROUNDING_H
 #define EM_VARIATION_ROUNDING_H
 
@@ -13,6 +14,9 @@
 
 #define EM_ROUNDINGS 32.0 /* times what one look at rounding shows */
 #define EM_HELD_BACK (8.0 * DBL_EPSILON) /* of what cancels */
+
+/* Times that steps were made as short as their error asked for, and had one again: an error that falls with the length would not. */
+enum { EM_AGAIN = 2 };
 
 /* T (n, columns) <- the sum of the terms of K without their signs. */
 EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, double *T) {
@@ -82,6 +86,30 @@ static void em_add_held_back(em_pass *p, double t, const double *z, double *none
     }
 }
 
+/* none (n, columns) += the last digits of all that balances in an acceleration, as far as a parameter has part in it. Terms
+ * go with parameters, so that their sizes are |da/dp| |p|, and dlambda/dp in the same way. */
+static void em_add_balanced(em_pass *p, double t, const double *z, double *none) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
+    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
+    double R[n * m + 1], w[n];
+    if (m == 0 || em_reaction_sizes(p, t, z, R, w)) memset(R, 0, sizeof R);
+    for (int i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (int row = 0; row < m; ++row) sum += R[i * m + row] * fabs(p->lambda[row]);
+        for (int g = 0; g < model->n_parameters; ++g) {
+            double term = fabs(J[i * width + first + g]);
+            for (int row = 0; row < m; ++row) term += R[i * m + row] * fabs(p->dlambda[row * width + first + g]);
+            sum += term * fabs(p->c[g]);
+        }
+        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
+            const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
+            if (g < 0 || g >= model->n_parameters || p->c[g] == 0.0) continue;
+            none[i * p->columns + j] += EM_HELD_BACK * sum * fabs(p->P[(*at)[0] * p->columns + j] / p->c[g]);
+        }
+    }
+}
+
 /* none (n, columns), and wobble (n) <- what of K, and of accelerations, is rounding, where a step ends at t. 0, or -1. */
 static int em_rounding_of(em_pass *p, double t, double *none) {
     enum { LAST = EM_VARIATION_NODES - 1 };
@@ -97,6 +125,7 @@ static int em_rounding_of(em_pass *p, double t, double *none) {
     em_sum_terms(p, D, p->S, none);
     for (int i = 0; i < n; ++i) p->wobble[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
     em_add_held_back(p, em_pass_clock(p, t), z, none);
+    if (p->n_again >= EM_AGAIN) em_add_balanced(p, em_pass_clock(p, t), z, none);
     return 0;
 }
 
