@@ -12,7 +12,11 @@ import pytest
 import eigenmotion
 
 ROOT = Path(__file__).parents[1]
-PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+PAGES = (
+    ROOT / "README.md",
+    *sorted((ROOT / "docs").glob("*.md")),
+    *sorted((ROOT / "docs" / "architecture").glob("*.md")),
+)
 
 
 def _module(path: Path):
