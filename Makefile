@@ -1,4 +1,4 @@
-# What a newcomer runs: `make demo`. What CI runs: `make test`, `make check` and `make docs`; at night: `make nightly`.
+# What a newcomer runs: `make demo`, and `make quick` after a change. What CI runs: `make test`, `make check` and `make docs`; at night: `make nightly`.
 # Needs python3, a C compiler and make.
 
 PYTHON ?= python3
@@ -12,7 +12,7 @@ LIVE   ?= $(basename $(notdir $(MODELS)))
 WORKED := docs/made/tutorial.done
 SHOWN  := $(LIVE:%=docs/made/%.done)
 
-.PHONY: demo test fuzz nightly docs check lint types generated regenerate bench clean
+.PHONY: demo quick test fuzz nightly docs check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -20,6 +20,13 @@ demo: $(READY)
 	$(BIN)/python -m eigenmotion.paper build/demo 2 3
 	$(BIN)/eigenmotion run models/dual_link.py --t-end 10 --rtol 1e-9 --plot build/demo/dual_link.png
 	$(BIN)/eigenmotion page models/dual_link.py -o build/demo/dual_link.html
+
+# What compiles nothing (expressions, models, derivation, rules), the options of runs on a model written by hand, and one
+# model in every formulation: for between two changes
+QUICK := graph zeros schedule model derive specialise layers lengths architecture simulate paper_scene
+
+quick: $(READY)
+	$(BIN)/pytest -n auto $(QUICK:%=tests/test_%.py) $(PYTEST_ARGS)
 
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)
