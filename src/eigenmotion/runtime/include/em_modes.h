@@ -162,7 +162,7 @@ EM_COLD void em_find_permanent(em_all_rows *r) {
     const int any = em_unswitched(r, -1, Delta, switched);
     const int rank = any ? em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept) : 0;
     for (int i = 0; i < N_ROWS; ++i)
-        r->permanent[i] = !switched[i] && (rank == 0 || N_ROWS > EM_MOST_ROWS || (kept & EM_FIRST_KEPT << i));
+        r->permanent[i] = !switched[i] && (rank == 0 || (int)N_ROWS > (int)EM_MOST_ROWS || (kept & EM_FIRST_KEPT << i));
 }
 
 EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const double *c, em_all_rows *r, em_fault *fault) {

@@ -218,7 +218,8 @@ EM_COLD int em_strike_event(em_acting *a, em_all_rows *r, int event, double *sid
     for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
         double sum = 0.0;
         for (int k = 0; k < N; ++k) sum += b.B[row * N + k] * own[k];
-        b.s.G[row * EM_STRUCK_ROWS + N_ROWS] = b.s.G[N_ROWS * EM_STRUCK_ROWS + row] = sum;
+        b.s.G[row * EM_STRUCK_ROWS + N_ROWS] = sum;
+        b.s.G[N_ROWS * EM_STRUCK_ROWS + row] = sum;
     }
     b.s.kind[N_ROWS] = EM_ROW_CONTACT, b.s.choice[N_ROWS] = EM_HOLDS_ROW;
     return em_deal_blow(a, r, &b, event);
