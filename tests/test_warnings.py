@@ -76,6 +76,17 @@ KNOWN = {  # each once gave a warning
                                potential_energy=q**2 / 2, initial={q: 0.5}),
     "one row": em.Model(name="known", coordinates=[q, r], kinetic_energy=(q.diff() ** 2 + q**2 * r.diff() ** 2) / 2,
                         nonholonomic_constraints=[r.diff() - 1], initial={q: 0.5}),
+    "contact with friction": em.Model(
+        name="known", coordinates=[q, r], kinetic_energy=(q.diff() ** 2 + r.diff() ** 2) / 2,
+        potential_energy=9.81 * r, initial={r: 1.0},
+        contacts={"floor": em.Contact(r, 0.5), "rub": em.Friction(q.diff(), 0.3, "floor")},
+    ),
+    "cone, impact": em.Model(name="known", coordinates=[q, r], kinetic_energy=(q.diff() ** 2 + r.diff() ** 2) / 2,
+                             contacts={"rub": em.Friction((q.diff(), r.diff()), 0.3)}, initial={r: -1.0},
+                             events={"wall": em.Event(r, impact=(r, 0.5))}),
+    "guide that rubs": em.Model(name="known", coordinates=[q, r], kinetic_energy=(q.diff() ** 2 + r.diff() ** 2) / 2,
+                                holonomic_constraints=[r - q**2], initial={q: 0.5, r: 0.25},
+                                contacts={"rub": em.Friction(q.diff(), 0.3, 0)}),
 }  # fmt: skip
 
 

@@ -18,7 +18,7 @@
 #define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
 #define EM_CONE_STOPS 4.0        /* times a tolerance: a slip that errors turn around, as dopri5 does at 3 */
 #define EM_CONE_BEGINS 8.0        /* times that slip: what the slip of a cone that begins to slide is shifted by */
-#define EM_NEARBY 3e-4            /* the part of what turns a row over by which a place is another one nearby */
+#define EM_ELSEWHERE 3e-4            /* the part of what turns a row over by which a place is another one nearby */
 #define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
 
 /* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
@@ -215,7 +215,7 @@ EM_COLD int em_rests_last(const void *where, const em_mixed *s) {
         memcpy(way, Q + count * N, sizeof way), count = more;
         em_backward(N, here->r->root.L, here->r->root.r, way);
         for (int i = 0; i < N; ++i) size = fmax(size, fabs(way[i]) / unit[i]);
-        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_NEARBY / size * way[i];
+        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_ELSEWHERE / size * way[i];
         if (em_all_rows_at(a->t, x, a->v, a->c, &there, &fault) || em_held_directions(&there, s, there_Q) > held) return 0;
     }
     return 1;

@@ -21,7 +21,11 @@ EM_COLD int em_holds(const em_switch *s, const double *c) { return c[s->holds] !
 
 EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] > 0.0; }
 
+#ifdef EM_CONES
 EM_COLD int em_is_cone(const em_switch *s) { return s->shift >= 0; }
+#else /* known to compilers, which leave out what cones need */
+EM_INLINE int em_is_cone(const em_switch *s) { return (void)s, 0; }
+#endif
 
 /* The size of what a friction's row has, or the two rows of a cone. */
 EM_COLD double em_along_switch(const em_switch *s, const double *of_rows) {
@@ -53,7 +57,7 @@ EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fau
         if (em_is_contact(s)) continue;
         same &= c[s->slides] == mode[k].slides;
         parameters[s->slides] = mode[k].slides;
-        for (int i = 0; em_is_cone(s) && i < 2; ++i) {
+        for (int i = 0; i < 2 * em_is_cone(s); ++i) {
             same &= c[s->shift + i] == mode[k].shift[i];
             parameters[s->shift + i] = mode[k].shift[i];
         }
@@ -110,7 +114,7 @@ EM_ACROSS int em_acceleration_shown(double t, const double *x, const double *v, 
  * the sums of the sizes of their terms. */
 typedef struct em_all_rows {
     double c[N_PREPARED + 1], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
-    double gap[EM_SOME_POSITIONS], gap_terms[EM_SOME_POSITIONS], rate[EM_SOME_ROWS], rate_terms[EM_SOME_ROWS];
+    double gap[EM_SOME_ROWS], gap_terms[EM_SOME_ROWS], rate[EM_SOME_ROWS], rate_terms[EM_SOME_ROWS];
     em_root root;
     int permanent[EM_SOME_ROWS]; /* whether a row holds in every mode, and does not depend on others that do */
 } em_all_rows;

@@ -184,10 +184,11 @@ EM_COLD int em_strike_contacts(em_acting *a, em_all_rows *r) {
     impacts(a->t, a->x, a->v, a->c, a->u, struck);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
-        if (!em_is_contact(one) || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
+        const int impact = deeds[one->event].impact;
+        if (!em_is_contact(one) || impact < 0 || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
         b.strikes[one->row] = 1, b.poisson |= one->poisson;
-        b.impact[one->row] = deeds[one->event].impact;
-        b.e[one->row] = struck[b.impact[one->row] * EM_STRUCK + N + 1];
+        b.impact[one->row] = impact;
+        b.e[one->row] = struck[impact * EM_STRUCK + N + 1];
         if (first < 0) first = one->event;
         a->fired[one->event] = 1;
     }
