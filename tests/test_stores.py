@@ -76,8 +76,13 @@ def test_a_sweep_killed_at_a_change_of_a_file_ends_with_the_same_bytes(scene):
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("ending", ENDINGS)
-def test_a_sweep_killed_at_any_change_of_a_file_ends_with_the_same_bytes(scene, ending):
-    at_changes(ending, lambda change, count: True)
+def test_a_sweep_killed_at_changes_of_files_ends_with_the_same_bytes(scene, ending):
+    at_changes(ending, seldom_in_the_middle)
+
+
+def seldom_in_the_middle(change: int, count: int) -> bool:
+    """Whether to kill a sweep at this change. In the middle, Zarr writes one chunk after another in the same way."""
+    return change < 60 or change % 5 == 0 or change > count - 40
 
 
 def at_changes(ending: str, chosen: Callable[[int, int], bool]) -> None:
