@@ -6,6 +6,11 @@ VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
+# What a reader learns from stands in generated/: the paper's mechanism in every formulation, a linkage, a rolling body, a
+# contact, a pendulum. Of all models it holds the sums
+SHOWN_MODELS := $(patsubst %,models/%.py,bouncing_ball dual_link four_bar pendulum rolling_disk)
+VARIANTS     := cholesky lagrange inverse
+ALL          := build/generated
 TYPES  := build/types/eigenmotion
 DOCS   := $(VENV)/.docs
 LIVE   ?= $(basename $(notdir $(MODELS)))
@@ -75,11 +80,26 @@ types: $(READY)
 	ln -s $(CURDIR)/src/eigenmotion/* $(CURDIR)/codegen $(CURDIR)/models $(CURDIR)/templates $(TYPES)
 	$(BIN)/mypy
 
-generated: $(READY)
-	$(BIN)/eigenmotion generate --check --strict --diff $(MODELS)
+# The models' sources are those that were committed: of a few the text, of all the sums
+generated: $(READY) generate-all
+	cd $(ALL) && sha256sum --check --quiet --strict $(CURDIR)/generated/sums.txt
+	! grep -n '.\{121,\}' $(ALL)/*.[ch]
+	$(BIN)/eigenmotion generate --check --strict --diff $(SHOWN_MODELS)
+	for name in $(VARIANTS); do \
+	    $(BIN)/eigenmotion generate --check --strict --diff --formulation $$name -o generated/$$name models/dual_link.py || exit 1; \
+	done
 
-regenerate: $(READY)
-	$(BIN)/eigenmotion generate $(MODELS)
+regenerate: $(READY) generate-all
+	cd $(ALL) && LC_ALL=C sha256sum *.c *.h *.pyx > $(CURDIR)/generated/sums.txt
+	$(BIN)/eigenmotion generate $(SHOWN_MODELS)
+	for name in $(VARIANTS); do \
+	    $(BIN)/eigenmotion generate --formulation $$name -o generated/$$name models/dual_link.py || exit 1; \
+	done
+
+.PHONY: generate-all
+generate-all: $(READY)
+	rm -rf $(ALL)
+	$(BIN)/eigenmotion generate -o $(ALL) $(MODELS) > /dev/null
 
 bench: $(READY)
 	for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python "$$script" || exit 1; done

@@ -11,7 +11,7 @@ PAGES = (
     *sorted((ROOT / "docs" / "architecture").glob("*.md")),
     ROOT / "CONTRIBUTING.md",
 )
-FOLDERS = ("codegen", "src", "templates", "models", "tests", "benchmarks", "docs")
+FOLDERS = ("codegen", "generated", "src", "templates", "models", "tests", "benchmarks", "docs")
 ENDINGS = ("py", "pyx", "pxd", "h", "c", "jinja", "md", "toml", "txt")
 MADE_UP = ("NAME", "MODEL", "*", "pendulum.py", "em_stepper.o", "build/")
 INCLUDE = ROOT / "src" / "eigenmotion" / "runtime" / "include"

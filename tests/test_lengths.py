@@ -29,8 +29,9 @@ def test_no_file_is_longer_than_500_lines():
 
 
 def test_generated_c_is_no_wider_than_120_columns():
-    lines = {path.name: path.read_text(encoding="utf-8").splitlines() for path in (ROOT / "generated").glob("*.[ch]")}
-    assert len(lines) > 70
+    """Of the models whose text is kept; `make generated` looks at all."""
+    lines = {path: path.read_text(encoding="utf-8").splitlines() for path in (ROOT / "generated").rglob("*.[ch]")}
+    assert len(lines) == 2 * 8
     assert not {name: line for name, text in lines.items() for line in text if len(line) > 120}
 
 

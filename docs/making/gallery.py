@@ -62,7 +62,7 @@ eigenmotion page models/{name}.py
 
 ## The model file
 
-`models/{name}.py`; its generated C is `generated/{generated}`.
+`models/{name}.py`; `make generate-all` writes its C to `build/generated/{generated}`.
 
 ```{{literalinclude}} {path}
 :language: python
@@ -111,8 +111,8 @@ def _page(name: str) -> str:
 
 def _generated(name: str) -> str:
     """Return the name of a model's C file, which may have a size in it."""
-    found = sorted((DOCS.parent / "generated").glob(f"{name}*.c"), key=lambda path: len(path.name))
-    return found[0].name if found else f"{name}.c"
+    sums = (DOCS.parent / "generated" / "sums.txt").read_text()
+    return min(re.findall(rf"\b{name}\w*\.c$", sums, re.MULTILINE), key=len, default=f"{name}.c")
 
 
 def _rst(text: str) -> str:
