@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
+from .fold import Fold
 from .graph import Graph
 from .numbers import Number
 from .store import Kind, Node
@@ -18,24 +19,17 @@ STEPS = frozenset({"sign", "floor", "ceil", "step", "<", "<=", ">", ">=", "==", 
 ONE = 1
 
 
-class Tangent:
+class Tangent(Fold[Node]):
     """Forward mode: the derivative along symbol -> rate, all other symbols held.
 
     With rate(x_k) = v_k and rate(t) = 1 this is d/dt along the motion: M -> Mdot, A -> Adot, G -> Gdot.
     """
 
     def __init__(self, graph: Graph, rates: Mapping[str, Node]) -> None:
-        self.graph = graph
+        super().__init__(graph)
         self._rates = rates
-        self._known: dict[Node, Node] = {}
 
-    def __call__(self, root: Node) -> Node:
-        """Return the node of the derivative of root."""
-        for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._tangent(node)
-        return self._known[root]
-
-    def _tangent(self, node: Node) -> Node:
+    def _made(self, node: Node) -> Node:
         graph, known = self.graph, self._known
         kind, operands = graph.records[node]
         if kind is Kind.NUMBER:

@@ -4,27 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from .fold import Fold
 from .graph import Graph
 from .store import Kind, Node
 
 
-class Rewriter:
+class Rewriter(Fold[Node]):
     """Gives each node anew after `replacement` had its say; what nothing replaces comes back as it was."""
-
-    def __init__(self, graph: Graph) -> None:
-        self.graph = graph
-        self._known: dict[Node, Node] = {}
 
     def replacement(self, node: Node) -> Node | None:
         """Return what stands for a node, or None to rebuild it from its operands."""
         raise NotImplementedError(f"{type(self).__name__} must say what it replaces")
 
-    def __call__(self, root: Node) -> Node:
-        """Return root, rebuilt."""
-        for node in self.graph.reachable([root], self._known):
-            replaced = self.replacement(node)
-            self._known[node] = self._rebuilt(node) if replaced is None else replaced
-        return self._known[root]
+    def _made(self, node: Node) -> Node:
+        replaced = self.replacement(node)
+        return self._rebuilt(node) if replaced is None else replaced
 
     def _rebuilt(self, node: Node) -> Node:
         graph, known = self.graph, self._known

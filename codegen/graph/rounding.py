@@ -14,25 +14,15 @@ and s = |a| of a symbol or number, so that s >= |a| throughout. eps s is right w
 from __future__ import annotations
 
 from .derivatives import STEPS, partial
-from .graph import Graph
+from .fold import Fold
 from .numbers import is_whole, magnitude
 from .store import Kind, Node
 
 
-class Rounding:
+class Rounding(Fold[Node]):
     """node -> s, the size of the terms that make it: eps s is its rounding."""
 
-    def __init__(self, graph: Graph) -> None:
-        self.graph = graph
-        self._known: dict[Node, Node] = {}
-
-    def __call__(self, root: Node) -> Node:
-        """Return the node of s of root."""
-        for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._size(node)
-        return self._known[root]
-
-    def _size(self, node: Node) -> Node:
+    def _made(self, node: Node) -> Node:
         graph = self.graph
         kind, operands = graph.records[node]
         if kind is Kind.SUM:

@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
 
+from .evaluation import Evaluation
 from .graph import Graph
 from .numbers import Number, is_whole
 from .store import Kind, Node
@@ -37,11 +38,13 @@ SIGN = 0
 Branch = tuple[Node, int]
 """A root, by its base and degree."""
 Value = float | complex
+Sized = tuple[Value, float]
 
 
-class Point:
+class Point(Evaluation[Sized]):
     """One random point: value and magnitude (the sum of the absolute terms behind it) of every node asked for.
 
+    Both are not a number where the expression is not defined at this point.
     Roots of negative numbers are complex here: an identity holds there too.
 
     Parameters
@@ -54,26 +57,15 @@ class Point:
         Which of its values a root takes, 0 (the principal one, for those not named) to its degree - 1.
     """
 
+    undefined = math.nan, math.nan
+
     def __init__(
         self, graph: Graph, sample: int, signs: Mapping[str, int], branches: Mapping[Branch, int] | None = None
     ) -> None:
-        self.graph = graph
+        super().__init__(graph)
         self._sample, self._signs, self._branches = sample, signs, branches or {}
-        self._known: dict[Node, tuple[Value, float]] = {}
 
-    def __call__(self, root: Node) -> tuple[Value, float]:
-        """Return (value, magnitude); not a number where the expression is not defined at this point."""
-        for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._guarded(node)
-        return self._known[root]
-
-    def _guarded(self, node: Node) -> tuple[Value, float]:
-        try:
-            return self._evaluate(node)
-        except (ValueError, ZeroDivisionError, OverflowError):
-            return math.nan, math.nan
-
-    def _evaluate(self, node: Node) -> tuple[Value, float]:
+    def _value(self, node: Node) -> Sized:
         kind, operands = self.graph.records[node]
         known = self._known
         if kind is Kind.NUMBER:
@@ -97,7 +89,7 @@ class Point:
             size = 10.0 ** chance.uniform(*((-3, 3) if self._sample < NEAR + FAR else (-9, -6)))
         return size * (self._signs.get(name) or chance.choice((-1, 1)))
 
-    def _power(self, base: Node, power: Number) -> tuple[Value, float]:
+    def _power(self, base: Node, power: Number) -> Sized:
         value, magnitude = self._known[base]
         if is_whole(power):
             result: Value = value ** int(power)
@@ -109,7 +101,7 @@ class Point:
             result = self._unknown(f"{base} {power}")
         return result, _size(value, magnitude, float(power), result)
 
-    def _call(self, node: Node, name: str, argument: Node) -> tuple[Value, float]:
+    def _call(self, node: Node, name: str, argument: Node) -> Sized:
         value, magnitude = self._known[argument]
         if name in ("abs", "sign"):
             sign = (-1) ** self._branches.get((argument, SIGN), 0)

@@ -16,6 +16,7 @@ from fractions import Fraction
 from itertools import product
 
 from ..graph.derivatives import STEPS, Tangent
+from ..graph.fold import Fold
 from ..graph.graph import Graph
 from ..graph.rewrite import Rewriter, Substitution
 from ..graph.rounding import Rounding
@@ -83,7 +84,7 @@ class Breaks:
             changing = graph.add(operands[0], graph.negative(operands[1]))
         if name in WHOLE:
             changing = graph.add(changing, graph.negative(self._whole(condition)))
-        ways = _Branches(graph, self.time, self._whole).of(changing)
+        ways = _Branches(graph, self.time, self._whole)(changing)
         return [time for way in ways for time in self._zeros(way)]
 
     def _whole(self, node: Node) -> Node:
@@ -205,21 +206,18 @@ class _Replaced(Rewriter):
         return self._values.get(node)
 
 
-class _Branches:
-    """What an expression of the time may be between its kinks."""
+class _Branches(Fold[tuple[Node, ...]]):
+    """What an expression of the time may be between its kinks; raises where that is too many."""
 
     def __init__(self, graph: Graph, time: str, whole: Callable[[Node], Node]) -> None:
-        self.graph, self.time, self.whole = graph, time, whole
-        self._known: dict[Node, tuple[Node, ...]] = {}
+        super().__init__(graph)
+        self.time, self.whole = time, whole
 
-    def of(self, root: Node) -> tuple[Node, ...]:
-        """Return them; raise where they are too many."""
-        for node in self.graph.reachable([root], self._known):
-            ways = tuple(dict.fromkeys(self._ways(node)))
-            if len(ways) > MOST_BRANCHES:
-                raise UnsolvedError
-            self._known[node] = ways
-        return self._known[root]
+    def _made(self, node: Node) -> tuple[Node, ...]:
+        ways = tuple(dict.fromkeys(self._ways(node)))
+        if len(ways) > MOST_BRANCHES:
+            raise UnsolvedError
+        return ways
 
     def _ways(self, node: Node) -> Sequence[Node]:
         graph = self.graph
@@ -231,7 +229,7 @@ class _Branches:
             return chosen
         if math.prod(map(len, parts)) > MOST_BRANCHES:
             raise UnsolvedError
-        return [self._made(node, way) for way in product(*parts)]
+        return [self._rebuilt(node, way) for way in product(*parts)]
 
     def _chosen(self, node: Node, name: str, parts: list[tuple[Node, ...]]) -> Sequence[Node] | None:
         graph = self.graph
@@ -249,7 +247,7 @@ class _Branches:
             return (graph.zero, graph.one, graph.number(Fraction(1, 2)))
         return None
 
-    def _made(self, node: Node, way: tuple[Node, ...]) -> Node:
+    def _rebuilt(self, node: Node, way: tuple[Node, ...]) -> Node:
         """Rebuild a node of other parts."""
         graph = self.graph
         kind, operands = graph.records[node]

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import operator
 import random
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
+from ..graph.evaluation import At
 from ..graph.graph import Graph
 from ..graph.rounding import Rounding
 from ..graph.store import Kind, Node
@@ -21,53 +20,6 @@ POINTS = 24
 """Random states, besides the start, at which ranks are looked at."""
 FAR = 1.9
 """How far from the start they are, in parts of what a coordinate is measured by."""
-
-
-FUNCTIONS: Mapping[str, Callable[..., Any]] = {
-    "abs": abs, "min": min, "max": max, "sign": lambda a: (a > 0) - (a < 0), "step": lambda a: float(a > 0),
-    "select": lambda c, a, b: a if c else b, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
-    "==": operator.eq, "!=": operator.ne, "and": lambda a, b: bool(a) and bool(b),
-    "or": lambda a, b: bool(a) or bool(b), "not": operator.not_,
-}  # fmt: skip
-"""What the module math does not have under the same name."""
-
-
-class At:
-    """Values of nodes where symbols have the values given; not a number where they are not defined."""
-
-    def __init__(self, graph: Graph, values: Mapping[str, float]) -> None:
-        self.graph, self.values = graph, values
-        self._known: dict[Node, float] = {}
-
-    def __call__(self, root: Node) -> float:
-        """Return the value of a node."""
-        for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._guarded(node)
-        return self._known[root]
-
-    def _guarded(self, node: Node) -> float:
-        try:
-            return float(self._evaluate(node))
-        except (ArithmeticError, AttributeError, TypeError, ValueError):
-            return math.nan
-
-    def _evaluate(self, node: Node) -> Any:
-        kind, operands = self.graph.records[node]
-        known = self._known
-        if kind is Kind.NUMBER:
-            return operands[0]
-        if kind is Kind.SYMBOL:
-            return self.values[operands[0]]
-        if kind is Kind.SUM:
-            return math.fsum(float(factor) * known[child] for child, factor in operands)
-        if kind is Kind.PRODUCT:
-            return math.prod(known[child] ** float(power) for child, power in operands)
-        name, *arguments = operands
-        return (FUNCTIONS.get(name) or getattr(math, name))(*(known[child] for child in arguments))
-
-    def rows(self, rows: Rows) -> Numbers:
-        """Return the numbers of a matrix."""
-        return [[self(entry) for entry in row] for row in rows]
 
 
 @dataclass(frozen=True)

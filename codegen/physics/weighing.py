@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from ..graph.evaluation import At
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
-from .samples import At, Samples
+from .samples import Samples
 
 
 class Weights:
