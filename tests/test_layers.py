@@ -163,11 +163,11 @@ def test_the_sources_are_found():
 
 
 @pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.codegen")])
-def test_codegen_imports_sympy_jinja_and_the_standard_library(module):
+def test_codegen_imports_sympy_numpy_jinja_and_the_standard_library(module):
     for name in imports(module, MODULES[module]):
         top = name.partition(".")[0]
         ours = within(name, "eigenmotion.codegen") or within(name, "eigenmotion.templates")
-        assert ours or top in {"sympy", "jinja2"} or top in sys.stdlib_module_names, f"{module} imports {name}"
+        assert ours or top in {"sympy", "numpy", "jinja2"} or top in sys.stdlib_module_names, f"{module} imports {name}"
 
 
 @pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.runtime")])

@@ -1,12 +1,16 @@
-"""Whether a matrix of numbers is singular, in whatever units its rows and columns are."""
+"""Elimination with the best pivot first, of matrices in floating point or of any other numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-def is_singular(matrix: Sequence[Sequence[Any]], sizes: Sequence[Sequence[Any]], rounding: float) -> bool:
+Numbers = NDArray[Any]
+
+
+def is_singular(matrix: ArrayLike, sizes: ArrayLike, rounding: float) -> bool:
     """Whether elimination comes to a remainder that is nothing but rounding; entries that are not finite make it so.
 
     Each entry is judged by what it is beside the sum of the absolute values that made it, which rows and columns in
@@ -21,22 +25,27 @@ def is_singular(matrix: Sequence[Sequence[Any]], sizes: Sequence[Sequence[Any]],
     rounding
         The part of its terms that an entry must exceed to count.
     """
-    rest = [list(zip(row, terms, strict=True)) for row, terms in zip(matrix, sizes, strict=True)]
-    while rest:
-        part, i, j = max((_part(*entry), i, j) for i, row in enumerate(rest) for j, entry in enumerate(row))
-        if part <= rounding:
-            return True
-        pivot_row = rest.pop(i)
-        pivot, _ = pivot_row.pop(j)
-        for row in rest:
-            factor, _ = row.pop(j)
-            factor /= pivot
-            row[:] = [(a - factor * b, size + abs(factor) * b_size)
-                      for (a, size), (b, b_size) in zip(row, pivot_row, strict=True)]  # fmt: skip
+    rest, size = np.array(matrix), np.array(sizes)
+    with np.errstate(all="ignore"):
+        while rest.size:
+            parts = _parts(rest, size)
+            i, j = np.unravel_index(parts.argmax(), parts.shape)
+            if parts[i, j] <= rounding:
+                return True
+            factors = rest[:, j] / rest[i, j]
+            rest, size = without(rest, i, j, -factors), without(size, i, j, abs(factors))
     return False
+
+
+def without(matrix: Numbers, i: Any, j: Any, factors: Numbers) -> Numbers:
+    """Return a matrix with `factors` (n,) times row i added to its rows, and then without row i and column j."""
+    return np.delete(np.delete(matrix + np.outer(factors, matrix[i]), i, 0), j, 1)
 
 
 def _part(entry: Any, size: Any) -> float:
     """How much of its terms an entry is."""
     part = float(abs(entry) / size) if size != 0 else 0.0
     return part if part == part else 0.0
+
+
+_parts = np.vectorize(_part, otypes=[float])
