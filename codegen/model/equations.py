@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from .lagrange import lagrange, stated
 from .mechanism import Mechanism
 from .normalise import MULTIPLIER, t
 from .writing import as_python, latex
@@ -76,51 +77,18 @@ class Equations:
 
 
 def equations_of(model: Mechanism) -> Equations:
-    """Return Lagrange's equations of a model, simplified where that is quick.
+    """Return Lagrange's equations of a model, simplified where that is quick."""
+    found, n, m = lagrange(model), model.n, model.m
+    back = dict(zip((*found.x, *found.v, *found.u, found.time), stated(model), strict=True))
 
-    M_ij = d2T / dv_i dv_j; bias = Q - dV/dx + dT/dx - (d2T / dv dx) v - d2T / dv dt; rows and their rates as stated.
-    """
-    plain = _Plain(model)
-    T, V = plain(model.kinetic_energy), plain(model.potential_energy)
-    momenta = [T.diff(v) for v in plain.v]
-    forces = [plain(Q) - V.diff(x) + T.diff(x) for x, Q in zip(plain.x, model.forces, strict=True)]
-    bias = [force - plain.rate(momentum) for force, momentum in zip(forces, momenta, strict=True)]
-    rows = [plain.rate(plain(phi)) for phi in model.holonomic_constraints]
-    rows += [plain(row) for row in model.nonholonomic_constraints]
-    at_rest = dict.fromkeys(plain.v, sympy.S.Zero)
-    n, m = model.n, model.m
+    def matrix(rows: int, columns: int, entries: Iterable[sympy.Expr]) -> sympy.ImmutableDenseMatrix:
+        return sympy.ImmutableDenseMatrix(rows, columns, [simplified(entry).xreplace(back) for entry in entries])
+
     return Equations(
         model.coordinates, tuple(MULTIPLIER(sympy.Integer(row)) for row in range(m)),
-        plain.matrix(n, n, (momentum.diff(v) for momentum in momenta for v in plain.v)), plain.matrix(n, 1, bias),
-        plain.matrix(m, n, (row.diff(v) for row in rows for v in plain.v)),
-        plain.matrix(m, 1, (row.xreplace(at_rest) for row in rows)),
-        plain.matrix(m, 1, map(plain.rate, rows)),
+        matrix(n, n, sum(found.M, ())), matrix(n, 1, found.f), matrix(m, n, sum(found.A, ())), matrix(m, 1, found.b),
+        matrix(m, 1, (-g for g in found.g)),
     )  # fmt: skip
-
-
-class _Plain:
-    """Symbols for coordinates and rates, so that derivatives in t are those of time alone; and the way back."""
-
-    def __init__(self, model: Mechanism) -> None:
-        self.model = model
-        self.x = sympy.symbols(f"x:{model.n}", cls=sympy.Dummy)
-        self.v = sympy.symbols(f"v:{model.n}", cls=sympy.Dummy)
-        moving = (*model.rates, *model.coordinates)
-        self._symbols = dict(zip(moving, (*self.v, *self.x), strict=True))
-        self._back = {symbol: given for given, symbol in self._symbols.items()}
-
-    def __call__(self, expression: sympy.Expr) -> sympy.Expr:
-        return self.model.in_rates(expression).xreplace(self._symbols)
-
-    def rate(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return the rate of an expression along the motion, where the velocities stay."""
-        moving = (expression.diff(x) * v for x, v in zip(self.x, self.v, strict=True))
-        return sympy.Add(*moving) + expression.diff(t)
-
-    def matrix(self, rows: int, columns: int, entries: Iterable[sympy.Expr]) -> sympy.ImmutableDenseMatrix:
-        """Return entries, simplified, in the user's symbols."""
-        back = (simplified(entry).xreplace(self._back) for entry in entries)
-        return sympy.ImmutableDenseMatrix(rows, columns, list(back))
 
 
 def simplified(expression: sympy.Expr) -> sympy.Expr:

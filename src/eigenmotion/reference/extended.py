@@ -11,7 +11,7 @@ import numpy as np
 import sympy
 from numpy.typing import NDArray
 
-from .classical import Classical
+from ..codegen.model.lagrange import Lagrange
 from .elimination import accelerations
 from .written import written
 
@@ -20,7 +20,7 @@ Rhs = Callable[[Any, Extended], Extended]
 EPSILON = float(np.finfo(np.longdouble).eps)
 
 
-def extended(equations: Classical) -> Rhs:
+def extended(equations: Lagrange) -> Rhs:
     """Return f(t, y), y = (x, v), with every constant rounded in extended precision."""
     numbers = sorted(_inexact(equations.entries), key=sympy.default_sort_key)
     names = sympy.symbols(f"em_c:{len(numbers)}")

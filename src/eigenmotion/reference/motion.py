@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..arguments.names import Vector
 from ..codegen.model import ModelError
-from .classical import Classical
+from ..codegen.model.lagrange import Lagrange
 from .collocation import Collocation, jacobian
 from .extended import EPSILON, Extended, Rhs, extended
 from .integration import Midpoint, NotReachedError, Scheme, followed
@@ -57,7 +57,7 @@ def scaled_error(x: Vector | Extended, exact: Vector | Extended) -> Vector:
     return np.asarray(np.max(np.abs(x - exact) / (1 + np.abs(exact)), axis=-1), dtype=np.float64)
 
 
-def reference(equations: Classical, y: Vector, t_end: float, along: tuple[Vector, Vector] | None = None) -> Reference:
+def reference(equations: Lagrange, y: Vector, t_end: float, along: tuple[Vector, Vector] | None = None) -> Reference:
     """Integrate from y (2n,) at t = 0 over a grid of ROWS times that ends at t_end.
 
     Parameters

@@ -7,8 +7,9 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..codegen.model import Model, ModelError
+from ..codegen.model.lagrange import Lagrange
 from ..pages.words import Progress, part
-from ..reference.classical import Classical, classical
+from ..reference.classical import classical
 from ..reference.motion import Reference, reference
 from ..results.solution import Solution
 from ..system.system import System
@@ -94,7 +95,7 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
 
 
 def _solvers(
-    found: Subject, ask: Ask, equations: Classical, y: Vector
+    found: Subject, ask: Ask, equations: Lagrange, y: Vector
 ) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
     """Return ours and the peers', and what is absent."""
     ours = [solver for system in found.systems for solver in explicit_solvers(system, ask.problem, ask.tolerances)]

@@ -11,7 +11,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from ..arguments.names import Vector
-from ..reference.classical import Classical, double, explicit
+from ..codegen.model.lagrange import Lagrange
+from ..reference.classical import double, explicit
 from .solvers import MOST_STEPS, Attempt, Solver, Track
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
@@ -45,7 +46,7 @@ class Peers:
     absent: tuple[tuple[str, str], ...]
 
 
-def peers(equations: Classical, start: Start) -> Peers:
+def peers(equations: Lagrange, start: Start) -> Peers:
     """Set up every peer."""
     found: list[Solver] = _scipy(equations, start)
     absent: list[tuple[str, str]] = []
@@ -66,7 +67,7 @@ def _obstacle(module: str, n: int) -> str:
     return f"left out above {_LARGEST} coordinates: the written-out accelerations grow as n^3" if n > _LARGEST else ""
 
 
-def _scipy(equations: Classical, start: Start) -> list[Solver]:
+def _scipy(equations: Lagrange, start: Start) -> list[Solver]:
     rhs = double(equations)
 
     def attempt(method: str, tolerance: float) -> Attempt:
@@ -102,7 +103,7 @@ def _scipy_track(at_rows: Any, at_steps: Any) -> Track:
     return Track(at_rows.y[:n].T, at_rows.y[n:].T, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
 
 
-def _heyoka(equations: Classical, start: Start) -> list[Solver]:
+def _heyoka(equations: Lagrange, start: Start) -> list[Solver]:
     """Taylor's method on the accelerations written out by elimination."""
     import heyoka  # noqa: PLC0415, an optional package
 
@@ -134,7 +135,7 @@ def _heyoka(equations: Classical, start: Start) -> list[Solver]:
     return [Solver("heyoka.py", "written out", "Taylor", _TAYLOR_TOLERANCES, attempt)]
 
 
-def _casadi(equations: Classical, start: Start) -> list[Solver]:
+def _casadi(equations: Lagrange, start: Start) -> list[Solver]:
     """SUNDIALS' CVODES on the accelerations written out, with CasADi's exact Jacobian."""
     import casadi  # noqa: PLC0415, an optional package
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..codegen.model import Model
-from ..reference.classical import Classical, classical
+from ..codegen.model.lagrange import Lagrange
+from ..reference.classical import classical
 from ..reference.collocation import Collocation
 from ..reference.extended import Extended, Rhs, extended
 from ..reference.integration import Midpoint, followed, graded
@@ -83,7 +84,7 @@ def _scaled(truth: Integrated, times: Vector) -> Rhs:
 
 
 @cache
-def _equations(model: Model) -> Classical:
+def _equations(model: Model) -> Lagrange:
     return classical(model)
 
 
