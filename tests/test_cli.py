@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.cli import main
-from eigenmotion.cli.progress import bar, clock
+from eigenmotion.progress import bar, clock, counted
 
 from .conftest import SCENE
 
@@ -144,5 +144,17 @@ def test_bars_show_what_comes_next(monkeypatch):
     monkeypatch.setattr(sys, "stderr", Terminal())
     with bar("swing") as progress:
         progress(0.5, "time, round 3 of 9")
-    assert "time, round 3 of 9" in sys.stderr.getvalue()
-    assert "100%" in sys.stderr.getvalue()
+    assert "swing 50 %, time, round 3 of 9, 0.0 s left" in sys.stderr.getvalue()
+    assert sys.stderr.getvalue().endswith("\r\x1b[K")
+
+
+def test_runs_are_counted_where_that_takes_long(monkeypatch):
+    for screen, written in ((Terminal(), "\r\x1b[K60 %, 8 of 10 runs,"), (io.StringIO(), "")):
+        monkeypatch.setattr(sys, "stderr", screen)
+        with counted(10, before=5) as add:
+            add(1)
+            assert screen.getvalue() == ""
+            time.sleep(1.0)
+            add(2)
+        assert screen.getvalue().startswith(written)
+        assert bool(screen.getvalue()) is bool(written)

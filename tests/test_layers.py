@@ -69,7 +69,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
     "system": ("codegen.model", "runtime", "arguments", "running", "ensembles", "linear", "pages"),
-    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "cores"),
+    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "cores", "progress"),
     "building": (
         "codegen.model",
         "codegen.c",
@@ -99,6 +99,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building",
         "reference",
         "pages",
+        "progress",
     ),
     "stability": (
         "codegen.model",
@@ -112,6 +113,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building",
         "reference",
         "pages",
+        "progress",
     ),
     "paper": ("models", "arguments", "results", "system", "building", "pages"),
     "cli": (
@@ -133,10 +135,12 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "report",
         "stability",
         "files",
+        "progress",
     ),
     "cores": (),
     "files": (),
     "garbage": (),
+    "progress": (),
 }
 """What each room may import while the program runs, itself apart; "" is the package's own names, loaded when used."""
 

@@ -15,7 +15,7 @@ import pytest
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.ensembles.design import Design, Distribution
-from eigenmotion.ensembles.progress import Progress, duration
+from eigenmotion.progress import duration, words
 from eigenmotion.results import parts as kept_parts
 
 SWEEP = ["sweep", "scene.py", "--formulation", "lagrange", "--t-end", "1", "--chunk", "7"]
@@ -157,14 +157,9 @@ def test_mistakes_are_told_before_anything_runs(scene, capsys, arguments, words)
     assert not Path("runs.csv").exists()
 
 
-def test_progress_says_rate_and_time_left(capsys):
-    with Progress(10, 2) as progress:
-        progress._start -= 4.0
-        progress._said -= 40.0
-        progress.add(4)
-        assert progress.words == "6 of 10 runs, 1 a second, 4.0 s left"
-        progress.add(4)
-    assert capsys.readouterr().err == "6 of 10 runs, 1 a second, 4.0 s left\n10 of 10 runs, 2 a second\n"
+def test_progress_says_the_time_left():
+    assert words(0.6, "6 of 10 runs", 6.0) == "60 %, 6 of 10 runs, 4.0 s left"
+    assert [words(done, "runs", 6.0) for done in (0.0, 1.0)] == ["0 %, runs", "100 %, runs"]
     assert [duration(seconds) for seconds in (2.34, 42, 125, 7325)] == ["2.3 s", "42 s", "2 min 5 s", "2 h 2 min"]
 
 

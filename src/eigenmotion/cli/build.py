@@ -7,9 +7,9 @@ import click
 
 from eigenmotion.building.build import make
 from eigenmotion.building.toolchain import toolchain
+from eigenmotion.progress import clock
 
 from .options import Shape, distinct, models, output, shaping
-from .progress import clock
 
 
 @click.command("build")

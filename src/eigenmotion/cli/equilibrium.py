@@ -11,9 +11,9 @@ from eigenmotion.building.build import system_of
 from eigenmotion.linear.equilibrium import Equilibrium, find_equilibrium
 from eigenmotion.linear.holding import named_modes
 from eigenmotion.linear.words import description, state_rows
+from eigenmotion.progress import clock
 
 from .options import Shape, model, setting, shaping, values
-from .progress import clock
 
 
 @click.command("equilibrium")

@@ -9,9 +9,9 @@ import click
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import toolchain
+from eigenmotion.progress import clock
 
 from .options import Shape, model, shaping
-from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
 

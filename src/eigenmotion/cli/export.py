@@ -6,10 +6,10 @@ from typing import Any
 import click
 
 from eigenmotion.fmu.export import export_fmu
+from eigenmotion.progress import clock
 from eigenmotion.running.methods import STEPPED
 
 from .options import ABOVE_ZERO, assignments, check_file, model, shaping
-from .progress import clock
 
 
 @click.command("export")

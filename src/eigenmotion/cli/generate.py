@@ -10,9 +10,9 @@ from eigenmotion.building.compare import differences_by_bytes, differences_by_ha
 from eigenmotion.building.request import Request
 from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.files import write
+from eigenmotion.progress import clock
 
 from .options import Shape, distinct, models, output, shaping
-from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
 

@@ -10,9 +10,9 @@ from eigenmotion.linear.assemble import assemble
 from eigenmotion.linear.holding import named_modes
 from eigenmotion.linear.words import description, plane
 from eigenmotion.pages.figures import FORMATS, require_matplotlib, save
+from eigenmotion.progress import clock
 
 from .options import Shape, check_writable, model, shaping, values
-from .progress import clock
 
 
 @click.command("linearize")

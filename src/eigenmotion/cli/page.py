@@ -11,9 +11,9 @@ from eigenmotion.codegen.model.normalise import name_of
 from eigenmotion.files import write
 from eigenmotion.live.page import Run, page
 from eigenmotion.live.shown import of_space
+from eigenmotion.progress import clock
 
 from .options import Finite, Shape, check_file, ending, model, setting, shaping, values
-from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
 

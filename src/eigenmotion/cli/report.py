@@ -7,10 +7,10 @@ import click
 
 from eigenmotion.building.request import Request, request
 from eigenmotion.pages.figures import require_matplotlib
+from eigenmotion.progress import bar
 from eigenmotion.report import Ask, examine, recommendation, write_report
 
 from .options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, folder, setting, values
-from .progress import bar
 
 
 @click.command("report")

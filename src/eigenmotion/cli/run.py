@@ -11,6 +11,7 @@ from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
+from eigenmotion.progress import clock
 from eigenmotion.results.animation import ANIMATIONS, require_ffmpeg, save_animation
 from eigenmotion.results.drawing import require_drawing
 from eigenmotion.results.plot import coordinates
@@ -23,7 +24,6 @@ from eigenmotion.runtime import StopReason
 from eigenmotion.system.system import System
 
 from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
-from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
 

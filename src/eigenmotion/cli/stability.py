@@ -6,10 +6,10 @@ from pathlib import Path
 import click
 
 from eigenmotion.pages.figures import require_matplotlib
+from eigenmotion.progress import bar
 from eigenmotion.stability import CASES, Matrix, Outcome, summary, survey, write_matrix
 
 from .options import check_writable, folder
-from .progress import bar
 
 _WORKERS = min(2, os.cpu_count() or 1)
 

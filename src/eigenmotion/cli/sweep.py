@@ -14,10 +14,10 @@ import numpy as np
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.ensembles.design import KINDS, Design
-from eigenmotion.ensembles.progress import Progress, duration
 from eigenmotion.ensembles.simulate_ensemble import chosen_method, simulate_ensemble
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
+from eigenmotion.progress import clock, counted, duration
 from eigenmotion.results import spread
 from eigenmotion.results.parts import Parts
 from eigenmotion.results.stores import STORES, arrays_of, check_names, finish, is_done, require
@@ -26,7 +26,6 @@ from eigenmotion.runtime import EvaluationError
 from eigenmotion.system.system import System
 
 from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
-from .progress import clock
 from .swept import MOST, check_memory, check_set, design_of
 
 _WORDS = 3  # failures of a kind that are told
@@ -155,12 +154,12 @@ class _Sweep:
             click.echo(f"{len(damaged)} parts are damaged, or of another sweep: their runs are made anew", err=True)
         together = _AT_ONCE if executor else 1
         total = self.design.count
-        with Progress(total, total - sum(map(self._size, missing))) as progress:
+        with counted(total, total - sum(map(self._size, missing))) as count:
             for first in range(0, len(missing), together):
                 some = missing[first : first + together]
                 if not self._do(some, workers, executor):
                     return False
-                progress.add(sum(map(self._size, some)))
+                count(sum(map(self._size, some)))
         return True
 
     def _span(self, number: int) -> tuple[int, int]:

@@ -14,6 +14,7 @@ from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, row
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..cores import cores
+from ..progress import counted
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method, method_of
@@ -22,7 +23,6 @@ from ..running.start import check_direction
 from . import memory
 from .executors import in_executor
 from .gather import gather
-from .progress import Progress
 from .threads import in_threads
 
 if TYPE_CHECKING:
@@ -124,8 +124,7 @@ def simulate_ensemble(
     _check_signals(system, members, start, end)
     _check_constant(system, asked, members)
     memory.check(asked, members.count)
-    with Progress(members.count) if truth(progress, "progress") else nullcontext() as shown_progress:
-        report = shown_progress.add if shown_progress else _silent
+    with counted(members.count) if truth(progress, "progress") else nullcontext(_silent) as report:
         if executor is None:
             return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
         return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))

@@ -1,9 +1,4 @@
-"""Numbers in words, and what says how far a long task is."""
-
-from collections.abc import Callable
-
-Progress = Callable[[float, str], None]
-"""Is told how much of the whole is done, 0 ... 1, and what comes next or was done last."""
+"""Numbers in words."""
 
 
 def number(value: float | None) -> str:
@@ -19,8 +14,3 @@ def seconds(value: float | None) -> str:
         if value >= size:
             return f"{value / size:.3g} {unit}"
     return f"{value / 1e-9:.3g} ns"
-
-
-def part(progress: Progress, start: float, end: float) -> Progress:
-    """Return the progress of a task that takes the whole from `start` to `end`."""
-    return lambda done, what: progress(start + (end - start) * done, what)

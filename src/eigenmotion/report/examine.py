@@ -8,7 +8,7 @@ import numpy as np
 from ..arguments.names import Vector
 from ..codegen.model import Model, ModelError
 from ..codegen.model.lagrange import Lagrange
-from ..pages.words import Progress, part
+from ..progress import Progress, part
 from ..reference.classical import classical
 from ..reference.motion import Reference, reference
 from ..results.solution import Solution

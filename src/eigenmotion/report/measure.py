@@ -9,7 +9,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..arguments.names import Vector
-from ..pages.words import Progress
+from ..progress import Progress
 from ..reference.motion import Reference, scaled_error
 from ..system.system import System
 from .solvers import Attempt, Solver, Track

@@ -7,7 +7,7 @@ from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from typing import TypeVar
 
-from ..pages.words import Progress, part
+from ..progress import Progress, part
 from .case import Case
 from .cases import CASES
 from .examine import Examined, examine, program

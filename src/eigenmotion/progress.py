@@ -1,0 +1,129 @@
+"""How far a long task is, on one line of standard error."""
+
+import logging
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from threading import Event, Thread
+
+Progress = Callable[[float, str], None]
+"""Is told how much of the whole is done, 0 ... 1, and what comes next or was done last."""
+
+_PATIENCE = 1.0  # [s] what is quicker is not spoken of
+_TICK, _SELDOM = 0.2, 30.0  # [s] between two looks at the clock; between two lines where nobody is watching
+_CLEAR = "\r\x1b[K"
+
+
+class _Line:
+    """A line on standard error, written over where somebody is watching."""
+
+    def __init__(self) -> None:
+        self._stream, self._written = sys.stderr, False
+        self.watched = self._stream.isatty()
+
+    def write(self, words: str) -> None:
+        self._stream.write(f"{_CLEAR}{words}" if self.watched else f"{words}\n")
+        self._stream.flush()
+        self._written = True
+
+    def wipe(self) -> None:
+        if self._written and self.watched:
+            self.write("")
+
+
+@contextmanager
+def bar(name: str = "", every: float = 0.0) -> Iterator[Progress]:
+    """Show how far a task is, and the time left; give what is told of it. `every` [s]: the time between two lines."""
+    line, start = _Line(), time.monotonic()
+    said, pause = start, every if line.watched else _SELDOM
+
+    def progress(done: float, what: str) -> None:
+        nonlocal said
+        if (now := time.monotonic()) - said >= pause:
+            said = now
+            line.write(" ".join([*name.split(), words(done, what, now - start)]))
+
+    try:
+        yield progress
+    finally:
+        line.wipe()
+
+
+def words(done: float, what: str, seconds: float) -> str:
+    """Say how much of a task is done after so many seconds, what comes next, and how long the rest takes."""
+    left = f", {duration(seconds * (1 - done) / done)} left" if 0 < done < 1 else ""
+    return f"{100 * done:.0f} %, {what}{left}"
+
+
+def part(progress: Progress, start: float, end: float) -> Progress:
+    """Return the progress of a task that takes the whole from `start` to `end`."""
+    return lambda done, what: progress(start + (end - start) * done, what)
+
+
+@contextmanager
+def counted(total: int, before: int = 0) -> Iterator[Callable[[int], None]]:
+    """Show how many of many runs are done, of which some were before; give what counts, which any thread may call."""
+    done, start = before, time.monotonic()
+    with bar(every=_PATIENCE) as progress:
+
+        def add(count: int) -> None:
+            nonlocal done
+            done += count
+            rate = (done - before) / max(time.monotonic() - start, 1e-9)
+            progress((done - before) / max(total - before, 1), f"{done} of {total} runs, {rate:.3g} a second")
+
+        yield add
+
+
+def duration(seconds: float) -> str:
+    """Return seconds as people say them."""
+    whole = round(seconds)
+    if whole < 60:
+        return f"{seconds:.1f} s" if seconds < 10 else f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60} s"
+    return f"{whole // 3600} h {whole % 3600 // 60} min"
+
+
+class _Clock(logging.Handler):
+    """Takes each message of the log as the name of what begins now; writes it with its seconds."""
+
+    def __init__(self, line: _Line, patience: float) -> None:
+        super().__init__(logging.INFO)
+        self._line, self._patience, self._over = line, patience, Event()
+        self._stage: tuple[str, float] | None = None
+        self._thread = Thread(target=self._tick, daemon=True)
+        self._thread.start()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self._stage = record.getMessage(), time.monotonic()
+
+    def stop(self) -> None:
+        self._over.set()
+        self._thread.join()
+        self._line.wipe()
+
+    def _tick(self) -> None:
+        while not self._over.wait(min(_TICK, self._patience or _TICK)):
+            if self._stage and (seconds := time.monotonic() - self._stage[1]) >= self._patience:
+                self._line.write(f"{self._stage[0]} ... {seconds:.0f} s")
+
+
+@contextmanager
+def clock(patience: float = _PATIENCE) -> Iterator[None]:
+    """Show how long the stage that the log names last has taken, once it takes longer than `patience` [s]."""
+    line = _Line()
+    if not line.watched:
+        yield
+        return
+    log, handler = logging.getLogger("eigenmotion"), _Clock(line, patience)
+    level = log.level
+    log.addHandler(handler)
+    log.setLevel(logging.INFO)
+    try:
+        yield
+    finally:
+        log.setLevel(level)
+        log.removeHandler(handler)
+        handler.stop()
