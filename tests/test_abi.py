@@ -102,9 +102,13 @@ def test_every_method_has_a_case_of_its_own(method):
     assert f"case EM_{method.upper()}:" in (INCLUDE / "em_methods.h").read_text(encoding="utf-8")
 
 
+def test_refusals_of_starts_are_those_of_c():
+    text = (INCLUDE / "em_start.h").read_text(encoding="utf-8").partition("EM_MAY_START = 0,")[2].partition("}")[0]
+    assert re.findall(r"EM_(\w+)", text) == [refusal.name for refusal in start._Refusal]
+
+
 SAID_TWICE = {
     "em_extrapolate.h EM_EPSILON": start._CLOSE,
-    "em_linear.h EM_SINGULAR_PIVOT": start._SINGULAR_PIVOT,
 }
 
 

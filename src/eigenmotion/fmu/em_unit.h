@@ -98,7 +98,7 @@ static int em_unit_start(em_unit *unit, double *c, double *y, double *atol) {
     em_fault fault;
     for (int k = 0; k < m->n; ++k) atol[k] = o->atol * (unit->rtol / o->rtol);
     if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault, unit->t_start);
-    if (!em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y)) {
+    if (em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y, NULL, NULL)) {
         fault = (em_fault){EM_START_REFUSED, -1, -1, 0.0};
         return em_unit_fail(unit, &fault, unit->t_start);
     }

@@ -1,18 +1,16 @@
 """Whether a mechanism can start where it is told to."""
 
-from dataclasses import dataclass
+from enum import IntEnum
 from itertools import combinations
 
 import numpy as np
 
 from ..arguments.names import Vector
 from ..codegen.model import ModelError
-from ..runtime import CompiledModel, EvaluationError, Prepared, forgiven
+from ..runtime import CompiledModel, EvaluationError, Prepared
 from .consistent import Projection
 
 _CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
-_SINGULAR_PIVOT = 1e-13  # EM_SINGULAR_PIVOT
-_LAST_PLACES = 8 * np.finfo(float).eps  # EM_LAST_PLACES_OF_ALL
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
 
 
@@ -32,31 +30,10 @@ def start_state(
     EvaluationError
         A coordinate is declared to have other values.
     """
-    y = model.start(t, x, v, prepared, rtol, atol)
-    if y is None:
-        model.check_start(x)
-        y = _Start(model, prepared, t, x, v).examined(*forgiven(rtol, atol))
-        _check_contacts(model, prepared, t, x, v, rtol, atol)
+    y = _start(model, prepared, t, x, v, rtol, atol)
     if model.extrapolates:
         _check_turning(model, prepared, t, x)
     return y
-
-
-def _check_contacts(
-    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
-) -> None:
-    """Refuse a start within what a contact or an impact keeps apart: it would never come to strike."""
-    if found := model.inside(t, x, v, prepared, rtol, atol):
-        name, gap = found
-        if model.events.index(name) not in {switch[0] for switch in model.switches}:
-            raise ModelError(
-                f"{model.name}: x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "
-                "and never negative. Start where it is at least 0, or turn the signs of phi and of the event."
-            )
-        raise ModelError(
-            f"{model.name}: x0 is inside contact {name!r}: its gap is {gap:.6g} there, and never negative. Start where "
-            "it is at least 0, or turn the sign of the gap."
-        )
 
 
 def check_direction(model: CompiledModel, start: float, end: float) -> None:
@@ -77,9 +54,7 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
 
 def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
     """Refuse a state that is off the constraints by more than rounding in what the user computed, as `start_state`."""
-    exact = np.zeros(model.n)
-    if model.start(t, x, v, prepared, 0.0, exact) is None:
-        _Start(model, prepared, t, x, v).examined(*forgiven(0.0, exact))
+    _start(model, prepared, t, x, v, 0.0, np.zeros(model.n))
 
 
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
@@ -105,96 +80,89 @@ def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector
             )
 
 
+class _Refusal(IntEnum):
+    """Why no motion starts at a state: em_refusal of em_start.h."""
+
+    UNDECLARED = 1
+    WITHOUT_INERTIA = 2
+    OFF_POSITION = 3
+    OFF_VELOCITY = 4
+    WITHIN_CONTACT = 5
+    WITHOUT_STATE = 6
+
+
+def _start(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,), or raise as `start_state`."""
+    refusal, y, at, off = model.start(t, x, v, prepared, rtol, atol)
+    if not refusal:
+        return y
+    model.check_start(x)  # raises where that is why
+    if refusal == _Refusal.WITHOUT_INERTIA:
+        words = _of_masses(model, model.factored_matrix(t, x, prepared), at)
+    elif refusal == _Refusal.WITHIN_CONTACT:
+        words = _of_contact(model, *(model.inside(t, x, v, prepared, rtol, atol) or ("", np.nan)))
+    elif refusal == _Refusal.WITHOUT_STATE:
+        words = _of_state(model, prepared, t, x, v)
+    else:
+        words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, t, x, v)}"
+    raise ModelError(f"{model.name}: {words}")
+
+
+_OFF = {
+    _Refusal.OFF_POSITION: "x0 is off holonomic constraint",
+    _Refusal.OFF_VELOCITY: "v0 does not satisfy A v + b = 0 in constraint",
+}
 _OF_CONSTRAINTS = (
     ", not even along the constraints",
     " The weights of the constraints are those of the model's own initial values: give it others where x0 is far away.",
 )
 
 
-@dataclass(frozen=True, slots=True)
-class _Start:
-    """A start that the compiled checks (em_start.h) did not pass: the same ones, with what is wrong in words."""
+def _of_masses(model: CompiledModel, M: Vector, coordinate: int) -> str:
+    if not np.isfinite(M).all():
+        i, j = (model.coordinates[k] for k in np.argwhere(~np.isfinite(M))[0])
+        return f"the mass matrix at x0 is not finite in row {i!r}, column {j!r}"
+    alone, weights = _OF_CONSTRAINTS if model.augmented else ("", "")
+    return (
+        f"the mass matrix at x0 is not positive definite at coordinate {model.coordinates[coordinate]!r}{alone}. "
+        f"Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out.{weights}"
+    )
 
-    model: CompiledModel
-    prepared: Prepared
-    t: float
-    x: Vector
-    v: Vector
 
-    def examined(self, tolerance: float, least: Vector) -> Vector:
-        """Return y, or raise as `start_state`; least (n,): changes of x and v that are forgiven."""
-        self._check_mass_matrix()
-        self._check_position(tolerance, least)
-        self._check_velocity(tolerance, least)
-        try:
-            y = self.model.state(self.t, self.x, self.v, self.prepared)
-        except EvaluationError as error:
-            raise ModelError(str(error)) from error
-        if not np.isfinite(y).all():
-            raise ModelError(f"{self.model.name}: the state at x0, v0 is not finite; look for a division by zero there")
-        return y
+def _rows(model: CompiledModel, off: Vector) -> str:
+    return ", ".join(f"{name} by {r:.6g}" for name, r in zip(model.row_names, off.tolist(), strict=True) if r != 0.0)
 
-    def _check_mass_matrix(self) -> None:
-        names, M = self.model.coordinates, self.model.factored_matrix(self.t, self.x, self.prepared)
-        if (k := _first_bad_pivot(M)) is None:
-            return
-        if not np.isfinite(M).all():
-            i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
-            raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
-        alone, weights = _OF_CONSTRAINTS if self.model.augmented else ("", "")
-        raise ModelError(
-            f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}{alone}. "
-            "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
-            f"{weights}"
+
+def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> str:
+    remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
+    try:
+        x, v = Projection(model, prepared, t, least_norm=True)(x, v)
+    except (EvaluationError, ModelError):
+        return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
+    return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+
+
+def _of_contact(model: CompiledModel, name: str, gap: float) -> str:
+    """Say that a start is within what a contact or an impact keeps apart: it would never come to strike."""
+    if model.events.index(name) not in {switch[0] for switch in model.switches}:
+        return (
+            f"x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "
+            "and never negative. Start where it is at least 0, or turn the signs of phi and of the event."
         )
-
-    def _check_position(self, tolerance: float, least: Vector) -> None:
-        if self.model.h == 0:
-            return
-        phi, terms = self.model.position(self.t, self.x, self.prepared)
-        A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
-        allowed = tolerance * terms + np.abs(A) @ least + self._last_places(A, self.x)
-        self._refuse("x0 is off holonomic constraint", phi, allowed)
-
-    def _check_velocity(self, tolerance: float, least: Vector) -> None:
-        if self.model.m == 0:
-            return
-        A, b = self.model.pfaffian(self.t, self.x, self.prepared)
-        terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
-        allowed = tolerance * terms + np.abs(A) @ least + self._last_places(A, self.v)
-        self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, allowed)
-
-    def _last_places(self, A: Vector, q: Vector) -> Vector:
-        """What a change in the last places of x or v as a whole, in the mass metric, makes of rows."""
-        M = self.model.factored_matrix(self.t, self.x, self.prepared)
-        lengths = np.sqrt(np.abs(np.einsum("ri,ir->r", A, np.linalg.solve(M, A.T))))
-        return np.asarray(_LAST_PLACES * np.sqrt(abs(q @ M @ q)) * lengths)
-
-    def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
-        pairs = enumerate(zip(residual.tolist(), allowed.tolist(), strict=True))
-        wrong = [(k, r) for k, (r, limit) in pairs if not abs(r) <= limit]  # NaN is wrong too
-        if wrong:
-            rows = ", ".join(f"{self.model.row_names[k]} by {r:.6g}" for k, r in wrong)
-            raise ModelError(f"{self.model.name}: {what} {rows}. {self._offer()}")
-
-    def _offer(self) -> str:
-        remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
-        try:
-            x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
-        except (EvaluationError, ModelError):
-            return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
-        return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+    return (
+        f"x0 is inside contact {name!r}: its gap is {gap:.6g} there, and never negative. Start where "
+        "it is at least 0, or turn the sign of the gap."
+    )
 
 
-def _first_bad_pivot(M: Vector) -> int | None:
-    """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
-    rest = M.copy()
-    for k in range(len(M)):
-        if not rest[k, k] > _SINGULAR_PIVOT * abs(M[k, k]):
-            return k
-        with np.errstate(all="ignore"):  # what is not finite makes a later pivot so
-            rest -= np.outer(rest[:, k], rest[k]) / rest[k, k]
-    return None
+def _of_state(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> str:
+    try:
+        model.state(t, x, v, prepared)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
+    return "the state at x0, v0 is not finite; look for a division by zero there"
 
 
 def _listed(values: Vector) -> str:

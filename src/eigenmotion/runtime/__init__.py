@@ -8,7 +8,6 @@ from .faults import explain as explain
 from .held_back import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
 from .parts import RunInParts as RunInParts
-from .plain import forgiven as forgiven
 from .point import Prepared as Prepared
 from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of

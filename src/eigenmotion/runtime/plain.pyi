@@ -5,7 +5,6 @@ from .point import PointModel, Prepared, Vector
 T = TypeVar("T")
 MOST_STEPS: int
 
-def forgiven(rtol: float, atol: Vector) -> tuple[float, Vector]: ...
 def mass_matrix(model: PointModel, defaults: Prepared, x: Any, t: Any, parameters: Any) -> Vector | None: ...
 def energies(
     model: PointModel, defaults: Prepared, x: Any, v: Any, t: Any, parameters: Any

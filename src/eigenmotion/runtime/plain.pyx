@@ -19,7 +19,7 @@ from libc.string cimport memcpy
 from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
 from .arrays cimport Numbers, zeros
 from .point cimport PointModel, Prepared
-from .start cimport EM_START_STEPS, em_start, em_start_tolerance
+from .start cimport em_start
 
 import numpy as np
 
@@ -226,12 +226,7 @@ cdef Numbers read_start(PointModel model, object x0, object v0, double t, const 
     if x is None or v is None or (v0 is None and model.initial_y is not None) or model.extrapolates:
         return None
     y = zeros((model.n_state,))
-    return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data) else None
-
-
-def forgiven(double rtol, atol):
-    """What a start may be off the constraints: relative to their terms, and (n,) by changes of x_k and v_k."""
-    return em_start_tolerance(rtol), EM_START_STEPS * atol
+    return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data, NULL, NULL) == 0 else None
 
 
 cdef object named(type kind, tuple fields):

@@ -197,10 +197,12 @@ cdef class PointModel:
         return y.array
 
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """y where a run of such tolerances can start at x, v; None where that takes a closer look (em_start.h)."""
+        """em_refusal; y (n_state), the coordinate without inertia; by how much each constraint row is off (em_start.h)."""
+        cdef int at
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
-        cdef Numbers absolute = given(atol, (self.n,), "atol")
-        return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
+        cdef Numbers absolute = given(atol, (self.n,), "atol"), off = zeros((self.m,))
+        refusal = em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, &at, off.data)
+        return refusal, y.array, at, off.array
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
         """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start.h)."""

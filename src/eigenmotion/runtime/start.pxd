@@ -4,8 +4,6 @@ from .abi cimport em_model
 
 
 cdef extern from "em_start.h" nogil:
-    const int EM_START_STEPS
-    double em_start_tolerance(double)
     double em_next_break(int, const double *, double, double)
     int em_break_sides(int, const double *, double, double, double, double *)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
@@ -13,4 +11,4 @@ cdef extern from "em_start.h" nogil:
     int em_inside_contact(const em_model *, double, const double *, const double *, const double *, double,
                           const double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
-                 double *)
+                 double *, int *, double *)

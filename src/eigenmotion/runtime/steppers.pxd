@@ -35,4 +35,4 @@ cdef extern from "em_steppers_saved.h" nogil:
 
 cdef extern from "em_start.h" nogil:
     int em_start(const em_model *model, double t, const double *x, const double *v, const double *c, double rtol,
-                 const double *atol, double *y)
+                 const double *atol, double *y, int *at, double *off)

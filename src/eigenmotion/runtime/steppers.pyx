@@ -137,8 +137,8 @@ cdef class ManySteps:
                     continue
                 for j in range(model.n_state):
                     self.y.row(k)[j] = 0.0
-                refused[k] = not em_start(model, T.data[k], X.row(k), V.row(k), self.c.row(k), self.e.task.rtol,
-                                          self.e.task.atol, self.y.row(k))
+                refused[k] = 0 != em_start(model, T.data[k], X.row(k), V.row(k), self.c.row(k), self.e.task.rtol,
+                                          self.e.task.atol, self.y.row(k), NULL, NULL)
         return np.flatnonzero(refused)
 
     def put(self, Py_ssize_t member, y):

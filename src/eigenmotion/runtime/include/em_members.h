@@ -106,8 +106,8 @@ static int em_ensemble_start(const em_ensemble *e, size_t member, double *c, dou
         return em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
     memset(y, 0, (size_t)model->n_state * sizeof *y);
     const double *const x = e->x + member * e->x_stride, *const v = e->v + member * e->v_stride;
-    if (em_start(model, e->task.t_start, x, v, c, e->task.rtol, e->task.atol, y)) return 0;
-    return em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
+    const int refusal = em_start(model, e->task.t_start, x, v, c, e->task.rtol, e->task.atol, y, NULL, NULL);
+    return refusal == EM_MAY_START ? 0 : em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
 }
 
 /* One member by the model's own stepper. c (n_prepared), y (n_state): to work with */

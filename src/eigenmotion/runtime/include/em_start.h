@@ -1,7 +1,6 @@
 /* em_start.h: whether a run can start at x, v, asked of any em_model.
  *
- * For the runtime, not for generated code. The answer is yes or "look closer": start.py does that, with the same
- * limits, and says in words what is wrong. */
+ * For the runtime, not for generated code. running/start.py says in words why it cannot. */
 #ifndef EM_START_H
 #define EM_START_H
 
@@ -9,6 +8,17 @@
 #include "em_breaks.h"
 #include "em_linear.h"
 #include "em_start_tolerance.h"
+
+/* Why no motion starts at a state. */
+typedef enum em_refusal {
+    EM_MAY_START = 0,
+    EM_UNDECLARED,       /* a coordinate has a value that it was not declared to have */
+    EM_WITHOUT_INERTIA,  /* the mass matrix is not positive definite */
+    EM_OFF_POSITION,     /* phi = 0 does not hold */
+    EM_OFF_VELOCITY,     /* A v + b = 0 does not hold */
+    EM_WITHIN_CONTACT,   /* x is where a contact or an impact lets nothing come */
+    EM_WITHOUT_STATE     /* C, s and eta cannot be found, or are not finite */
+} em_refusal;
 
 #define EM_LAST_PLACES_OF_ALL 8.0 /* of x and v in the mass metric: what is less is rounding, whatever it is in a row */
 
@@ -22,12 +32,12 @@ static void em_factored_gradient(const em_model *model, double t, const double *
     (model->factored_gradient ? model->factored_gradient : model->mass_matrix_gradient)(t, x, c, dM);
 }
 
-/* M = L L^T, as em_cholesky; 0: there is none. */
-static int em_has_inertia(const em_model *model, double t, const double *x, const double *c, double *L, double *r) {
+/* M = L L^T, as em_cholesky. Returns the first coordinate whose pivot is not positive, or -1. */
+static int em_lacks_inertia(const em_model *model, double t, const double *x, const double *c, double *L, double *r) {
     const int n = model->n;
     double M[n * n];
     em_factored_matrix(model, t, x, c, M);
-    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0;
+    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
 }
 
 /* |L^T x|, the length of x (n) in the mass metric */
@@ -48,31 +58,44 @@ static double em_row_length(int n, const double *L, const double *r, const doubl
     return sqrt(square);
 }
 
+/* Whether a residual is beyond its limit; NaN is. off, unless NULL <- the residual then, else 0 */
+static int em_is_off(double residual, double limit, double *off) {
+    const int wrong = !(fabs(residual) <= limit);
+    if (off != NULL) *off = !wrong ? 0.0 : residual == 0.0 ? NAN : residual;
+    return wrong;
+}
+
 /* Whether A v + b = 0 and phi = 0 up to em_start_tolerance of the terms that cancel in them, and to what a change of x
  * and v by EM_START_STEPS atol (n) makes of them, or one in the last places of x and v as a whole: where all that cancels
- * in a row is rounding, what is left of it is, too. NaN is not. */
-static int em_meets_constraints(const em_model *model, double t, const double *x, const double *v, const double *c,
-                                const double *L, const double *r, double rtol, const double *atol) {
+ * in a row is rounding, what is left of it is, too. Returns em_refusal.
+ * off (m), unless NULL <- by how much each row is off that is */
+static int em_constraints_refuse(const em_model *model, double t, const double *x, const double *v, const double *c,
+                                 const double *L, const double *r, double rtol, const double *atol, double *off) {
     const int n = model->n, m = model->m;
-    if (m == 0) return 1;
+    if (m == 0) return EM_MAY_START;
     const double tolerance = em_start_tolerance(rtol), last = EM_LAST_PLACES_OF_ALL * DBL_EPSILON;
     const double all_x = last * em_mass_length(n, L, x), all_v = last * em_mass_length(n, L, v);
-    double A[m * n], b[m], phi[m], terms[m];
+    double A[m * n], b[m], phi[m], terms[m], reach[m], length[m];
+    int wrong = 0;
     model->pfaffian(t, x, c, A, b);
     if (model->h > 0) model->position(t, x, c, phi, terms);
     for (int row = 0; row < m; ++row) {
-        double residual = b[row], size = fabs(b[row]), reach = 0.0;
-        for (int k = 0; k < n; ++k) {
-            const double a = A[row * n + k];
-            residual += a * v[k];
-            size += fabs(a * v[k]);
-            reach += fabs(a) * EM_START_STEPS * atol[k];
-        }
-        const double length = em_row_length(n, L, r, A + row * n);
-        if (!(fabs(residual) <= tolerance * size + reach + length * all_v)) return 0;
-        if (row < model->h && !(fabs(phi[row]) <= tolerance * terms[row] + reach + length * all_x)) return 0;
+        reach[row] = 0.0;
+        for (int k = 0; k < n; ++k) reach[row] += fabs(A[row * n + k]) * EM_START_STEPS * atol[k];
+        length[row] = em_row_length(n, L, r, A + row * n);
     }
-    return 1;
+    for (int row = 0; row < model->h; ++row)
+        wrong |= em_is_off(phi[row], tolerance * terms[row] + reach[row] + length[row] * all_x, off ? off + row : NULL);
+    if (wrong) return EM_OFF_POSITION;
+    for (int row = 0; row < m; ++row) {
+        double residual = b[row], size = fabs(b[row]);
+        for (int k = 0; k < n; ++k) {
+            residual += A[row * n + k] * v[k];
+            size += fabs(A[row * n + k] * v[k]);
+        }
+        wrong |= em_is_off(residual, tolerance * size + reach[row] + length[row] * all_v, off ? off + row : NULL);
+    }
+    return wrong ? EM_OFF_VELOCITY : EM_MAY_START;
 }
 
 /* Whether an event is an impact where phi passes zero, downwards, and no contact. */
@@ -119,18 +142,23 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
     return -1;
 }
 
-/* y (n_state, in: 0) <- the state at x, v (n). Returns 1, or 0: look closer. */
+/* y (n_state, in: 0) <- the state at x, v (n). Returns em_refusal.
+ * `at` and off (m), unless NULL <- the coordinate without inertia, and by how much each constraint row is off that is */
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
-                    double rtol, const double *atol, double *y) {
+                    double rtol, const double *atol, double *y, int *at, double *off) {
     em_fault fault;
-    if (model->declared && em_refuse(model->declared, model->n_parameters, model->n, x, &fault)) return 0;
+    if (model->declared && em_refuse(model->declared, model->n_parameters, model->n, x, &fault)) return EM_UNDECLARED;
     double L[model->n * model->n], r[model->n];
-    if (!em_has_inertia(model, t, x, c, L, r) || !em_meets_constraints(model, t, x, v, c, L, r, rtol, atol)) return 0;
-    if (em_inside_contact(model, t, x, v, c, rtol, atol) >= 0) return 0;
-    if (model->state(t, x, v, c, y, &fault)) return 0;
+    const int lacking = em_lacks_inertia(model, t, x, c, L, r);
+    if (at != NULL) *at = lacking;
+    if (lacking >= 0) return EM_WITHOUT_INERTIA;
+    const int refusal = em_constraints_refuse(model, t, x, v, c, L, r, rtol, atol, off);
+    if (refusal != EM_MAY_START) return refusal;
+    if (em_inside_contact(model, t, x, v, c, rtol, atol) >= 0) return EM_WITHIN_CONTACT;
+    if (model->state(t, x, v, c, y, &fault)) return EM_WITHOUT_STATE;
     for (int k = 0; k < model->n_state; ++k)
-        if (!isfinite(y[k])) return 0;
-    return 1;
+        if (!isfinite(y[k])) return EM_WITHOUT_STATE;
+    return EM_MAY_START;
 }
 
 #endif
