@@ -28,10 +28,10 @@ demo: $(READY)
 
 # What compiles nothing (expressions, models, derivation, rules), the options of runs on a model written by hand, and one
 # model in every formulation: for between two changes
-QUICK := graph zeros schedule model derive specialise layers lengths architecture simulate paper_scene
+QUICK := graph rules model/test_model.py equations/test_derive.py equations/test_specialise.py simulation/test_simulate.py accuracy/test_paper_scene.py
 
 quick: $(READY)
-	$(BIN)/pytest -n auto $(QUICK:%=tests/test_%.py) $(PYTEST_ARGS)
+	$(BIN)/pytest -n auto $(addprefix tests/,$(QUICK)) $(PYTEST_ARGS)
 
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)

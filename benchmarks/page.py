@@ -25,7 +25,7 @@ from eigenmotion.live.three import three
 
 ROOT = Path(__file__).parents[1]
 sys.path.append(str(ROOT))
-from tests.browser import Browser, chromium  # noqa: E402
+from tests.support.browser import Browser, chromium  # noqa: E402
 
 CASES = (("dual_link", False), ("four_bar", False), ("heavy_top", True))
 T_END, TOLERANCE, ROWS = 10.0, 1e-9, 1001

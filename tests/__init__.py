@@ -1,1 +1,1 @@
-"""Tests: one file per stage, and the oracles they trust."""
+"""Tests, in folders as the product's rooms; `support` is shared, `oracles` shares nothing with the package."""

@@ -14,10 +14,10 @@ from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion import System
 from eigenmotion.building.toolchain import FLAGS
 
-from . import generation
-from .expressions import Bench
-from .generation import COMPILERS
-from .models_table import DAILY, HEAVY, Scenario
+from .graph.expressions import Bench
+from .support import generation
+from .support.generation import COMPILERS
+from .support.models_table import DAILY, HEAVY, Scenario
 
 SCENE = """\
 from sympy import cos, symbols
@@ -33,8 +33,8 @@ def model(n: int = 1, tag: str = ""):
 """
 
 
-LONGEST = ("test_build", "test_default_flags", "test_docs", "test_generated", "test_lanes", "test_page", "test_proof",
-           "test_random_mechanisms", "test_report", "test_stability")  # fmt: skip
+LONGEST = ("test_build", "test_default_flags", "test_docs", "test_generated_c", "test_page", "test_proof",
+           "test_random_mechanisms", "test_report", "test_right_hand_side_on_lanes", "test_stability")  # fmt: skip
 """Files that take a process half a minute: first, so that none of them is what all wait for at the end."""
 
 BY_ALL = ("test_paper_scene", "test_signs")
@@ -44,7 +44,7 @@ BY_ALL = ("test_paper_scene", "test_signs")
 def pytest_configure() -> None:
     """By day compile in a hurry, with Clang, a fifth of the time; where CC or flags are given, as at night, optimise.
 
-    `test_default_flags`, `test_warnings` and `test_kernels_*` look at users' flags, with each compiler.
+    `test_default_flags`, `test_compiler_warnings` and `test_kernels_*` look at users' flags, with each compiler.
     """
     if not {"CC", FLAGS} & os.environ.keys() and "clang" in COMPILERS:
         os.environ["CC"], os.environ[FLAGS] = "clang", "-O0"
@@ -74,7 +74,7 @@ def _daily(item: pytest.Item) -> bool:
         return False
     models, formulations = {_model_of(one) for one in given}, words.intersection(FORMULATIONS)
     if models & HEAVY:
-        return item.path.stem == "test_gallery"
+        return item.path.stem == "test_heavy_models"
     return all(formulations <= DAILY[name] for name in models & DAILY.keys())
 
 

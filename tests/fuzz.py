@@ -19,8 +19,9 @@ from dataclasses import fields
 
 from eigenmotion.building.toolchain import OPTIMISED, toolchain
 
-from . import mechanism_checks, tree_checks
-from .generation import FORMULATIONS
+from .equations import mechanism_checks
+from .graph import tree_checks
+from .support.generation import FORMULATIONS
 
 ZEROS_PER_TREE = 5
 """One seed in so many is also asked what is zero: each makes twenty forms."""

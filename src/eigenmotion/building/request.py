@@ -86,7 +86,7 @@ def request(
     return Request(load_model(source, **given), choices, _command(Path(source).name, given, choices))
 
 
-Order = Request  # the name in pickles of earlier versions (test_pickling.py)
+Order = Request  # the name in pickles of earlier versions (results/test_pickling.py)
 
 
 def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:

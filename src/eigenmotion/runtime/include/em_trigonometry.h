@@ -2,7 +2,7 @@
  *
  * For |a| < 1e5: a = n pi/2 + r with |r| <= pi/4, reduced by two fused multiply-adds (Cody & Waite 1980), then the
  * Taylor polynomials of sin and cos, whose remainders on that range are below a quarter of the last place. Within two
- * units in the last place of the true value (tests/test_trigonometry.py); beyond, and without fused multiply-add,
+ * units in the last place of the true value (tests/dynamics/test_trigonometry.py); beyond, and without fused multiply-add,
  * the C library's. */
 #ifndef EM_TRIGONOMETRY_H
 #define EM_TRIGONOMETRY_H

@@ -1,0 +1,1 @@
+"""Errors, tolerances and thresholds: whatever the frame, the units and the formulation."""

@@ -1,0 +1,76 @@
+"""Linearised where contacts and frictions hold, let go or are about to: the mode that is meant, and where two meet."""
+
+import numpy as np
+import pytest
+
+import eigenmotion as em
+from eigenmotion import ModelError
+
+from .mechanisms_in_contact import block, leaning, pendulum
+from .test_linearize import same
+
+
+def test_where_modes_meet_the_side_is_named():
+    weightless = {"g": 0.0}
+    with pytest.raises(
+        ModelError, match=r"modes meet .* contact 'wall' touches without force.*mode=\{'wall_held': 1\} or"
+    ):
+        pendulum().linearize(parameters=weightless)
+    assert pendulum().linearize(parameters=weightless, mode={"wall_held": 1}).eigenvalues().size == 0
+    assert len(pendulum().linearize(parameters=weightless, mode={"wall_held": 0}).A) == 2
+    rest = em.find_equilibrium(pendulum(), [0.1], parameters=weightless)
+    assert "contact 'wall' touches without force" in rest.message
+    assert rest.linearize(mode=rest.mode).mode == rest.mode
+
+
+@pytest.mark.parametrize("contact", [False, True])
+def test_a_friction_at_its_limit_or_about_to_slide(contact):
+    system, steep, limit = block(contact), {"al": 0.6}, {"al": np.arctan(0.5)}
+    with pytest.raises(ModelError, match=r"'rub' has no slip and begins to slide.*mode=.'rub_slides': 1.$"):
+        system.linearize(parameters=steep)
+    assert system.linearize(parameters=steep, mode={"rub_slides": 1}).acceleration[0] > 0
+    with pytest.raises(ModelError, match=r"does not hold at this state: friction 'rub' would take more than its limit"):
+        system.linearize(parameters=steep, mode={"rub_stuck": 1})
+    with pytest.raises(ModelError, match=r"would slide the other way"):
+        system.linearize(parameters=steep, mode={"rub_slides": -1})
+    with pytest.raises(ModelError, match=r"'rub' is at its limit"):
+        system.linearize(parameters=limit)
+    assert len(system.linearize(parameters=limit, mode={"rub_stuck": 1}).A) == 1
+    assert len(system.linearize(parameters=limit, mode={"rub_slides": 1}).A) == 2
+    slides = system.linearize(v={"x": 1.0})
+    assert slides.mode["rub_slides"] == 1.0
+    assert slides.acceleration[0] == pytest.approx(9.81 * (np.sin(0.3) - 0.5 * np.cos(0.3)), rel=1e-12)
+
+
+@pytest.mark.parametrize(("mode", "why"), [
+    ({"wall": 1}, "unknown name in mode 'wall'"), ({"wall_held": 2}, "give 0 or 1"), (1, "give a mapping"),
+    ({"wall_held": 0}, "contact 'wall' would close"),
+])  # fmt: skip
+def test_mistakes_of_modes_have_names(mode, why):
+    with pytest.raises(ModelError, match=why):
+        pendulum().linearize(mode=mode)
+
+
+def test_a_state_inside_a_contact_is_refused_and_one_that_comes_of_a_run_is_not():
+    with pytest.raises(ModelError, match=r"inside 'wall', whose gap is -0.05"):
+        pendulum().linearize([0.05])
+    run = em.simulate(leaning(), (0.0, 20.0), x0=[0.1, 0.3])
+    found = leaning().linearize(run.x[:, -1], run.v[:, -1], run.t[-1])
+    assert found.mode == run.modes[-1][1]
+    same(
+        pendulum().linearize([0.3], parameters={"wall": 0.1}).eigenvalues(),
+        np.array([1j, -1j]) * np.sqrt(9.81 * np.cos(0.3)),
+    )
+
+
+def test_what_leaves_is_free():
+    """Thrown off the wall, or pulled from it: one mode alone goes on."""
+    assert pendulum().linearize(v=[1.0]).mode == {"wall_held": 0.0}
+    assert pendulum().linearize(parameters={"g": -9.81}).mode == {"wall_held": 0.0}
+
+
+def test_a_loop_is_closed_outside_of_contacts():
+    found = em.assemble(leaning(), {"p": -0.3, "q": 0.2}, keep=["q"])
+    np.testing.assert_allclose(found.x, [0.1, 0.2], atol=1e-14)
+    with pytest.raises(ModelError, match=r"inside contact 'wall', and with p kept it cannot be put on the surface"):
+        em.assemble(leaning(), {"p": -0.3}, keep=["p"])

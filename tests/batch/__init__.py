@@ -1,0 +1,1 @@
+"""Many runs as one call: ensembles, lanes, processes, sweeps and their stores."""

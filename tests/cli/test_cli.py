@@ -1,0 +1,160 @@
+"""The command line: mistakes, exit codes, help, progress."""
+
+import io
+import logging
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from eigenmotion.cli import main
+from eigenmotion.progress import bar, clock, counted
+
+from ..conftest import SCENE
+
+ROOT = Path(__file__).parents[2]
+MODELS = ROOT / "models"
+
+
+def test_explain_names_states_and_what_was_left_out(capsys):
+    assert main(["explain", str(MODELS / "dual_link.py")]) == 0
+    text = capsys.readouterr().out
+    for word in ("20 states", "theta1", "theta4", "additions", "nothing goes lane by lane", "This machine"):
+        assert word in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "Usage"),
+        (["frobnicate"], "No such command"),
+        (["generate"], "Missing argument"),
+        (["generate", "absent.py"], "no such file"),
+        (["generate", "scene.py", "scene.py"], "more than one model is named swing1"),
+        (["generate", "scene.py", "-D", "links=3"], "no argument `links`; it has `n`, `tag`"),
+        (["generate", "scene.py", "-D", "n=three"], "n=three is not an int"),
+        (["generate", "scene.py", "-D", "n"], "expected NAME=VALUE"),
+        (["generate", "scene.py", "--formulation", "newton"], "newton"),
+        (["run", "scene.py", "--set", "gee=1"], "gee: not known to swing1, which has"),
+        (["run", "scene.py", "--set", "g=heavy"], "heavy is not a number"),
+        (["run", "scene.py", "--method", "euler"], "euler"),
+        (["run", "scene.py", "--save", "a.xlsx"], "known endings are .npz, .csv"),
+        (["run", "scene.py", "--plot", "absent/a.png"], "there is no folder"),
+        (["run", "scene.py", "--save", "/proc/a.npz"], "--save /proc: nothing can be written there"),
+        (["run", "scene.py", "--plot", "/proc/a.png"], "--plot /proc: nothing can be written there"),
+        (["run", "scene.py", "--plot", ""], "--plot"),
+        *((["run", "scene.py", option, "nan"], f"'{option}'") for option in ("--t-end", "--rtol", "--atol")),
+        (["run", "scene.py", "--t-end", "1e400"], "'--t-end'"),
+        (["run", "scene.py", "--rtol", "-1e-6"], "rtol is -1e-06"),
+        (["run", "scene.py", "--atol", "-1"], "atol of 'angle' is -1"),
+        (["run", "scene.py", "--method", ""], "known: rk34, dopri5, dop853, ra15, radau5, radau9, auto"),
+        *((["run", "scene.py", "--set", text], f"--set {text}") for text in ("", "=", "g", "g=", "=1", "g=1j")),
+        (["run", "scene.py", "--set", "g=1e400"], "'g' is not a finite number"),
+        (["run", "scene.py", "-D", "="], "-D =: expected NAME=VALUE"),
+        (["run", "", "--t-end", "1"], "not a file"),
+        (["run", "."], "not a file"),
+        (["generate", "scene.py", "-o", "scene.py/a"], "scene.py/a: Not a directory"),
+        (["report", "scene.py", "-o", "scene.py/a"], "-o scene.py/a: nothing can be written there"),
+        (["report", "scene.py", "--error", "nan"], "'--error'"),
+        (["report", "scene.py", "--t-end", "inf"], "'--t-end'"),
+        (["stability", "-o", "scene.py/a"], "-o scene.py/a: nothing can be written there"),
+    ],
+)
+def test_the_users_mistakes_answer_2(scene, capsys, arguments, words):
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert words in out + err
+    assert "Traceback" not in err
+    assert {path.name for path in scene.parent.iterdir()} == {"scene.py"}
+
+
+def test_a_mistake_in_the_model_answers_2_and_names_the_line(scene, capsys):
+    scene.write_text(SCENE.replace("n * m * g", "n * m * gravity"))
+    assert main(["generate", "scene.py"]) == 2
+    assert "scene.py:10: NameError" in capsys.readouterr().err
+
+
+def test_a_failed_compilation_answers_3(scene, monkeypatch, capsys):
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-fno-such-flag-at-all")
+    assert main(["build", "scene.py"]) == 3
+    assert "-fno-such-flag-at-all" in capsys.readouterr().err
+    assert not Path("generated").exists()
+
+
+def test_a_missing_compiler_answers_3(scene, monkeypatch, capsys):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert main(["build", "scene.py"]) == 3
+    assert "Install GCC or Clang" in capsys.readouterr().err
+
+
+def test_tracebacks_are_shown_when_asked_for(scene, monkeypatch, capsys):
+    monkeypatch.setenv("EIGENMOTION_DEBUG", "1")
+    assert main(["generate", "absent.py"]) == 2
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_an_interrupt_answers_130(scene):
+    scene.write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n" + SCENE)
+    command = [sys.executable, "-m", "eigenmotion", "generate", "scene.py"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr.strip()) == (130, "interrupted")
+
+
+def test_help_does_not_wait_for_sympy():
+    heavy = "{'sympy', 'numpy', 'scipy'} & set(sys.modules)"
+    script = f"import sys; from eigenmotion.cli import main; main(['--help']); print({heavy})"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "set()"
+
+
+@pytest.mark.parametrize("name", ["generate", "build", "explain", "run", "report"])
+def test_every_command_has_help(name, capsys):
+    assert main([name, "--help"]) == 0
+    assert "MODEL" in capsys.readouterr().out
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_long_stages_show_their_seconds_and_leave_no_trace(monkeypatch):
+    screen, log = Terminal(), logging.getLogger("eigenmotion")
+    monkeypatch.setattr(sys, "stderr", screen)
+    with clock(patience=0.0):
+        log.info("compiling %s", "swing")
+        while "compiling swing ... 0 s" not in screen.getvalue():
+            time.sleep(0.01)
+    assert screen.getvalue().endswith("\r\x1b[K")
+    assert not log.handlers
+
+
+def test_nothing_is_shown_of_what_is_quick_or_of_which_nobody_watches(monkeypatch):
+    for screen, patience in ((Terminal(), 1e9), (io.StringIO(), 0.0)):
+        monkeypatch.setattr(sys, "stderr", screen)
+        with clock(patience):
+            logging.getLogger("eigenmotion").info("compiling")
+            time.sleep(0.05)
+        assert screen.getvalue() == ""
+
+
+def test_bars_show_what_comes_next(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    with bar("swing") as progress:
+        progress(0.5, "time, round 3 of 9")
+    assert "swing 50 %, time, round 3 of 9, 0.0 s left" in sys.stderr.getvalue()
+    assert sys.stderr.getvalue().endswith("\r\x1b[K")
+
+
+def test_runs_are_counted_where_that_takes_long(monkeypatch):
+    for screen, written in ((Terminal(), "\r\x1b[K60 %, 8 of 10 runs,"), (io.StringIO(), "")):
+        monkeypatch.setattr(sys, "stderr", screen)
+        with counted(10, before=5) as add:
+            add(1)
+            assert screen.getvalue() == ""
+            time.sleep(1.0)
+            add(2)
+        assert screen.getvalue().startswith(written)
+        assert bool(screen.getvalue()) is bool(written)

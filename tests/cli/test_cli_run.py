@@ -1,0 +1,101 @@
+"""`eigenmotion run`: what it takes, says and saves."""
+
+import re
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+
+from eigenmotion.cli import main
+
+from ..conftest import SCENE
+
+
+def summary_of(text):
+    return {match[1].strip(): match[2] for match in re.finditer(r"^(\S.{0,21}) (\S.*)$", text, re.M)}
+
+
+def test_run_prints_a_summary(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "2", "--rtol", "1e-9"]) == 0
+    rows = summary_of(capsys.readouterr().out)
+    assert rows["ended"] == "finished at t = 2"
+    assert float(rows["energy drift"].split()[0]) < 1e-7
+    assert "constraint violation" not in rows
+    assert "angle" in rows
+
+
+def test_run_takes_parameters_initial_values_and_rates(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1.5", "--set", "g=0", "--set", "angle=0.25", "--set", "angle'=2"]) == 0
+    final = capsys.readouterr().out.splitlines()[-1].split()
+    assert [float(word) for word in final[1:]] == pytest.approx([3.25, 2.0], rel=1e-8)
+
+
+def test_run_estimates_its_error(scene, capsys):
+    """Against the closed form of a pendulum."""
+    assert main(["run", "scene.py", "--t-end", "3", "--rtol", "1e-7", "--atol", "1e-7", "--estimate-error"]) == 0
+    out = capsys.readouterr().out
+    rows = summary_of(out)
+    final = out.splitlines()[-1].split()
+    k = mpmath.sin(0.25)
+    exact = 2 * mpmath.asin(k * mpmath.ellipfun("cd", 3 * mpmath.sqrt(mpmath.mpf("9.81")), k=k))
+    true = abs(float(mpmath.mpf(final[1]) - exact))
+    assert float(final[3]) == pytest.approx(true, rel=0.3)
+    at_end, on_the_way = (float(word) for word in re.findall(r"[\d.]+e-\d+", rows["estimated error"]))
+    assert at_end == pytest.approx(true / (1 + abs(float(exact))), rel=0.3)
+    assert at_end <= on_the_way < 1e-5
+    words = r"dop853 at rtol 1.0e-09, \d+ right-hand sides, [\d.]+ m?s: [\d.]+ times as long as the steps of the first"
+    assert re.fullmatch(words, rows["from a second run"])
+
+
+def test_run_that_goes_nowhere_has_no_error_to_estimate(scene, capsys):
+    scene.write_text(SCENE.replace("-n * m * g * cos(angle)", "-m / angle"))
+    assert main(["run", "scene.py", "--set", "angle=1e-300", "--estimate-error"]) == 2
+    out = capsys.readouterr().out
+    assert summary_of(out)["estimated error"] == "There are no rows to compare."
+    assert "nan" not in out
+
+
+def test_run_says_what_limits_the_estimate(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1", "--rtol", "1e-13", "--atol", "1e-13", "--estimate-error"]) == 0
+    assert "good to a factor of about 3" in capsys.readouterr().out
+
+
+def test_run_without_an_estimate_does_not_speak_of_it(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1"]) == 0
+    assert "error" not in capsys.readouterr().out
+
+
+def test_run_saves_and_draws(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1", "--save", "a.npz", "--plot", "a.png"]) == 0
+    assert main(["run", "scene.py", "--t-end", "1", "--save", "a.csv"]) == 0
+    with np.load("a.npz") as file:
+        saved = dict(file)
+    names = Path("a.csv").read_text().splitlines()[0].split(",")
+    table = np.loadtxt("a.csv", delimiter=",", skiprows=1)
+    assert names == ["t", "angle", "angle'", "energy"]
+    assert np.array_equal(table[:, 0], saved["t"])
+    assert np.array_equal(table[:, 1], saved["x"][0])
+    assert np.array_equal(table[:, 2], saved["v"][0])
+    assert Path("a.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_run_that_ends_early_answers_2_and_says_why(scene, capsys):
+    scene.write_text(SCENE.replace("- n", "-n").replace("=-n * m * g * cos(angle)", "=-m * g * angle**4"))
+    assert main(["run", "scene.py", "--t-end", "100"]) == 2
+    out = capsys.readouterr().out
+    assert "finished" not in out
+    assert "angle" in out
+
+
+def test_run_takes_inputs(scene, capsys):
+    """A body of mass 1 pushed by a force of 3 N: x = v0 t + 3 t^2 / 2."""
+    scene.write_text(
+        "from sympy.physics.mechanics import dynamicsymbols\n"
+        "from eigenmotion import Model\n"
+        'q, u = dynamicsymbols("q u")\n'
+        'model = Model(name="pushed", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, forces=[u], inputs={u: 0})\n'
+    )
+    assert main(["run", "scene.py", "--t-end", "2", "--set", "u=3", "--set", "q'=1"]) == 0
+    final = capsys.readouterr().out.splitlines()[-1].split()
+    assert [float(word) for word in final[1:]] == pytest.approx([8.0, 7.0], rel=1e-12)

@@ -1,0 +1,1 @@
+"""Constraint rows: consistent states, dependent rows, coordinates without mass."""

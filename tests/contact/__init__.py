@@ -1,0 +1,1 @@
+"""Contacts, impacts and resets, against closed forms and an oracle of contact modes."""

@@ -1,0 +1,1 @@
+"""Mass matrices, their factors, multipliers, and the kernels in C behind them."""

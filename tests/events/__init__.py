@@ -1,0 +1,1 @@
+"""Events in the state and in time: found, located, recorded."""

@@ -1,0 +1,1 @@
+"""Coulomb friction: sticking, sliding, cones, bearings, and in proportion to multipliers."""

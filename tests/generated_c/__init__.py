@@ -1,0 +1,1 @@
+"""The text of generated C: bytes, names, warnings, flags, the ABI; and programs around it."""

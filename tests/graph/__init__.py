@@ -1,0 +1,1 @@
+"""Expressions as a graph: canonical forms, identities, derivatives, schedules."""

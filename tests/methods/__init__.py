@@ -1,0 +1,1 @@
+"""Integrators, and the stepping loop in C by itself."""

@@ -1,0 +1,1 @@
+"""What users state: models, their symbols, files, drawings, and what is read off sympy.physics.mechanics."""

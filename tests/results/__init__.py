@@ -1,0 +1,1 @@
+"""Solutions: fields, pictures, pickles."""

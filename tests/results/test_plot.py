@@ -1,0 +1,113 @@
+"""Pictures: what they say about a run, read back from the figure."""
+
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion.pages.figures import save
+from eigenmotion.results import spread
+from eigenmotion.results.plot import coordinates
+
+from ..support.generation import system_for, system_of
+
+pytest.importorskip("matplotlib")
+x, y = dynamicsymbols("x y")
+
+
+def ball(names: str = "x y") -> em.System:
+    x, y = dynamicsymbols(names)
+    return system_for(
+        em.Model(
+            name="thrown_ball",
+            coordinates=[x, y],
+            kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+            potential_energy=10 * y**2,
+            initial={x.diff(): 1, y: 1},
+            events={"floor": y, "gone": em.Event(x - 3, terminal=True), "never": y - 2},
+        )
+    )
+
+
+def springs(count: int) -> em.System:
+    """Masses that do not know of each other; all end close together."""
+    x = dynamicsymbols(f"theta_1:{count + 1}")
+    rates = sum(q.diff() ** 2 for q in x) / 2
+    V = sum(k * q**2 for k, q in enumerate(x)) / 2
+    initial = dict.fromkeys(x, 1)
+    return system_for(
+        em.Model(name="springs", coordinates=x, kinetic_energy=rates, potential_energy=V, initial=initial), "lagrange"
+    )
+
+
+def lines(axes):
+    return [line for line in axes.get_lines() if not line.get_label().startswith("_")]
+
+
+@pytest.mark.parametrize("count", [2, 9, 20])
+def test_no_two_lines_look_alike_without_colour(count):
+    system = springs(count)
+    axes = coordinates(system, system.simulate((0, 0.1))).axes[0]
+    assert [line.get_label() for line in lines(axes)] == list(system.coordinates)
+    looks = [(line.get_linestyle(), line.get_marker()) for line in lines(axes)]
+    assert len(set(looks)) == count
+
+
+def test_each_name_stands_at_the_end_of_its_line_and_on_no_other():
+    system = springs(9)
+    run = system.simulate((0, 0.1))
+    axes = coordinates(system, run).axes[0]
+    places = [text.get_position()[1] for text in axes.texts]
+    assert [text.get_text() for text in axes.texts] == [f"$\\theta_{{{k}}}$" for k in range(1, 10)]
+    assert np.array_equal(np.argsort(places), np.argsort(run.x[:, -1]))
+    assert np.diff(np.sort(places)).min() > 0.03
+    assert 0 <= min(places) <= max(places) <= 1
+
+
+def test_events_are_marked_when_they_happened():
+    run = ball().simulate((0, 10), dense_output=True)
+    axes, strip = coordinates(ball(), run).axes
+    assert [label.get_text() for label in strip.get_yticklabels()] == ["floor", "gone", "never"]
+    assert [list(row.get_positions()) for row in strip.collections] == [list(times) for times in run.t_events]
+    assert len(run.t_events[0]) > 3
+    assert axes.get_xlim() == (0.0, pytest.approx(3.0))
+
+
+def test_axes_name_the_unit_that_is_known():
+    first, last = coordinates(ball(), ball().simulate((0, 1))).axes
+    assert last.get_xlabel() == "time $t$ [s]"
+    assert first.get_ylabel() == "coordinates"
+
+
+@pytest.mark.parametrize("span", [(0, 0), (0, -2)])
+def test_odd_spans_are_drawn(span):
+    figure = coordinates(system_of("pendulum"), system_of("pendulum").simulate(span, dense_output=True))
+    figure.canvas.draw()
+    assert figure.axes[0].get_lines()[0].get_marker() == "o"
+
+
+def test_names_that_are_no_mathematics_are_written_as_they_are():
+    system = ball("x_ _y__z")
+    figure = coordinates(system, system.simulate((0, 1)))
+    figure.canvas.draw()
+    assert all(Symbol(name).name.strip("_")[0] in text.get_text() for name, text in
+               zip(system.coordinates, figure.axes[0].texts, strict=True))  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore:Glyph")
+@pytest.mark.parametrize("name", ["a\x1bb", "\x0c", "$\\foo$", "a$b"])
+def test_any_name_can_be_read_in_a_picture(tmp_path, name):
+    """A control character made an .svg unreadable, and mathematics that is none ended a sweep after its runs."""
+    values = np.array([1.0, 2.0, 3.0])
+    x = np.ones((3, 1, 2))
+    pictures = [
+        spread.over_time(name.replace("$", ""), [name], values[:2], x),
+        spread.ends("ends", [name], {name: values}, x[:, :, 0]),
+        spread.over_grid("grid", [name], {"b": [1.0], name: values.tolist()}, x[:, :, 0]),
+    ]
+    for picture in pictures:
+        root = ElementTree.parse(save(picture, tmp_path / "ends.svg")).getroot()
+        assert root.tag.endswith("svg")

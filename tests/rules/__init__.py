@@ -1,0 +1,1 @@
+"""Rules that sources keep: dependencies, lengths, what the architecture names."""

@@ -1,0 +1,284 @@
+"""Rules of dependency (docs/architecture.md), read off the sources."""
+
+import ast
+import importlib.util
+import re
+import sys
+import tomllib
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = {
+    "eigenmotion.codegen": ROOT / "codegen",
+    "eigenmotion.models": ROOT / "models",
+    "eigenmotion.templates": ROOT / "templates",
+    "eigenmotion": ROOT / "src" / "eigenmotion",
+}
+
+
+def modules() -> dict[str, Path]:
+    """Name of each module of ours -> its file."""
+    found: dict[str, Path] = {}
+    for package, folder in PACKAGES.items():
+        for file in [*folder.rglob("*.py"), *folder.rglob("*.pyi")]:
+            parts = file.relative_to(folder).with_suffix("").parts
+            found.setdefault(".".join([package, *(part for part in parts if part != "__init__")]), file)
+    return found
+
+
+def is_for_types(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+
+
+def walked(node: ast.AST, types: bool) -> Iterator[ast.AST]:
+    """Everything in a file; with `types` also what only a type checker reads."""
+    for child in ast.iter_child_nodes(node):
+        if types or not is_for_types(child):
+            yield child
+            yield from walked(child, types)
+
+
+def imports(module: str, file: Path, types: bool = True) -> Iterator[str]:
+    """Absolute names of what a file imports, anywhere in it."""
+    package = module if file.stem == "__init__" else module.rpartition(".")[0]
+    for node in walked(ast.parse(file.read_text(encoding="utf-8")), types):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            source = importlib.util.resolve_name("." * node.level + (node.module or ""), package)
+            yield source
+            yield from (f"{source}.{alias.name}" for alias in node.names)
+
+
+MODULES = modules()
+ROOMS: dict[str, tuple[str, ...]] = {
+    "codegen.model": (),
+    "codegen.graph": ("codegen.model",),
+    "codegen.mechanics": ("codegen.model", "codegen.graph"),
+    "codegen.physics": ("codegen.model", "codegen.graph"),
+    "codegen.choices": ("codegen.model",),
+    "codegen.c": ("codegen.model", "codegen.graph", "codegen.physics", "codegen.choices"),
+    "codegen": ("codegen.model", "codegen.physics", "codegen.c", "codegen.choices"),
+    "runtime": (),
+    "arguments": ("codegen.model", "runtime"),
+    "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
+    "running": ("codegen.model", "runtime", "arguments", "results"),
+    "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
+    "system": ("codegen.model", "runtime", "arguments", "running", "ensembles", "linear", "pages"),
+    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "cores", "progress"),
+    "building": (
+        "codegen.model",
+        "codegen.c",
+        "codegen",
+        "runtime",
+        "arguments",
+        "results",
+        "running",
+        "codegen.choices",
+        "system",
+        "cores",
+        "files",
+        "garbage",
+    ),
+    "reference": ("codegen.model", "arguments"),
+    "pages": ("codegen.model", "files"),
+    "fmu": ("codegen.model", "running", "building", "files"),
+    "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building", "files"),
+    "report": (
+        "codegen.model",
+        "codegen.physics",
+        "codegen.choices",
+        "arguments",
+        "results",
+        "running",
+        "system",
+        "building",
+        "reference",
+        "pages",
+        "progress",
+    ),
+    "stability": (
+        "codegen.model",
+        "codegen.choices",
+        "models",
+        "runtime",
+        "arguments",
+        "results",
+        "running",
+        "system",
+        "building",
+        "reference",
+        "pages",
+        "progress",
+    ),
+    "paper": ("models", "arguments", "results", "system", "building", "pages"),
+    "cli": (
+        "",
+        "codegen.model",
+        "codegen.choices",
+        "codegen.c",
+        "runtime",
+        "arguments",
+        "results",
+        "running",
+        "ensembles",
+        "linear",
+        "system",
+        "building",
+        "pages",
+        "live",
+        "fmu",
+        "report",
+        "stability",
+        "files",
+        "progress",
+    ),
+    "cores": (),
+    "files": (),
+    "garbage": (),
+    "progress": (),
+}
+"""What each room may import while the program runs, itself apart; "" is the package's own names, loaded when used."""
+
+
+def within(name: str, package: str) -> bool:
+    return name == package or name.startswith(f"{package}.")
+
+
+def test_every_package_is_installed():
+    """A folder that pyproject.toml does not list is there in a checkout, and missing from a wheel."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    assert set(project["tool"]["setuptools"]["packages"]) == {
+        name for name, file in MODULES.items() if file.stem == "__init__"
+    }
+
+
+def test_the_sources_are_found():
+    assert {
+        "eigenmotion",
+        "eigenmotion.building.build",
+        "eigenmotion.codegen.model.model",
+        "eigenmotion.runtime.point",
+    } <= set(MODULES)
+
+
+@pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.codegen")])
+def test_codegen_imports_sympy_numpy_jinja_and_the_standard_library(module):
+    for name in imports(module, MODULES[module]):
+        top = name.partition(".")[0]
+        ours = within(name, "eigenmotion.codegen") or within(name, "eigenmotion.templates")
+        assert ours or top in {"sympy", "numpy", "jinja2"} or top in sys.stdlib_module_names, f"{module} imports {name}"
+
+
+@pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.runtime")])
+def test_runtime_imports_nothing_of_ours(module):
+    for name in imports(module, MODULES[module]):
+        assert not within(name, "eigenmotion") or within(name, "eigenmotion.runtime"), f"{module} imports {name}"
+
+
+RUNTIME = PACKAGES["eigenmotion"] / "runtime"
+
+
+def test_runtime_extensions_import_nothing_of_ours_but_each_other():
+    for file in [*RUNTIME.glob("*.pyx"), *RUNTIME.glob("*.pxd")]:
+        named = [line.split()[1] for line in file.read_text(encoding="utf-8").splitlines()
+                 if line.startswith(("from ", "import ", "cimport "))]  # fmt: skip
+        assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
+
+
+def running_imports(module: str) -> set[str]:
+    """The modules of ours that one imports, packages only where no module of theirs is meant."""
+    named = [name for name in imports(module, MODULES[module], types=False) if name in MODULES]
+    return {name for name in named if not any(other.startswith(f"{name}.") for other in named)} - {module}
+
+
+def room_of(module: str) -> str:
+    """Return the longest name of a room that holds a module; else its first folder."""
+    inner = module.removeprefix("eigenmotion").removeprefix(".")
+    rooms = [room for room in ROOMS if within(inner, room)]
+    return max(rooms, key=len) if rooms else inner.partition(".")[0]
+
+
+def test_modules_import_each_other_in_no_circle():
+    try:
+        list(TopologicalSorter({module: running_imports(module) for module in MODULES}).static_order())
+    except CycleError as error:
+        pytest.fail(" -> ".join(error.args[1]))
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_what_it_may(room):
+    used = {room_of(name): f"{module} imports {name}" for module in MODULES if room_of(module) == room
+            for name in running_imports(module)}  # fmt: skip
+    assert not [words for other, words in used.items() if other not in (room, *ROOMS[room])]
+    assert set(ROOMS[room]) <= set(used), "a room that may be imported is"
+
+
+def test_every_room_is_there_and_has_its_rules():
+    rooms = {room_of(module) for module in MODULES}
+    assert rooms - set(ROOMS) == {"", "__main__", "models", "templates"}
+    assert set(ROOMS) <= rooms
+
+
+def included(header: str, folder: Path) -> set[str]:
+    """A header, and those of ours that it includes, directly or not."""
+    text = (folder / header).read_text(encoding="utf-8")
+    return {header}.union(*(included(name, folder) for name in re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE)))
+
+
+def test_every_header_says_first_what_it_is():
+    for header in (RUNTIME / "include").glob("*.h"):
+        assert header.read_text(encoding="utf-8").startswith(f"/* {header.name}: ")
+
+
+def headers(file: Path) -> set[str]:
+    """Those of ours that a file of the runtime includes, by the declarations it imports."""
+    text = file.read_text(encoding="utf-8")
+    beside = {
+        RUNTIME / f"{name}.pxd" for name in (file.stem, *re.findall(r"^from \.(\w+) cimport", text, re.MULTILINE))
+    }
+    first = re.findall(r'extern from "(\w+\.h)"', text)
+    named = [headers(other) for other in beside - {file} if other.exists()]
+    return set().union(*named, *(included(name, RUNTIME / "include") for name in first))
+
+
+def test_the_runtime_is_built_anew_when_a_header_of_it_changes():
+    """The lists of pyproject.toml and of the Makefile hold each header that an extension includes, and no other."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    listed = {
+        ROOT / one["sources"][0]: {Path(path).name for path in one.get("depends", ())}
+        for one in project["tool"]["setuptools"]["ext-modules"]
+    }
+    assert listed == {file: headers(file) for file in RUNTIME.glob("*.pyx")}
+    rule = (ROOT / "Makefile").read_text(encoding="utf-8").partition("include/%.h,")[2].partition(")")[0]
+    assert {f"{name}.h" for name in rule.split()} == set().union(*listed.values())
+
+
+def test_nothing_imports_the_command_line():
+    users = {
+        module
+        for module, file in MODULES.items()
+        if not within(module, "eigenmotion.cli") and module != "eigenmotion.__main__"
+        for name in imports(module, file)
+        if within(name, "eigenmotion.cli")
+    }
+    assert not users
+
+
+def test_codegen_is_not_importable_a_second_time():
+    """Run plain `pytest`: `python -m pytest` puts the checkout on sys.path, and `codegen` would be there twice."""
+    assert str(ROOT) not in sys.path
+    assert importlib.util.find_spec("codegen") is None
+    assert importlib.util.find_spec("templates") is None
+    assert "codegen" not in sys.modules
+
+
+def test_oracles_share_no_code_with_the_package():
+    """They read a model, and no more; what the generator or the references work out, they work out themselves."""
+    for file in sorted((ROOT / "tests" / "oracles").glob("*.py")):
+        ours = {name for name in imports(f"tests.oracles.{file.stem}", file) if within(name, "eigenmotion")}
+        assert ours <= {"eigenmotion", *(f"eigenmotion.{name}" for name in ("Model", "load_model", "t"))}, file.name

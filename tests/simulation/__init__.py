@@ -1,0 +1,1 @@
+"""One run: options, inputs, controllers, and calls to a compiled system."""

@@ -1,0 +1,1 @@
+"""`System.stepper` and `steppers`: runs that the caller advances, one or many."""

@@ -1,0 +1,1 @@
+"""Reports, the stability matrix, the paper's experiment, reference motions and the oracles."""

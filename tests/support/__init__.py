@@ -1,0 +1,1 @@
+"""What tests of several rooms share: models, compiled systems, C written by hand."""
