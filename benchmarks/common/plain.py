@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from eigenmotion import Model
 from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import INCLUDE, STANDARD, run, toolchain
@@ -44,18 +42,6 @@ def _said(program: Path, *arguments: object) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
-    """One run. t (nt,), x (nt, n): at the accepted steps; status 0: it came to its end."""
-
-    nfev: int
-    nsteps: int
-    n_bounded: int
-    status: int
-    t: np.ndarray
-    x: np.ndarray
-
-
-@dataclass(frozen=True, slots=True)
 class Runner:
     """Runs of a model from its initial state, in C."""
 
@@ -66,19 +52,6 @@ class Runner:
         """Compile what is generated for a model."""
         generated(model, work, **options)
         return cls(compiled(work, model.name, (f"{model.name}.c",), "run.c"))
-
-    @classmethod
-    def by_hand(cls, name: str, source: str, work: Path, *flags: str) -> Runner:
-        """Compile a model written by hand in this folder."""
-        work.mkdir(parents=True)
-        return cls(compiled(work, name, (str(HERE / source),), "run.c", *flags))
-
-    def outcome(self, t_end: float, tolerance: float, *parameters: float) -> Outcome:
-        """Run once, to t_end at rtol = atol = tolerance."""
-        first, *rows = _said(self.program, 0, t_end, tolerance, *parameters).splitlines()
-        table = np.array([row.split() for row in rows], dtype=float)
-        nfev, nsteps, n_bounded, status = map(int, first.split())
-        return Outcome(nfev, nsteps, n_bounded, status, table[:, 0], table[:, 1:])
 
     def nanoseconds(self, runs: int, t_end: float, tolerance: float, *parameters: float) -> float:
         """Return the time a run takes that keeps nothing but its end."""

@@ -20,9 +20,6 @@ class Saving(Enum):
 
 
 ALL_SAVINGS = frozenset(Saving)
-CONDITIONS = (sympy.Piecewise, sympy.Max, sympy.Min, sympy.Abs, sympy.sign, sympy.Heaviside, sympy.floor, sympy.ceiling,
-              sympy.Mod)  # fmt: skip
-"""What has a condition in it, or a kink."""
 
 
 class Kind(Enum):
@@ -90,15 +87,6 @@ class Scene:
         held = [{b.number for b in self.blocks if any(A[row, k] != 0 for k in b.coordinates)} for row in range(self.m)]
         pattern = sympy.ImmutableDenseMatrix(self.m, self.m, lambda i, j: int(i == j or bool(held[i] & held[j])))
         return tuple(_coupled(pattern))
-
-    @property
-    def may_break(self) -> bool:
-        """Whether a condition may change with the time: there is one, and the time. What does, `breaks` finds out."""
-        mechanics = self.mechanics
-        given = [mechanics.kinetic_energy, mechanics.V, *mechanics.Q, *mechanics.b, *mechanics.phi, *mechanics.A,
-                 *mechanics.P, *(event for _, event in mechanics.events)]  # fmt: skip
-        parts = _parts(given)
-        return mechanics.time in parts and any(isinstance(part, CONDITIONS) for part in parts)
 
     @property
     def turning(self) -> tuple[Block, ...]:

@@ -63,26 +63,6 @@ def test_a_run_of_a_method_that_is_no_more_is_refused(system):
         made(prepared, 8, *others)
 
 
-@pytest.mark.parametrize("module", ["point", "run"])
-def test_pickles_of_earlier_versions_are_read(system, module):
-    """There, one module held what is two now."""
-    t = np.linspace(0.0, 1.0, 7)
-    found = system.simulate((0.0, 1.0), dense_output=True)
-    text = pickle.dumps((system.prepare(), found.sol), protocol=2)  # which names modules in plain text
-    earlier = text.replace(f"eigenmotion.runtime.{module}".encode(), b"eigenmotion.runtime.core")
-    assert earlier != text
-    prepared, sol = pickle.loads(earlier)
-    assert prepared.model is system.compiled
-    assert (sol(t) == found.sol(t)).all()
-
-
-def test_what_a_request_was_called_is_read(system):
-    text = pickle.dumps(system, protocol=2)
-    earlier = text.replace(b"building.request\nRequest\n", b"building.request\nOrder\n")
-    assert earlier != text
-    assert pickle.loads(earlier).compiled is system.compiled
-
-
 def test_a_system_without_a_way_to_it_says_so():
     with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
         pickle.dumps(bead())

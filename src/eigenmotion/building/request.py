@@ -86,9 +86,6 @@ def request(
     return Request(load_model(source, **given), choices, _command(Path(source).name, given, choices))
 
 
-Order = Request  # the name in pickles of earlier versions (results/test_pickling.py)
-
-
 def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:
     """Write the command that generates these files, without what it takes by default and without folders."""
     words = ["eigenmotion", "generate", file]
