@@ -8,9 +8,6 @@ from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from .fold import Fold, Value
 from .graph import Graph
 from .store import Kind, Node
@@ -63,6 +60,6 @@ class At(Evaluation[float]):
         name, *arguments = operands
         return float((FUNCTIONS.get(name) or getattr(math, name))(*(known[child] for child in arguments)))
 
-    def rows(self, rows: Sequence[Sequence[Node]]) -> NDArray[np.float64]:
+    def rows(self, rows: Sequence[Sequence[Node]]) -> list[list[float]]:
         """Return the numbers of a matrix."""
-        return np.array([[self(entry) for entry in row] for row in rows], dtype=np.float64)
+        return [[self(entry) for entry in row] for row in rows]

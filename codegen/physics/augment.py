@@ -11,12 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-import numpy as np
-
 from ..graph.graph import Graph
 from ..graph.store import Node
-from ..model.pivots import Numbers, without
-from .samples import Rows, Samples
+from ..model.pivots import without
+from .samples import Numbers, Rows, Samples
 from .weighing import Weights
 
 DEPENDENT = 1e-11
@@ -35,21 +33,25 @@ def weights(
     """
     samples = Samples(graph, M, A, phi, start, constants)
     places = [samples.at(values) for values in samples.states()]
-    masses = [(place, numbers) for place in places if np.isfinite(numbers := place.rows(M)).all()]
+    masses = [(place, numbers) for place in places if _finite(numbers := place.rows(M))]
     none = [graph.zero] * len(A)
     if not A or not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
         return none
     given = Weights(samples).all()
-    augmented = _Augmented([(m, place.rows(A), *place.rows([given])) for place, m in masses])
+    augmented = _Augmented([(m, place.rows(A), [place(w) for w in given]) for place, m in masses])
     rows = augmented.enough(sorted(range(len(A)), key=lambda row: sum(entry != graph.zero for entry in A[row])))
     return [given[row] if row in rows else graph.zero for row in range(len(A))]
+
+
+def _finite(rows: Iterable[Iterable[float]]) -> bool:
+    return all(math.isfinite(entry) for row in rows for entry in row)
 
 
 class _Augmented:
     """M + A^T W A in numbers at several states, with the rows of A that are asked for."""
 
-    def __init__(self, states: Iterable[tuple[Numbers, Numbers, Numbers]]) -> None:
-        self.states = [state for state in states if all(np.isfinite(part).all() for part in state)]
+    def __init__(self, states: Iterable[tuple[Numbers, Numbers, list[float]]]) -> None:
+        self.states = [state for state in states if _finite([*state[1], state[2]])]
         self.wholes = [_sum(*state, range(len(state[1]))) for state in self.states]
 
     def enough(self, rows: Sequence[int]) -> list[int]:
@@ -86,9 +88,13 @@ class _Augmented:
         return [min(_pivots(_sum(*state, rows), whole)) for state, whole in zip(self.states, self.wholes, strict=True)]
 
 
-def _sum(M: Numbers, A: Numbers, W: Numbers, rows: Iterable[int]) -> Numbers:
-    """Return M + A^T W A with some rows of A; added up in their order, it has the same digits on every machine."""
-    return sum((W[row] * np.outer(A[row], A[row]) for row in rows), M)
+def _sum(M: Numbers, A: Numbers, W: Sequence[float], rows: Iterable[int]) -> Numbers:
+    for row in rows:
+        M = [
+            [entry + W[row] * a * b for entry, b in zip(line, A[row], strict=True)]
+            for line, a in zip(M, A[row], strict=True)
+        ]
+    return M
 
 
 def _rank(M: Numbers) -> int:
@@ -97,11 +103,12 @@ def _rank(M: Numbers) -> int:
 
 def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
     """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or its own) is ones."""
-    scale = np.array([1 / math.sqrt(a) if a > 0 else 0.0 for a in np.diag(M if whole is None else whole)])
-    rest, pivots = M * np.outer(scale, scale), list[float]()
-    while len(rest):
-        best = int(np.diag(rest).argmax())
-        pivots.append(max(float(rest[best, best]), 0.0))
+    size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
+    rest = [[a * s * t for a, t in zip(row, size, strict=True)] for row, s in zip(M, size, strict=True)]
+    pivots: list[float] = []
+    while rest:
+        best = max(range(len(rest)), key=lambda k: rest[k][k])
+        pivots.append(max(rest[best][best], 0.0))
         counts = pivots[-1] > DEPENDENT
-        rest = without(rest, best, best, -rest[best] / rest[best, best] if counts else np.zeros(len(rest)))
+        rest = without(rest, best, best, [-a / rest[best][best] if counts else 0.0 for a in rest[best]])
     return pivots

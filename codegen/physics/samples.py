@@ -14,6 +14,7 @@ from ..graph.rounding import Rounding
 from ..graph.store import Kind, Node
 
 Rows = Sequence[Sequence[Node]]
+Numbers = list[list[float]]
 
 POINTS = 24
 """Random states, besides the start, at which ranks are looked at."""

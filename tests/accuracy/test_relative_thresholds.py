@@ -196,7 +196,7 @@ def test_singular_is_no_matter_of_units(n):
     singular[-1] = random.normal(size=n - 1) @ regular[:-1]
     for matrix, answer in ((regular, False), (singular, True)):
         given = rows[:, None] * matrix * columns
-        assert is_singular(given, abs(given), 1e-13) is answer
+        assert is_singular(given.tolist(), abs(given).tolist(), 1e-13) is answer
 
 
 def turning(unit: float, lean: float) -> Model:

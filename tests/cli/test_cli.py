@@ -109,6 +109,14 @@ def test_help_does_not_wait_for_sympy():
     assert done.stdout.splitlines()[-1] == "set()"
 
 
+def test_generating_does_not_wait_for_numpy():
+    """A tenth of a second, before the compiler can begin."""
+    script = ("import sys; from eigenmotion.building.request import request; "
+              f"request({str(MODELS / 'quaternion_top.py')!r}).sources(); print('numpy' in sys.modules)")  # fmt: skip
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "False"
+
+
 @pytest.mark.parametrize("name", ["generate", "build", "explain", "run", "report"])
 def test_every_command_has_help(name, capsys):
     assert main([name, "--help"]) == 0

@@ -30,7 +30,7 @@ def rates_from(model: CompiledModel, c: Prepared, t: float, x: Vector, y: Vector
         P is singular or not finite at x, as that of body rates in Euler angles in gimbal lock.
     """
     P = transformation(model, c, t, x)
-    if not np.isfinite(P).all() or is_singular(P, _terms(model, c, t, x, P), _SINGULAR):
+    if not np.isfinite(P).all() or is_singular(P.tolist(), _terms(model, c, t, x, P).tolist(), _SINGULAR):
         raise ModelError(
             f"{model.name}: the quasi-velocities ({', '.join(model.quasi_velocities)}) do not determine the rates at "
             "x0, where P of y = P(x) xdot is singular. Start elsewhere, give v0 in rates, or choose other coordinates."
