@@ -3,21 +3,19 @@
 import gc
 import os
 import signal
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from zlib import crc32
 
 import pytest
-from eigenmotion.codegen.choices import FORMULATIONS
 
 from eigenmotion import System
 from eigenmotion.building.toolchain import FLAGS
 
 from .graph.expressions import Bench
 from .support import generation
+from .support.by_day import mark_nightly, rule_of
 from .support.generation import COMPILERS
-from .support.models_table import DAILY, HEAVY, Scenario
 
 SCENE = """\
 from sympy import cos, symbols
@@ -37,11 +35,11 @@ LONGEST = ("test_build", "test_default_flags", "test_docs", "test_generated_c", 
            "test_random_mechanisms", "test_report", "test_right_hand_side_on_lanes", "test_stability")  # fmt: skip
 """Files that take a process half a minute: first, so that none of them is what all wait for at the end."""
 
-BY_ALL = ("test_paper_scene", "test_signs")
-"""Files that go by every formulation by day, too."""
+LEFT_OUT = pytest.StashKey[Counter[str]]()
+"""How many cases each rule left for the night."""
 
 
-def pytest_configure() -> None:
+def pytest_configure(config: pytest.Config) -> None:
     """By day compile in a hurry, with Clang, a fifth of the time; where CC or flags are given, as at night, optimise.
 
     `test_default_flags`, `test_compiler_warnings` and `test_kernels_*` look at users' flags, with each compiler.
@@ -49,6 +47,10 @@ def pytest_configure() -> None:
     if not {"CC", FLAGS} & os.environ.keys() and "clang" in COMPILERS:
         os.environ["CC"], os.environ[FLAGS] = "clang", "-O0"
     os.environ.setdefault(FLAGS, "-O1")
+    config.stash[LEFT_OUT] = Counter()
+    named = config.option.keyword or any("::" in one for one in config.args)
+    if named and not any(one.startswith("-m") for one in config.invocation_params.args):
+        config.option.markexpr = ""  # who names cases gets them, also those of the night
 
 
 def pytest_collection_finish() -> None:
@@ -62,59 +64,35 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Longest files first, where `--no-loadscope-reorder` leaves it at that; what is not for every day, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
-    for item in (*(one for one in items if not _daily(one)), *_not_in_turn(items)):
-        item.add_marker(pytest.mark.nightly)
+    mark_nightly(items)
 
 
-def _daily(item: pytest.Item) -> bool:
-    """Whether no heavy model takes part, and no formulation or compiler that is not the case's own by day."""
-    given = list(_given(item))
-    words = {one for one in given if isinstance(one, str)}
-    if not all(_is_its_compiler(item.nodeid, compiler) for compiler in words.intersection(COMPILERS)):
-        return False
-    models, formulations = {_model_of(one) for one in given}, words.intersection(FORMULATIONS)
-    if models & HEAVY:
-        return item.path.stem == "test_heavy_models"
-    return all(formulations <= DAILY[name] for name in models & DAILY.keys())
+def pytest_deselected(items: list[pytest.Item]) -> None:
+    """Count what waits for the night, by the rule that says so."""
+    option = items[0].config.option
+    if option.markexpr == "not nightly" and not option.keyword:
+        items[0].config.stash[LEFT_OUT].update(filter(None, map(rule_of, items)))
 
 
-def _not_in_turn(items: list[pytest.Item]) -> Iterable[pytest.Item]:
-    """Give what is left of a case that goes by more formulations: by day the eigenfactor one, and another in turn.
-
-    Models of the table have their own (`DAILY`); what a file asks of others is asked of one model by the same two.
-    """
-    cases = defaultdict[tuple[str, str], dict[str, pytest.Item]](dict)
-    for item in items:
-        words = [one for one in _given(item) if isinstance(one, str) and one in FORMULATIONS]
-        if len(words) == 1 and not (item.path.stem in BY_ALL or item.get_closest_marker("nightly") or _known(item)):
-            case = item.callspec.id.replace(words[0], "", 1)
-            cases[f"{item.path.stem} {case}", item.originalname][words[0]] = item
-    for (case, _), by in cases.items():
-        others = [one for one in FORMULATIONS[1:] if one in by]
-        turn = crc32(case.encode()) % max(1, len(others))
-        yield from (by[one] for one in others[:turn] + others[turn + 1 :])
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Tell the process that reports: with pytest-xdist it has collected nothing itself."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["left_out"] = dict(session.config.stash[LEFT_OUT])
 
 
-def _known(item: pytest.Item) -> bool:
-    """Whether a model of the table takes part."""
-    return any(_model_of(one) in DAILY for one in _given(item))
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node) -> None:
+    """Take what one worker tells: each has collected all cases."""
+    node.config.stash[LEFT_OUT] |= Counter(getattr(node, "workeroutput", {}).get("left_out", {}))
 
 
-def _is_its_compiler(case: str, compiler: str) -> bool:
-    """Whether it is the one by which a case that goes by all at night goes by day, too."""
-    return compiler == COMPILERS[crc32(case.replace(compiler, "").encode()) % len(COMPILERS)]
-
-
-def _given(item: pytest.Item) -> Iterable[object]:
-    """Return what a test is parametrised with."""
-    return item.callspec.params.values() if hasattr(item, "callspec") else ()
-
-
-def _model_of(given: object) -> str | None:
-    """Return the file that a scenario, a path or a name stands for."""
-    if isinstance(given, Scenario):
-        return given.file
-    return given.stem if isinstance(given, Path) else given if isinstance(given, str) else None
+def pytest_terminal_summary(terminalreporter, config: pytest.Config) -> None:
+    """Say what was left out, and how it is run."""
+    if left_out := config.stash[LEFT_OUT]:
+        terminalreporter.section("left for the night")
+        for rule, count in left_out.most_common():
+            terminalreporter.line(f"{count:5} {rule}")
+        terminalreporter.line('-k NAME or FILE::TEST runs what it names, -m "" all, `make nightly` what was left out')
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,0 +1,88 @@
+"""Which cases run at night only, and by which rule: the end of a run says how many each rule left out."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+import pytest
+from eigenmotion.codegen.choices import FORMULATIONS
+
+from .generation import COMPILERS
+from .models_table import DAILY, HEAVY, Scenario
+
+MARKED = "marked nightly where they are written"
+COMPILER = "other compilers: by day a case that goes by all of them takes one"
+HEAVY_MODEL = "heavy models: by day test_heavy_models.py has them"
+FORMULATION = "other formulations: by day eigenfactor and another in turn, models of models_table.py those of DAILY"
+
+BY_ALL = ("test_paper_scene", "test_signs")
+"""Files that go by every formulation by day, too."""
+
+
+def mark_nightly(items: list[pytest.Item]) -> None:
+    """Mark what is not for every day as nightly, with the rule that says so."""
+    for item in list(_not_in_turn(items, COMPILERS)):
+        item.add_marker(pytest.mark.nightly(COMPILER))
+    for item in items:
+        if rule := _rule_of_models(item):
+            item.add_marker(pytest.mark.nightly(rule))
+    theirs = [item for item in items if not (item.path.stem in BY_ALL or rule_of(item) or _known(item))]
+    for item in list(_not_in_turn(theirs, FORMULATIONS[1:])):
+        item.add_marker(pytest.mark.nightly(FORMULATION))
+
+
+def rule_of(item: pytest.Item) -> str | None:
+    """Return the rule by which a case runs at night only."""
+    marker = item.get_closest_marker("nightly")
+    return marker and (marker.args[0] if marker.args else MARKED)
+
+
+def _rule_of_models(item: pytest.Item) -> str | None:
+    """Whether a heavy model takes part, or one of the table in a formulation that is not its own by day."""
+    models = {_model_of(one) for one in _given(item)}
+    if models & HEAVY:
+        return None if item.path.stem == "test_heavy_models" else HEAVY_MODEL
+    formulations = set(_given_words(item)).intersection(FORMULATIONS)
+    return None if all(formulations <= DAILY[name] for name in models & DAILY.keys()) else FORMULATION
+
+
+def _not_in_turn(items: list[pytest.Item], choices: Sequence[str]) -> Iterator[pytest.Item]:
+    """Give all of a case that goes by several choices but the one whose turn it is.
+
+    Turns follow the order of files in their folder and of cases in their file; tests of a file that have a case in
+    common, and so its compiled model, take the same.
+    """
+    cases = defaultdict[Path, dict[str, dict[str, dict[str, pytest.Item]]]](dict)
+    for item in items:
+        words = [one for one in _given_words(item) if one in choices]
+        if len(words) == 1:
+            case = item.callspec.id.replace(words[0], "", 1)
+            cases[item.path].setdefault(case, {}).setdefault(item.originalname, {})[words[0]] = item
+    for path, in_file in cases.items():
+        first = sorted(path.parent.glob("test_*.py")).index(path)
+        for turn, tests in enumerate(in_file.values(), first):
+            for by in tests.values():
+                there = [one for one in choices if one in by]
+                yield from (by[one] for one in there if one != there[turn % len(there)])
+
+
+def _known(item: pytest.Item) -> bool:
+    """Whether a model of the table takes part."""
+    return any(_model_of(one) in DAILY for one in _given(item))
+
+
+def _given_words(item: pytest.Item) -> Iterator[str]:
+    """Give the strings that a test is parametrised with."""
+    return (one for one in _given(item) if isinstance(one, str))
+
+
+def _given(item: pytest.Item) -> Iterable[object]:
+    """Return what a test is parametrised with."""
+    return item.callspec.params.values() if hasattr(item, "callspec") else ()
+
+
+def _model_of(given: object) -> str | None:
+    """Return the file that a scenario, a path or a name stands for."""
+    if isinstance(given, Scenario):
+        return given.file
+    return given.stem if isinstance(given, Path) else given if isinstance(given, str) else None
