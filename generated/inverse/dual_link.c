@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:26af7b2abddd443d121256400e11e59899557d26be0e0faac67dd6920daa6b1f */
+/* body sha256:203c94b6017309dc23ecd645015c677a28f1e668ec7b997a3e9b36f87f5ad913 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -166,7 +166,7 @@ static int rhs_inverse(real t, const real *restrict y, const real *restrict c, c
 
     /* theta1, theta2, theta3: of the determinant of M, the part that cancelled in it is rounding */
     if (em_fails(W1[0], det1[0] > EM_SINGULAR_PIVOT*det1[1]))
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 2, em_number(det1[0]));
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, EM_NEARLY_SINGULAR, em_number(det1[0]));
     real a1[N1];
     em_product(1, N1, f1, W1[0], a1);
     real WA1[N_ROWS][N1]; /* W A^T, transposed */
@@ -174,7 +174,7 @@ static int rhs_inverse(real t, const real *restrict y, const real *restrict c, c
 
     /* theta4: of the determinant of M, the part that cancelled in it is rounding */
     if (em_fails(W2[0], det2[0] > EM_SINGULAR_PIVOT*det2[1]))
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 3, 3, em_number(det2[0]));
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 3, EM_NEARLY_SINGULAR, em_number(det2[0]));
     real a2[N2];
     em_product(1, N2, f2, W2[0], a2);
 

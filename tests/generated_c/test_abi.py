@@ -11,6 +11,7 @@ import pytest
 from eigenmotion.running import start
 from eigenmotion.running.methods import METHODS, STEPPED
 from eigenmotion.runtime import StopReason
+from eigenmotion.runtime.faults import Detail
 
 from ..support.stepping import COMPILER, INCLUDE
 from ..support.structures import KINDS, NUMBERS, enumerators
@@ -94,6 +95,10 @@ def test_compiled_methods_have_the_numbers_of_the_abi():
 
 def test_reasons_stand_in_the_order_of_the_abi():
     assert [f"EM_{reason.name}" for reason in StopReason] == list(enumerators("em_status"))
+
+
+def test_details_of_reasons_are_those_of_the_abi():
+    assert {f"EM_{detail.name}": detail for detail in Detail} == enumerators("em_detail")
 
 
 @pytest.mark.parametrize("method", METHODS)

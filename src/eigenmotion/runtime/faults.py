@@ -1,7 +1,7 @@
 """How a call or a run ended, and what to do about it, in words."""
 
 from collections.abc import Sequence
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from math import isfinite
 
 
@@ -43,6 +43,25 @@ class StopReason(StrEnum):
     def success(self) -> bool:
         """Whether the run did all that was asked of it."""
         return self in (StopReason.FINISHED, StopReason.TERMINAL_EVENT)
+
+
+class Detail(IntEnum):
+    """What a reason means more closely: em_detail of em_run.h."""
+
+    NEARLY_SINGULAR = -2
+    SINGULAR_START = -3
+    CONTRADICTION = -4
+    SHARED_LOAD = -5
+    BAD_RESTITUTION = -6
+    RESTITUTION_LOWERED = -7
+    LAW_NOT_DERIVED = -8
+    NO_RATES = -9
+    POSITION_JUMPS = -10
+    CONTACT_JUMPS = -11
+    JAMMED = -12
+    TOO_MANY_MODES = -13
+    NORMALS_NOT_FOUND = -14
+    INSIDE_CONTACT = -15
 
 
 class EvaluationError(ArithmeticError, ValueError):
@@ -220,31 +239,22 @@ _SINGULAR_START = (
     "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
 )
 
-_VARIANTS = {
-    (StopReason.DEPENDENT_CONSTRAINTS, -2): _SINGULAR_START,
-    (StopReason.IMPACT_UNDEFINED, 1): _RESTITUTION,
-    (StopReason.IMPACT_UNDEFINED, 2): _LOWERED_RESTITUTION,
-    (StopReason.IMPACT_UNDEFINED, 3): _UNDERIVED,
-    (StopReason.DEPENDENT_CONSTRAINTS, -5): _SHARED,
-    (StopReason.CONTACTS_CLASH, -2): _TOO_MANY_MODES,
-    (StopReason.CONTACTS_CLASH, -4): _UNSETTLED,
-    (StopReason.MODEL_JUMPS, 1): _TORN,
-    (StopReason.MODEL_JUMPS, 2): _KICKED,
-    (StopReason.RESET_OFF, -1): _NO_RATES,
+_DETAILS = {
+    Detail.NEARLY_SINGULAR: _NEAR_SINGULAR,
+    Detail.SINGULAR_START: _SINGULAR_START,
+    Detail.CONTRADICTION: _CONTRADICTION,
+    Detail.SHARED_LOAD: _SHARED,
+    Detail.BAD_RESTITUTION: _RESTITUTION,
+    Detail.RESTITUTION_LOWERED: _LOWERED_RESTITUTION,
+    Detail.LAW_NOT_DERIVED: _UNDERIVED,
+    Detail.NO_RATES: _NO_RATES,
+    Detail.POSITION_JUMPS: _TORN,
+    Detail.CONTACT_JUMPS: _KICKED,
+    Detail.JAMMED: _JAMMED,
+    Detail.TOO_MANY_MODES: _TOO_MANY_MODES,
+    Detail.NORMALS_NOT_FOUND: _UNSETTLED,
+    Detail.INSIDE_CONTACT: _INSIDE,
 }
-"""What a reason means where `second` of the fault says more (em_run.h)."""
-
-
-def _words(stop: StopReason, first: int, second: int) -> str:
-    if stop is StopReason.SINGULAR_MASS_MATRIX and second != -1:
-        return _NEAR_SINGULAR
-    if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0:
-        return _CONTRADICTION
-    if stop is StopReason.CONTACTS_CLASH and first < 0 and second == -1:
-        return _JAMMED
-    if stop is StopReason.START_REFUSED and first >= 0:
-        return _INSIDE
-    return _VARIANTS.get((stop, second), _REMEDY[stop])
 
 
 def named_rows(names: Sequence[str], m: int) -> tuple[str, ...]:
@@ -268,7 +278,7 @@ def explain(
     coordinates
         (n) names of the coordinates.
     first, second
-        Coordinates, constraint rows or events, as `em_fault` has them; -1: none.
+        Coordinates, constraint rows or events, as `em_fault` has them; -1: none. second: or a Detail.
     size
         The pivot, gap or residual at fault.
     events, rows
@@ -278,7 +288,7 @@ def explain(
     def name(k: int, names: Sequence[str] = coordinates) -> str:
         return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
-    words = _words(stop, first, second)
+    words = _REMEDY[stop] if second >= -1 else _DETAILS[Detail(second)]
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     number = second if stop is StopReason.RESET_OFF else first
     row = rows[number] if 0 <= number < len(rows) else f"row {number}" if number >= 0 else "(row unknown)"

@@ -86,10 +86,10 @@ EM_COLD int em_reset(em_acting *a, int event) {
     if (a->along) em_reset_along(a->along, a->t, a->x, a->v, a->c, a->u, number);
     memcpy(a->x, at, N * sizeof *at);
     if (!resets_quasi[number]) memcpy(a->v, at + N, N * sizeof *at);
-    else if (em_rates_of_quasi(a->t, a->x, at + N, a->c, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, -1, NAN);
+    else if (em_rates_of_quasi(a->t, a->x, at + N, a->c, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
 #ifdef EM_QUASI
     if (a->along && resets_quasi[number] && em_quasi_along(a->along, a->t, a->x, a->v, a->c))
-        return em_fail(a->fault, EM_RESET_OFF, event, -1, NAN);
+        return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
 #endif
     a->moved = 1;
     return em_check_reset(a, event);
@@ -212,7 +212,7 @@ EM_COLD int em_starts_inside(em_acting *a, const em_all_rows *r) {
         const em_switch *const s = &switches[k];
         if (!em_is_contact(s) || em_holds(s, a->c) || !(r->gap[s->row] < -EM_TOUCHES * r->gap_terms[s->row])) continue;
         if (a->atol && -r->gap[s->row] > em_reach(a, r->A + s->row * N, a->x, EM_START_STEPS, em_start_tolerance(a->rtol)))
-            return em_fail(a->fault, EM_START_REFUSED, s->event, -1, r->gap[s->row]);
+            return em_fail(a->fault, EM_START_REFUSED, s->event, EM_INSIDE_CONTACT, r->gap[s->row]);
         a->deep = fmax(a->deep, -r->gap[s->row] / em_length(N, r->root.B + s->row * N));
         inside = 1;
     }
@@ -231,7 +231,8 @@ EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
         if (em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault)) return -1;
         for (int row = 0; row < N_ROWS; ++row) a->stirred[row] = fabs(r->rate[row] - before[row]);
     }
-    return em_fail(a->fault, EM_START_REFUSED, em_first_inside(r), -1, NAN);
+    const int event = em_first_inside(r);
+    return em_fail(a->fault, EM_START_REFUSED, event, event < 0 ? -1 : EM_INSIDE_CONTACT, NAN);
 }
 
 /* Whether a contact that touches approaches. */

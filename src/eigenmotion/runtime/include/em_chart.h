@@ -109,13 +109,13 @@ EM_COLD int em_look_at_chart(em_walk *w) {
     double pivots[w->n], diagonal[w->n];
     int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
     if (lost < 0) lost = em_rounded(w, pivots, diagonal);
-    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
 EM_COLD int em_look_across(em_walk *w) {
     if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
     const int lost = em_unresolved_within(w, EM_PARTS, EM_CROSSED);
-    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
 /* Beside the first step from near a singularity no other is long. */

@@ -142,7 +142,7 @@ EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
 EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
     double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     const int shared = em_shared_normal(r);
-    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, -5, NAN);
+    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, EM_SHARED_LOAD, NAN);
     em_begin_mixed(r, s);
     motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
     levels(a->t, a->x, a->v, a->c, a->u, level);
@@ -295,8 +295,10 @@ EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
     if (em_mode_problem(a, r, &s)) return -1;
     s.lasts = em_rests_last, s.where = &here;
     const int found = em_solve_mixed(&s);
-    if (found < 1)
-        return em_fail(a->fault, EM_CONTACTS_CLASH, em_event_of_row(s.clash[0]), found < 0 ? -2 : em_event_of_row(s.clash[1]), NAN);
+    if (found < 1) {
+        const int first = em_event_of_row(s.clash[0]), second = found < 0 ? EM_TOO_MANY_MODES : em_event_of_row(s.clash[1]);
+        return em_fail(a->fault, EM_CONTACTS_CLASH, first, first < 0 && second == -1 ? EM_JAMMED : second, NAN);
+    }
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
     return em_set_mode(a->c, mode, a->fault);
 }

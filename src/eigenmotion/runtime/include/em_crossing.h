@@ -75,9 +75,9 @@ static int em_meet_rows(em_walk *w, const em_sides *at) {
     if (m == 0) return 0;
     for (int side = 0; w->n_positions > 0 && side < 4; ++side) w->model->position(at->t[side], w->y, w->run->prepared, phi[side], terms);
     const int row = em_first_jump(w->n_positions, m, phi[0], terms);
-    if (row >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, row, 1, fabs(phi[2][row] - phi[1][row]));
+    if (row >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, row, EM_POSITION_JUMPS, fabs(phi[2][row] - phi[1][row]));
     const int contact = em_contact_jumps(w, at);
-    if (contact >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, contact, 2, NAN);
+    if (contact >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, contact, EM_CONTACT_JUMPS, NAN);
     return em_settle(w->model, w->run, &w->mode, EM_STABILISE, at->t[2], w->y, w->memory, 0.0, &w->reason) < 0 ? -1 : 0;
 }
 
@@ -85,7 +85,7 @@ static int em_meet_rows(em_walk *w, const em_sides *at) {
 EM_COLD int em_cross(em_walk *w) {
     const em_sides at = em_sides_of(w);
     const int first = em_momentum_jumps(w, &at);
-    if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, 0, NAN);
+    if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, -1, NAN);
     return em_meet_rows(w, &at);
 }
 

@@ -56,7 +56,7 @@ static int em_keep_constraints(em_walk *w, double t, const double *x) {
     if (rank == w->rank) w->run->kept = kept;
     if (rank > w->rank && w->run->stabilise) {
         for (int row = 0; row < w->n_rows; ++row)
-            if (kept & ~w->run->kept & EM_FIRST_KEPT << row) return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -2, NAN);
+            if (kept & ~w->run->kept & EM_FIRST_KEPT << row) return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, EM_SINGULAR_START, NAN);
     }
     return 0;
 }

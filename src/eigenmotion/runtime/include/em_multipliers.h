@@ -167,7 +167,7 @@ EM_COLD int em_solve_pushed_pivoted(int m, double *Delta, const double *right, d
         for (int i = k; i < m; ++i)
             for (int j = k; j < m; ++j)
                 if (fabs(Delta[i * m + j]) * unit[row] > fabs(Delta[row * m + best]) * unit[i]) row = i, best = j;
-        if (!(fabs(Delta[row * m + best]) > EM_SINGULAR_PIVOT * unit[row])) return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, NAN);
+        if (!(fabs(Delta[row * m + best]) > EM_SINGULAR_PIVOT * unit[row])) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
         em_swap_rows(m, Delta, rhs, unit, k, row);
         for (int i = 0; i < m; ++i) {
             const double kept = Delta[i * m + k];
@@ -214,7 +214,7 @@ EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, i
         real pivot = Delta[k * m + k];
         if (em_fails(&pivot, em_value(pivot * pivot) > EM_SMALL_PIVOT * EM_SMALL_PIVOT * em_value(whole[k] * whole[k])))
 #ifdef EM_ON_LANES
-            return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, em_number(pivot));
+            return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, em_number(pivot));
 #else
             return em_solve_pushed_pivoted(m, given, right, rhs, flags, fault);
 #endif

@@ -121,7 +121,7 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
 #endif
     em_units_of_rows(m, own, unit);
     const int first = rests ? 1 : em_solve_leaning(m, A, unit, lambda, flags); /* contacts that slide may turn the sign, too */
-    if (first == 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, NAN);
+    if (first == 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     for (int step = 0; step < STEPS; ++step) {
         const double change = em_normal_forces(m, r, among, lambda, lambda + m, toward);
         if (!slides || (change <= EM_TURNED && more-- == 0)) return 0;
@@ -132,9 +132,9 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
                 for (int f = 0; f < r; ++f) A[i * m + j] += Delta[i * (m + r) + m + f] * toward[f * m + j];
             }
         }
-        if (em_solve_leaning(m, A, unit, lambda, flags) * first <= 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, NAN);
+        if (em_solve_leaning(m, A, unit, lambda, flags) * first <= 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     }
-    return em_fail(fault, EM_CONTACTS_CLASH, -1, -4, NAN);
+    return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_NORMALS_NOT_FOUND, NAN);
 }
 
 #endif

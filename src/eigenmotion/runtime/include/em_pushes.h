@@ -43,7 +43,7 @@ EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, e
     if (!em_is_square_of_rows(N_ROWS, pushed)) {
         em_units_of_rows(N_ROWS, root->Delta, unit);
         if (em_solve_leaning(N_ROWS, pushed, unit, lambda, flags)) return 0;
-        return em_fail(fault, EM_CONTACTS_CLASH, -1, -1, NAN);
+        return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     }
 #endif
     return em_solve_pushed(N_ROWS, pushed, lambda, flags, fault);

@@ -173,7 +173,7 @@ EM_RARE EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, 
         if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
     const int wrong = em_least_norm(m, Delta, rhs, terms);
-    return wrong < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, wrong, wrong, NAN);
+    return wrong < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, wrong, EM_CONTRADICTION, NAN);
 }
 
 #endif

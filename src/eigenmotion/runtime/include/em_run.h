@@ -15,8 +15,7 @@ typedef enum em_status {
     EM_TOO_MANY_STEPS,
     EM_NON_FINITE_STATE,          /* fault.first: the coordinate, -1: unknown */
     EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
-    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it, fault.second: the same row
-                                     where it contradicts them, -2 where it does so at the start only */
+    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it */
     EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
@@ -28,24 +27,39 @@ typedef enum em_status {
     EM_CONSTRAINTS_DRIFTED,       /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
     EM_START_REFUSED,             /* of a member of an ensemble: no motion starts there */
     EM_EVENTS_PILE_UP,            /* events that act follow each other without time passing; fault.first: the event */
-    EM_IMPACT_UNDEFINED,          /* the constraints leave no freedom along N, or, fault.second = 1, the restitution is not
-                                     from 0 to 1 but fault.size; fault.first: the event */
-    EM_RESET_OFF,                 /* a reset leaves a constraint; fault.first: the event, fault.second: the row, -1: it
-                                     names quasi-velocities where P is singular */
-    EM_MODEL_JUMPS,               /* at a time that the model names: fault.second = 0, the momentum of coordinate
-                                     fault.first; 1, phi of row fault.first; 2, the row of a contact that holds */
+    EM_IMPACT_UNDEFINED,          /* the constraints leave no freedom along N; fault.first: the event */
+    EM_RESET_OFF,                 /* a reset leaves a constraint; fault.first: the event, fault.second: the row */
+    EM_MODEL_JUMPS,               /* at a time that the model names, the momentum of coordinate fault.first */
     EM_RESET_INSIDE,              /* a reset puts the state where an impact's phi is negative; fault.first: the event,
                                      fault.second: that of the impact, fault.size: phi */
     EM_CONTACTS_CLASH,            /* no mode of contacts and frictions is consistent; fault.first, fault.second: the events
-                                     of conditions that clash, -1: of a constraint; second = -2: too many modes to try */
+                                     of conditions that clash, -1: of a constraint */
     EM_VALUE_REFUSED              /* a symbol was declared to have other numbers; fault.first: its place in em_model's
                                      declared, fault.size: what it was given */
 } em_status;
 
-/* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
+/* What a status means more closely, in place of fault.second: each has words of its own. */
+typedef enum em_detail {
+    EM_NEARLY_SINGULAR = -2,      /* of EM_SINGULAR_MASS_MATRIX: no step is short enough to follow it */
+    EM_SINGULAR_START = -3,       /* of EM_DEPENDENT_CONSTRAINTS: at the start only */
+    EM_CONTRADICTION = -4,        /* the row contradicts those that it depends on */
+    EM_SHARED_LOAD = -5,          /* friction is in proportion to a multiplier that is not unique */
+    EM_BAD_RESTITUTION = -6,      /* of EM_IMPACT_UNDEFINED: it is not from 0 to 1 but fault.size */
+    EM_RESTITUTION_LOWERED = -7,  /* nobody knows its derivative */
+    EM_LAW_NOT_DERIVED = -8,      /* nor that of this law of impacts */
+    EM_NO_RATES = -9,             /* of EM_RESET_OFF: it names quasi-velocities where P is singular */
+    EM_POSITION_JUMPS = -10,      /* of EM_MODEL_JUMPS: phi of row fault.first */
+    EM_CONTACT_JUMPS = -11,       /* the speed of a contact that holds, row fault.first */
+    EM_JAMMED = -12,              /* of EM_CONTACTS_CLASH: no acceleration satisfies them with friction */
+    EM_TOO_MANY_MODES = -13,      /* to try */
+    EM_NORMALS_NOT_FOUND = -14,   /* Newton's method on what presses on frictions */
+    EM_INSIDE_CONTACT = -15       /* of EM_START_REFUSED: event fault.first */
+} em_detail;
+
+/* Where a failure sits: indices of coordinates, constraint rows or events, -1 where there is none. */
 typedef struct em_fault {
     em_status status;
-    int first, second;
+    int first, second; /* second: or an em_detail */
     double size; /* the pivot, gap or residual that was too small or too large */
 } em_fault;
 

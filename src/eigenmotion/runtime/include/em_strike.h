@@ -165,7 +165,7 @@ EM_COLD int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int eve
     double change[N];
     for (int row = 0; row < EM_STRUCK_ROWS; ++row)
         if (b->strikes[row] && !(b->e[row] >= 0.0 && b->e[row] <= 1.0))
-            return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 1, b->e[row]);
+            return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_BAD_RESTITUTION, b->e[row]);
     if (em_blow_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
     em_change_by_blow(r, b, change);
     if (a->along && em_blow_along(a, r, b, change, event)) return -1;

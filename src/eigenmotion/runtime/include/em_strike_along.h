@@ -68,10 +68,10 @@ EM_COLD int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, 
     double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_STRUCK_ROWS * columns];
     double level[EM_LEVELS * EM_SOME_SWITCHES * columns], struck[EM_SOME_IMPACTS * EM_STRUCK * columns];
     const em_blow_partials of = {balance, rates, level, struck};
-    if (b->lowered < 1.0) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 2, b->lowered);
+    if (b->lowered < 1.0) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_RESTITUTION_LOWERED, b->lowered);
     for (int row = 0; row < N_ROWS; ++row)
         if (b->poisson || (b->s.kind[row] == EM_ROW_CONE && em_limit_sign(&b->s, row) != 0.0))
-            return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 3, NAN);
+            return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_LAW_NOT_DERIVED, NAN);
     for (int row = 0; row < N_ROWS; ++row) impulse[row] = -b->s.p[row];
     blow_partials(a->t, a->x, change, impulse, r->c, D);
     if (N_ROWS > 0) constraint_partials(a->t, a->x, a->v, r->c, E);
