@@ -111,7 +111,7 @@ clean:
 
 # The environment, remade when what it is made from changes.
 $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
-          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_assumptions em_breaks em_control em_dual_functions em_dynamics em_either em_elimination em_ensemble em_flocks em_lane_functions em_linear em_lockstep em_members em_products em_real em_run em_side_by_side em_signals em_start em_start_tolerance em_steppers em_steppers_saved em_tableaux em_trigonometry em_variation_advance em_variation_breaks em_variation_error em_variation_events em_variation_motion em_variation_pass em_variation_rounding em_variation_rows em_variation_steps em_variations)
+          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_assumptions em_breaks em_control em_dual_functions em_dynamics em_either em_elimination em_flocks em_lane_functions em_linear em_lockstep em_members em_products em_real em_run em_side_by_side em_signals em_start em_start_tolerance em_steppers em_steppers_saved em_tableaux em_trigonometry em_variation_advance em_variation_breaks em_variation_error em_variation_events em_variation_motion em_variation_pass em_variation_rounding em_variation_rows em_variation_steps em_variations)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'

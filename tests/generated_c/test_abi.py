@@ -17,7 +17,7 @@ from ..support.stepping import COMPILER, INCLUDE
 from ..support.structures import KINDS, NUMBERS, enumerators
 
 RUNTIME = INCLUDE.parent
-HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_ensemble.h", "em_tableaux.h")
+HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_flocks.h", "em_tableaux.h")
 
 
 def refused(folder: Path, *lines: str) -> str:

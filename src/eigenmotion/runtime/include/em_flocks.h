@@ -223,4 +223,10 @@ static int em_ensemble_in_lanes(em_ensemble *e) {
     return 0;
 }
 
+/* Every member of an ensemble. 0, or -1 without memory. */
+static int em_ensemble_run(em_ensemble *e) {
+    timespec_get(&e->polled, TIME_UTC);
+    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_by_numbers(e, 0, e->count);
+}
+
 #endif

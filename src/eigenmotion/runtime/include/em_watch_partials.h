@@ -2,7 +2,6 @@
 #ifndef EM_WATCH_PARTIALS_H
 #define EM_WATCH_PARTIALS_H
 
-#include "em_norms.h"
 #include "em_reset.h"
 
 /* Row of D (n_events, n_arguments): the derivatives of the number of a switch, of those of the multipliers. */
