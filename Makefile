@@ -5,6 +5,7 @@ PYTHON ?= python3
 VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
+RUNTIME := src/eigenmotion/runtime
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 # What a reader learns from stands in generated/: the paper's mechanism in every formulation, a linkage, a rolling body, a
 # contact, a pendulum. Of all models it holds the sums
@@ -106,15 +107,18 @@ bench: $(READY)
 
 clean:
 	rm -rf $(VENV) build dist docs/made docs/gallery .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
-	rm -f generated/*.so src/eigenmotion/runtime/*.c src/eigenmotion/runtime/*.so
+	rm -f generated/*.so src/eigenmotion/runtime/*.c src/eigenmotion/runtime/*.d src/eigenmotion/runtime/*.so
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
-# The environment, remade when what it is made from changes.
-$(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
-          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_assumptions em_breaks em_control em_dual_functions em_dynamics em_either em_elimination em_flocks em_lane_functions em_linear em_lockstep em_members em_products em_real em_run em_side_by_side em_signals em_start em_start_tolerance em_steppers em_steppers_saved em_tableaux em_trigonometry em_variation_advance em_variation_breaks em_variation_error em_variation_events em_variation_motion em_variation_pass em_variation_rounding em_variation_rows em_variation_steps em_variations)
+# The environment, remade when what it is made from changes; where that is a source or a header of the runtime (setup.py has
+# the compiler list these), only modules that it is part of
+MADE_FROM := pyproject.toml setup.py constraints.txt
+INSTALL   := -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'
+-include $(wildcard $(RUNTIME)/*.d)
+$(READY): $(MADE_FROM) $(wildcard $(RUNTIME)/*.pyx $(RUNTIME)/*.pxd)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'
+	for module in $(RUNTIME)/*.so; do [ -e "$${module%%.*}.pyx" ] || rm -f "$$module"; done # of modules that are no more
+	$(BIN)/python $(if $(filter $(MADE_FROM),$?),$(INSTALL),setup.py --quiet build_ext --inplace)
 	$(BIN)/python -m compileall -q src codegen # where PYTHONDONTWRITEBYTECODE is set nothing else would keep it
 	env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -c "from eigenmotion.codegen.c import emit; emit.compile_templates()"
 	touch $@

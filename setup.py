@@ -1,0 +1,47 @@
+"""Extension modules of the runtime; each is built anew when a header changes that it includes.
+
+Which headers these are, the compiler says: NAME.d stands beside NAME.pyx, for make as for setuptools.
+"""
+
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+RUNTIME = Path("src/eigenmotion/runtime")
+INCLUDE = RUNTIME / "include"
+SUMS = {"steppers", "variations"}
+"""Modules that integrate themselves, and do not only call models."""
+
+
+class Build(build_ext):
+    def build_extension(self, ext: Extension) -> None:
+        kept = RUNTIME / f"{ext.name.rpartition('.')[2]}.d"
+        fresh = kept.with_suffix(".d.new")
+        ext.depends = _listed(kept)
+        self.force = not all(Path(header).exists() for header in ext.depends)
+        ext.extra_compile_args += ["-MMD", "-MF", str(fresh)]
+        super().build_extension(ext)
+        if fresh.exists():
+            _keep(fresh, kept)
+
+
+def _listed(path: Path) -> list[str]:
+    return path.read_text(encoding="utf-8").partition("\n")[0].split()[1:] if path.exists() else []
+
+
+def _keep(fresh: Path, kept: Path) -> None:
+    """Of what the compiler listed, keep headers of ours: others may be those of an environment that is gone."""
+    words = fresh.read_text(encoding="utf-8").replace("\\\n", " ").split()
+    ours = sorted({word for word in words if Path(word).is_relative_to(INCLUDE)})
+    gone = "".join(f"{header}:\n" for header in ours)  # make shall not ask how to make one that is no more
+    kept.write_text(f"$(READY): {' '.join(ours)}\n{gone}", encoding="utf-8")
+    fresh.unlink()
+
+
+def extension(path: Path) -> Extension:
+    level = "-O3" if path.stem in SUMS else "-O2"
+    return Extension(f"eigenmotion.runtime.{path.stem}", [str(path)], [str(INCLUDE)], extra_compile_args=[level])
+
+
+setup(ext_modules=[extension(path) for path in sorted(RUNTIME.glob("*.pyx"))], cmdclass={"build_ext": Build})
