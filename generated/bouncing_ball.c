@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:db2b3e17611301637efae92e430c7f729f71d2f2f9c6f8b3bbc922a4fc738acc */
+/* body sha256:e460bf22017193fb0d0d527753ce8bf7c783d4dca4408e9e02f77b6b0b627251 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,8 +32,8 @@
 
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
 #define EM_ACTS
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -54,7 +54,7 @@ enum {
     N_PREPARED = 16,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -172,7 +172,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
-#include "em_rate_jacobian.h"
+#include "dynamics/em_rate_jacobian.h"
 #else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -382,8 +382,8 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
 extern em_lanes bouncing_ball_lanes;
 EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -485,11 +485,11 @@ EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_tangent.h"
-#include "em_acts.h"
+#include "dynamics/em_tangent.h"
+#include "contact/em_event_actions.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -581,7 +581,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
+#include "loop/em_handle.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:12ef42d6d8c277f74ef80b77c68a9e7f1cf9978ff9a0533a02f06171fd79fbda */
+/* body sha256:5b0f1b9f98c3c54c237089da4e1fc98cc169e7e7c1afc0823ac0e57f984bb6a2 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -32,8 +32,8 @@
 /* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -51,7 +51,7 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -444,7 +444,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
-#include "em_rate_jacobian.h"
+#include "dynamics/em_rate_jacobian.h"
 #else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
@@ -467,7 +467,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 enum { EM_REMEMBERED = 0 };
 #define em_flock_run NULL
 #else
-#include "em_lane_factors.h"
+#include "batch/em_lane_factors.h"
 
 enum { N_PIVOTS = 3 };
 
@@ -546,7 +546,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 }
 
 #define EM_SETTLE settle_on_lanes
-#include "em_flock.h"
+#include "batch/em_lane_runge_kutta.h"
 #endif
 
 extern em_lanes dual_link_lanes;
@@ -962,8 +962,8 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
@@ -1091,10 +1091,10 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_tangent.h"
+#include "dynamics/em_tangent.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1206,8 +1206,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

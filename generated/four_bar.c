@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:21f6cc4e780c2548a1b9fce37fb40d862c89da8d3e886e156cd5a7888cd51fec */
+/* body sha256:55a16ed7e7291adcc127869033e5dfc97e15ced74865ed2ba66f40d43f770a26 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -31,8 +31,8 @@
 /* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -50,7 +50,7 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -366,7 +366,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
-#include "em_rate_jacobian.h"
+#include "dynamics/em_rate_jacobian.h"
 #else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
@@ -389,7 +389,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 enum { EM_REMEMBERED = 0 };
 #define em_flock_run NULL
 #else
-#include "em_lane_factors.h"
+#include "batch/em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
@@ -406,7 +406,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-#include "em_flock.h"
+#include "batch/em_lane_runge_kutta.h"
 #endif
 
 extern em_lanes four_bar_lanes;
@@ -784,8 +784,8 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 extern em_lanes four_bar_lanes;
 EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1 };
@@ -951,10 +951,10 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_tangent.h"
+#include "dynamics/em_tangent.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1129,8 +1129,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

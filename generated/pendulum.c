@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:cf695af573cf97d953cde830642e8e74a48eca975593a1bb0df6cab7fc644b68 */
+/* body sha256:1601e0e1cd5b0e6a918162e8214b8204b051ea2e96dd8ba483bbb54c837f89b4 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -25,8 +25,8 @@
 /* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -44,7 +44,7 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -125,7 +125,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
-#include "em_rate_jacobian.h"
+#include "dynamics/em_rate_jacobian.h"
 #else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
@@ -148,7 +148,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 enum { EM_REMEMBERED = 0 };
 #define em_flock_run NULL
 #else
-#include "em_lane_factors.h"
+#include "batch/em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
@@ -160,7 +160,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-#include "em_flock.h"
+#include "batch/em_lane_runge_kutta.h"
 #endif
 
 extern em_lanes pendulum_lanes;
@@ -274,8 +274,8 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 extern em_lanes pendulum_lanes;
 EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -352,10 +352,10 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_derivatives.h"
+#include "dynamics/em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -414,8 +414,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

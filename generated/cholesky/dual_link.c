@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:8f68f3725665491afbfb298b2b893c84e18c345cc90830c42331c3e948f490d9 */
+/* body sha256:5e803e80f0adb6a315d6b3e908eb8037c8ca914ca79c3009f7b8276557080584 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -29,8 +29,8 @@
 /* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -48,7 +48,7 @@ enum {
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -268,7 +268,7 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
-#include "em_rate_jacobian.h"
+#include "dynamics/em_rate_jacobian.h"
 #else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
@@ -284,7 +284,7 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
 enum { EM_REMEMBERED = 0 };
 #define em_flock_run NULL
 #else
-#include "em_lane_factors.h"
+#include "batch/em_lane_factors.h"
 
 enum { N_PIVOTS = 3 };
 
@@ -346,7 +346,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 }
 
 #define EM_SETTLE settle_on_lanes
-#include "em_flock.h"
+#include "batch/em_lane_runge_kutta.h"
 #endif
 
 extern em_lanes dual_link_lanes;
@@ -762,8 +762,8 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
@@ -891,10 +891,10 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_tangent.h"
+#include "dynamics/em_tangent.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -977,8 +977,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:80c91127c201d39cabf5deba80950115be2ac12f527378590a6a8f103860575b */
+/* body sha256:bdaf905c269713868274fd095dfe62813275763fe9846e71f9ebce4697fe70dc */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -29,8 +29,8 @@
 /* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#include "em_functions.h"
-#include "em_multipliers.h"
+#include "numeric/em_functions.h"
+#include "constraints/em_multipliers.h"
 
 /* How large it is. */
 enum {
@@ -48,7 +48,7 @@ enum {
     EM_SECOND_ORDER = 1,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
-#include "em_units.h"
+#include "loop/em_units.h"
 #endif
 #if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
@@ -237,7 +237,7 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
 enum { EM_REMEMBERED = 0 };
 #define em_flock_run NULL
 #else
-#include "em_lane_factors.h"
+#include "batch/em_lane_factors.h"
 
 enum { N_PIVOTS = 3 };
 
@@ -289,7 +289,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 }
 
 #define EM_SETTLE settle_on_lanes
-#include "em_flock.h"
+#include "batch/em_lane_runge_kutta.h"
 #endif
 
 extern em_lanes dual_link_lanes;
@@ -704,8 +704,8 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
-#include "em_blocks.h"
-#include "em_assumptions.h"
+#include "dynamics/em_blocks.h"
+#include "loop/em_assumptions.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
@@ -833,10 +833,10 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
-#include "em_redundant.h"
+#include "dynamics/em_dependent_rows.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
-#include "em_tangent.h"
+#include "dynamics/em_tangent.h"
 
 /* J (n_state, n_state) = d rhs / d y */
 EM_ACROSS int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
@@ -920,8 +920,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 
 #endif
 #if EM_HOLDS(EM_STEPPER)
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 

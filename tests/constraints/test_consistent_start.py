@@ -1,4 +1,4 @@
-"""Where a run may start: em_start.h refuses what NumPy finds to be off, and start.py says so."""
+"""Where a run may start: em_start_check.h refuses what NumPy finds to be off, and start.py says so."""
 
 from typing import Any
 

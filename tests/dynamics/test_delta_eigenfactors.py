@@ -155,7 +155,7 @@ def test_a_sweep_follows_a_step_that_extrapolated(tmp_path):
 
 
 CONTINUATION = """
-#include "em_extrapolate.h"
+#include "dynamics/em_close_eigenvalues.h"
 int omega(const double *s, const double *mu, const double *kept, double since, double *Omega);
 int omega(const double *s, const double *mu, const double *kept, double since, double *Omega) {
     return em_omega(3, s, mu, kept, since, Omega);

@@ -92,7 +92,7 @@ def of_block(found, right):
 
 
 def test_homes_are_those_of_the_header():
-    text = (INCLUDE / "em_blocks.h").read_text()
+    text = (INCLUDE / "dynamics/em_blocks.h").read_text()
     names = ("EM_IN_STATE", "EM_IN_MEMORY", "EM_PREPARED_FACTORS", "EM_PREPARED_ROOT")
     assert sorted(names, key=text.index) == list(names)
 

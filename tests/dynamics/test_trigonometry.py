@@ -11,7 +11,7 @@ from eigenmotion.building.toolchain import INCLUDE
 
 PROGRAM = """
 #include <stdio.h>
-#include "em_trigonometry.h"
+#include "numeric/em_trigonometry.h"
 int main(void) {
     double a;
     while (scanf("%la", &a) == 1) printf("%a %a\\n", em_sin(a), em_cos(a));

@@ -17,7 +17,7 @@ from ..support.stepping import COMPILER, INCLUDE
 from ..support.structures import KINDS, NUMBERS, enumerators
 
 RUNTIME = INCLUDE.parent
-HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_flocks.h", "em_tableaux.h")
+HEADERS = ("stddef.h", "eigenmotion.h", "loop/em_start_check.h", "batch/em_lane_scheduler.h", "tableaux/em_butcher.h")
 
 
 def refused(folder: Path, *lines: str) -> str:
@@ -104,16 +104,21 @@ def test_details_of_reasons_are_those_of_the_abi():
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_has_a_case_of_its_own(method):
     """A number without one would run nothing."""
-    assert f"case EM_{method.upper()}:" in (INCLUDE / "em_methods.h").read_text(encoding="utf-8")
+    assert f"case EM_{method.upper()}:" in (INCLUDE / "methods/em_methods.h").read_text(encoding="utf-8")
 
 
 def test_refusals_of_starts_are_those_of_c():
-    text = (INCLUDE / "em_start.h").read_text(encoding="utf-8").partition("EM_MAY_START = 0,")[2].partition("}")[0]
+    text = (
+        (INCLUDE / "loop/em_start_check.h")
+        .read_text(encoding="utf-8")
+        .partition("EM_MAY_START = 0,")[2]
+        .partition("}")[0]
+    )
     assert re.findall(r"EM_(\w+)", text) == [refusal.name for refusal in start._Refusal]
 
 
 SAID_TWICE = {
-    "em_extrapolate.h EM_EPSILON": start._CLOSE,
+    "dynamics/em_close_eigenvalues.h EM_EPSILON": start._CLOSE,
 }
 
 

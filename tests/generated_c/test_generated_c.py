@@ -241,7 +241,7 @@ def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
 
 def test_no_symbol_gets_the_name_of_a_macro_or_function_of_the_runtime():
     declared = re.compile(r"#define\s+(\w+)|^(?:EM_INLINE|EM_COLD|EM_ACROSS|static)[\w\s*]*?(\w+)\(", re.MULTILINE)
-    found = {a or b for path in INCLUDE.glob("*.h") for a, b in declared.findall(path.read_text())}
+    found = {a or b for path in INCLUDE.rglob("*.h") for a, b in declared.findall(path.read_text())}
     assert len(found) > 50
     assert sorted(word for word in found if c_identifier(word) in found) == []
 

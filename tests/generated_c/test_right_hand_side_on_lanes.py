@@ -139,7 +139,7 @@ def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
 
 FUNCTIONS = """
 #define EM_ON_LANES
-#include "em_functions.h"
+#include "numeric/em_functions.h"
 enum { COUNT = %d };
 void pair(const double *a, double *s, double *c);
 void pair(const double *a, double *s, double *c) {
@@ -256,7 +256,7 @@ def test_auto_takes_steps_by_nodes_where_they_pay():
 
 
 def test_what_goes_lane_by_lane_is_what_the_header_says():
-    header = (INCLUDE / "em_lane_functions.h").read_text()
+    header = (INCLUDE / "numeric/em_lane_functions.h").read_text()
     by_lane = set(re.findall(r"^EM_BY_(?:TWO_)?LANES?\((\w+)\)", header, re.MULTILINE))
     assert {"tan", "cosh", "atan2"} < by_lane
     assert not by_lane & IN_VECTORS

@@ -76,7 +76,13 @@ def test_no_macro_of_the_headers_takes_a_users_name():
     text = (
         "".join(
             f'#include "{name}"\n'
-            for name in ("eigenmotion.h", "em_functions.h", "em_multipliers.h", "em_eigenfactors.h", "em_takeover.h")
+            for name in (
+                "eigenmotion.h",
+                "numeric/em_functions.h",
+                "constraints/em_multipliers.h",
+                "mass/em_eigenfactors.h",
+                "mass/em_root_switching.h",
+            )
         )
         + "#include <stdlib.h>\n"
     )

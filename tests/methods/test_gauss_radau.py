@@ -27,7 +27,7 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
 
 
 def stated(name):
-    text = (INCLUDE / "em_radau.h").read_text()
+    text = (INCLUDE / "tableaux/em_radau_nodes.h").read_text()
     body = re.findall(rf"{name}\[.*?= {{(.*?)}};", text, re.DOTALL)[0]
     numbers = np.array([float(word) for word in re.findall(r"[-\d.e]+", body)])
     return numbers if len(numbers) == 8 else numbers.reshape(8, 8)

@@ -1,4 +1,4 @@
-"""The coefficients of `em_tableaux.h` against Butcher's order conditions and SciPy's digits, and Radau's by mpmath."""
+"""The coefficients of `em_butcher.h` against Butcher's order conditions and SciPy's digits, and Radau's by mpmath."""
 
 import functools
 import math
@@ -146,7 +146,7 @@ def test_every_digit_is_that_of_scipy(build: Build) -> None:
 @functools.cache
 def stated(method: str) -> dict[str, np.ndarray]:
     """Field -> numbers, as em_radau_iia.h states them."""
-    text = (INCLUDE / "em_radau_iia.h").read_text(encoding="utf-8")
+    text = (INCLUDE / "tableaux/em_radau_iia.h").read_text(encoding="utf-8")
     body = text.partition(f"EM_{method.upper()}_TABLEAU = {{")[2].partition("\n};")[0]
     found = re.findall(r"\.(\w+) = (.*?),\n(?=    \.|\Z)", body + ",\n", re.DOTALL)
     return {name: np.array(eval(value.rstrip(",").replace("{", "[").replace("}", "]"))) for name, value in found}

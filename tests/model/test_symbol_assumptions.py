@@ -82,7 +82,7 @@ def test_bits_say_what_sympy_does(said, good, bad):
 
 
 HOLDS = """\
-#include "em_assumptions.h"
+#include "loop/em_assumptions.h"
 int is_declared(int bits, double value) { return em_is_declared(bits, value) != 0; }
 """
 

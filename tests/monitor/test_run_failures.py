@@ -108,7 +108,10 @@ static void *scarce(void *p, size_t n) { return granted-- > 0 ? realloc(p, n) : 
 def test_out_of_memory_keeps_what_was_computed():
     """The generated program with a realloc that gives up."""
     made = compiler.generate(plane("scarce_memory", forces={X: -X}))
-    texts = [f.text.replace('#include "em_functions.h"', SCARCE + '#include "em_functions.h"') for f in made.files]
+    texts = [
+        f.text.replace('#include "numeric/em_functions.h"', SCARCE + '#include "numeric/em_functions.h"')
+        for f in made.files
+    ]
     files = tuple(SourceFile(f.name, text) for f, text in zip(made.files, texts, strict=True))
     found = loaded(Sources(made.name, files)).simulate((0, 1000), x0=[1, 0])
     assert (found.stop, found.success) == (StopReason.OUT_OF_MEMORY, False)

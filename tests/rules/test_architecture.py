@@ -35,7 +35,7 @@ def test_files_that_pages_name_are_there(page):
 
 @pytest.mark.parametrize("page", PAGES[:-1], ids=lambda page: page.stem)
 def test_functions_that_pages_name_are_there(page):
-    text = "".join(path.read_text(encoding="utf-8") for path in INCLUDE.glob("*.[ch]"))
+    text = "".join(path.read_text(encoding="utf-8") for path in INCLUDE.rglob("*.[ch]"))
     asked = {word for word in named(page) if re.fullmatch(r"em_[a-z_]+|EM_[A-Z_]+", word)} - {"EM_NAME_TABLEAU"}
     assert asked
     assert not {word for word in asked if not re.search(rf"\b{word}\b", text)}

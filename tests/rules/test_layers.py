@@ -227,11 +227,34 @@ def test_every_room_is_there_and_has_its_rules():
 def included(header: str, folder: Path) -> set[str]:
     """A header, and those of ours that it includes, directly or not."""
     text = (folder / header).read_text(encoding="utf-8")
-    return {header}.union(*(included(name, folder) for name in re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE)))
+    return {header}.union(
+        *(included(name, folder) for name in re.findall(r'^#include "([\w/]+\.h)"', text, re.MULTILINE))
+    )
+
+
+STACK = ("", "numeric", "mass", "constraints", "dynamics", "contact", "tableaux", "stepper", "gauss_radau", "radau_iia",
+         "methods", "monitors", "events", "loop", "batch", "sensitivity")  # fmt: skip
+"""Folders of headers, from the ground up; a header includes none of a folder above its own."""
+
+
+def test_headers_include_none_of_a_room_above():
+    folder = RUNTIME / "include"
+    assert {file.parent.relative_to(folder).as_posix() for file in folder.rglob("*.h")} == {r or "." for r in STACK}
+    for file in folder.rglob("*.h"):
+        room = file.relative_to(folder).parts[-2:-1]
+        for other in re.findall(r'^#include "([\w/]+\.h)"', file.read_text(encoding="utf-8"), re.MULTILINE):
+            assert STACK.index(Path(other).parts[-2:-1][0] if "/" in other else "") <= STACK.index(*room or ("",)), (
+                file.name
+            )
+
+
+def test_no_room_of_headers_holds_more_than_a_dozen():
+    folder = RUNTIME / "include"
+    assert all(len(list((folder / room).glob("*.h"))) <= 12 for room in STACK)
 
 
 def test_every_header_says_first_what_it_is():
-    for header in (RUNTIME / "include").glob("*.h"):
+    for header in (RUNTIME / "include").rglob("*.h"):
         assert header.read_text(encoding="utf-8").startswith(f"/* {header.name}: ")
 
 
@@ -241,7 +264,7 @@ def named(file: Path) -> set[str]:
     beside = {
         RUNTIME / f"{name}.pxd" for name in (file.stem, *re.findall(r"^from \.(\w+) cimport", text, re.MULTILINE))
     }
-    first = re.findall(r'extern from "(\w+\.h)"', text)
+    first = re.findall(r'extern from "([\w/]+\.h)"', text)
     return set(first).union(*(named(other) for other in beside - {file} if other.exists()))
 
 
@@ -251,10 +274,10 @@ def headers(file: Path) -> set[str]:
 
 
 def test_the_runtime_is_built_anew_when_a_header_of_it_changes():
-    """The compiler listed headers beside each extension (setup.py): those of ours, but for what an #ifdef leaves out."""
+    """The compiler listed headers beside each extension (setup.py): ours, but for what an #ifdef leaves out."""
     for file in RUNTIME.glob("*.pyx"):
         listed = file.with_suffix(".d").read_text(encoding="utf-8").partition("\n")[0].split()[1:]
-        names = {Path(path).name for path in listed}
+        names = {str(Path(path).relative_to(RUNTIME.relative_to(ROOT) / "include")) for path in listed}
         assert named(file) <= names <= headers(file), file.name
 
 

@@ -87,7 +87,7 @@ def _differentiating(asked: Request, part: str) -> CompiledModel:
 
 @cache
 def _headers() -> tuple[str, ...]:
-    return tuple(path.read_text() for path in sorted(INCLUDE.glob("*.h")))
+    return tuple(path.read_text() for path in sorted(INCLUDE.rglob("*.h")))
 
 
 def loaded(sources: Sources, *flags: str, lanes: bool = False, runs: bool = True) -> System:

@@ -8,7 +8,7 @@ from eigenmotion.running.methods import METHODS
 
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
-#include "em_linear.h"
+#include "numeric/em_linear.h"
 enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0 };
 enum { N_STATE = 2 * N + N_C + N_S };
 enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events };
@@ -49,7 +49,7 @@ static void model_events(double t, const double *x, const double *v, const doubl
     (void)t, (void)x, (void)v, (void)c, (void)u, (void)g;
     $events
 }
-#include "em_stepper.h"
+#include "loop/em_stepper.h"
 int simulate(em_run *run);
 int interpolate(const em_run *run, size_t step, double t, double *y);
 void release(em_run *run);
@@ -70,7 +70,7 @@ const em_tableau *tableau(int method) {
 }
 $main
 """)
-STATED = (INCLUDE / "em_tableaux.h").read_text(encoding="utf-8")
+STATED = (INCLUDE / "tableaux/em_butcher.h").read_text(encoding="utf-8")
 RUNGE_KUTTA = tuple(name for name in METHODS if f"EM_{name.upper()}_TABLEAU" in STATED)
 TABLEAUX = ", ".join(f"[{METHODS[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
 

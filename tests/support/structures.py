@@ -1,4 +1,4 @@
-"""The structures of `em_run.h` and `em_tableaux.h` for ctypes, read off the headers."""
+"""The structures of `em_run.h` and `em_butcher.h` for ctypes, read off the headers."""
 
 import ctypes as ct
 import re
@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 INCLUDE = Path(__file__).parents[2] / "src" / "eigenmotion" / "runtime" / "include"
-TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / f"{name}.h").read_text() for name in ("em_run", "em_tableaux")),
-              flags=re.DOTALL)  # fmt: skip
+READ = ("em_run.h", "tableaux/em_butcher.h")
+TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / name).read_text() for name in READ), flags=re.DOTALL)
 POLL = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
 
 

@@ -25,9 +25,9 @@ WORDS: Mapping[str, str] = MappingProxyType({
 ALL_AT_FIRST = not sys.platform.startswith("linux")
 """Whether nothing may be missing as a library is linked: where objects are not ELF's."""
 _AT_FIRST = ("model", "rhs", "lanes", "aside")
-_DERIVED = {"#define EM_ACTS", '#include "em_extrapolate.h"'}
+_DERIVED = {"#define EM_ACTS", '#include "dynamics/em_close_eigenvalues.h"'}
 """In a NAME.c that wants derivatives at once: what events do stands among them, and dM/dx tells where axes turn."""
-_DIFFERENTIATES = '#include "em_rate_jacobian.h"'
+_DIFFERENTIATES = '#include "dynamics/em_rate_jacobian.h"'
 
 
 def at_first(text: str) -> tuple[str, ...]:

@@ -50,7 +50,7 @@ EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 @cache
 def headers() -> str:
     """Return a hash of all that is compiled in, and of what makes a module of a model."""
-    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.[ch]"))))
+    return key(*(path.read_bytes() for path in sorted(INCLUDE.rglob("*.[ch]"))))
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class Toolchain:
     @cached_property
     def lanes(self) -> int:
         """Numbers in a vector of the processor, as em_real.h has them; 1: it has no vectors."""
-        header = str(INCLUDE / "em_real.h")
+        header = str(INCLUDE / "numeric/em_real.h")
         macros = self._run(*self.optimised, *self.flags, "-dM", "-E", "-x", "c", header)
         return next(int(line.split()[2]) for line in macros.splitlines() if line.startswith("#define EM_LANES "))
 

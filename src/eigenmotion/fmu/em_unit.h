@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 #include "em_control.h"
-#include "em_start.h"
+#include "loop/em_start_check.h"
 
 /* What is asked of every run. */
 typedef struct em_unit_options {

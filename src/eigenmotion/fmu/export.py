@@ -6,6 +6,7 @@ their names.
 """
 
 import platform
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -155,8 +156,9 @@ def _step(method: Method, step: float | None) -> float:
 def packed(wanted: Request, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
     """Return the unit's bytes: the same for the same model, options and compiler."""
     texts = {file.name: file.text for file in cached_sources(wanted).files if not file.name.endswith(".pyx")}
-    texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.glob("*.h"))}
+    texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h"))}
     texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in _HEADERS}
+    texts = {name: _side_by_side(text) for name, text in texts.items()}
     unit = _unit(system_of(wanted), texts, method, tolerances, step)
     texts[f"{unit.name}_fmu.c"] = _template("unit.c.jinja", unit)
     files = {"modelDescription.xml": _template("modelDescription.xml.jinja", unit).encode()}
@@ -167,6 +169,11 @@ def packed(wanted: Request, method: Method, tolerances: tuple[float, ...], step:
         for name, data in files.items():
             archive.writestr(ZipInfo(name, _WHEN), data, ZIP_DEFLATED)
     return content.getvalue()
+
+
+def _side_by_side(text: str) -> str:
+    """Return C whose headers are found beside it, as tools expect them, and not in folders of their own."""
+    return re.sub(r'^#include "\w+/(\w+\.h)"', r'#include "\1"', text, flags=re.MULTILINE)
 
 
 def _unit(

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "em_linear.h"
+#include "numeric/em_linear.h"
 
 extern const em_model EM_PAGE_MODEL;
 static const em_model *const model = &EM_PAGE_MODEL;

@@ -38,7 +38,7 @@ def module(wanted: Request) -> bytes:
     """
     tools, sources = wasm_compiler(), cached_sources(wanted)
     texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
-    headers = [path.read_bytes() for path in sorted(INCLUDE.glob("*.h"))]
+    headers = [path.read_bytes() for path in sorted(INCLUDE.rglob("*.h"))]
     name = key(tools.identity, *_FLAGS, _HARNESS.read_bytes(), *texts, *headers)
     folder = entry("pages", name, lambda folder: _compile(sources, tools, folder))
     with guarded():

@@ -81,7 +81,7 @@ def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector
 
 
 class _Refusal(IntEnum):
-    """Why no motion starts at a state: em_refusal of em_start.h."""
+    """Why no motion starts at a state: em_refusal of em_start_check.h."""
 
     UNDECLARED = 1
     WITHOUT_INERTIA = 2

@@ -3,5 +3,5 @@
 from .abi cimport em_declared, em_fault
 
 
-cdef extern from "em_assumptions.h" nogil:
+cdef extern from "loop/em_assumptions.h" nogil:
     int em_refuse(const em_declared *, int, int, const double *, em_fault *)

@@ -1,9 +1,9 @@
-# Many runs of one model (em_flocks.h).
+# Many runs of one model (em_lane_scheduler.h).
 
 from .abi cimport em_fault, em_model, em_rows, em_run, em_signal
 
 
-cdef extern from "em_flocks.h" nogil:
+cdef extern from "batch/em_lane_scheduler.h" nogil:
     ctypedef struct em_ensemble:
         const em_model *model
         em_run task

@@ -197,7 +197,7 @@ cdef class PointModel:
         return y.array
 
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """em_refusal; y (n_state), the coordinate without inertia; by how much each constraint row is off (em_start.h)."""
+        """em_refusal; y (n_state), the coordinate without inertia; by how much each constraint row is off (em_start_check.h)."""
         cdef int at
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
         cdef Numbers absolute = given(atol, (self.n,), "atol"), off = zeros((self.m,))
@@ -205,7 +205,7 @@ cdef class PointModel:
         return refusal, y.array, at, off.array
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start.h)."""
+        """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start_check.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
@@ -222,7 +222,7 @@ cdef class PointModel:
                 c.parameters, numbers)
 
     def piece(self, double t, double direction, Prepared c not None):
-        """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_breaks.h)."""
+        """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_time_events.h)."""
         cdef int n = self.model.n_breaks
         cdef double inside[2]
         cdef Numbers at

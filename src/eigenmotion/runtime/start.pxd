@@ -1,9 +1,9 @@
-# em_start.h: what the runtime asks of any em_model, and no generated code does.
+# em_start_check.h: what the runtime asks of any em_model, and no generated code does.
 
 from .abi cimport em_model
 
 
-cdef extern from "em_start.h" nogil:
+cdef extern from "loop/em_start_check.h" nogil:
     double em_next_break(int, const double *, double, double)
     int em_break_sides(int, const double *, double, double, double, double *)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)

@@ -3,7 +3,7 @@
 from .abi cimport em_fault, em_model, em_run, em_rows
 
 
-cdef extern from "em_steppers_saved.h" nogil:
+cdef extern from "batch/em_steppers_saved.h" nogil:
     ctypedef struct em_stepper:
         em_run run
 
@@ -33,6 +33,6 @@ cdef extern from "em_steppers_saved.h" nogil:
     void em_steppers_restore(em_steppers *s, const char *saved)
     void em_steppers_close(em_steppers *s)
 
-cdef extern from "em_start.h" nogil:
+cdef extern from "loop/em_start_check.h" nogil:
     int em_start(const em_model *model, double t, const double *x, const double *v, const double *c, double rtol,
                  const double *atol, double *y, int *at, double *off)

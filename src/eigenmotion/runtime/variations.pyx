@@ -17,7 +17,7 @@ import numpy as np
 from .faults import EvaluationError, StopReason, explain
 
 
-cdef extern from "em_variations.h" nogil:
+cdef extern from "sensitivity/em_variations.h" nogil:
     const int EM_VARIATION_NODES
 
     ctypedef struct em_variations:

@@ -1,5 +1,5 @@
 /* A block of `n` coordinates among `all`, the places of its roots the same in state, memory and prepared parameters. */
-#include "em_blocks.h"
+#include "dynamics/em_blocks.h"
 
 enum { n = SIZE, all = n + 2, C = 2 * all, s = C + n * n, L = s + n, r = L + n * n };
 

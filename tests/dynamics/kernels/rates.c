@@ -1,5 +1,5 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
-#include "em_extrapolate.h"
+#include "dynamics/em_close_eigenvalues.h"
 
 enum { n = SIZE };
 

@@ -1,5 +1,5 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
-#include "em_eigenfactors.h"
+#include "mass/em_eigenfactors.h"
 
 enum { n = SIZE };
 

@@ -1,6 +1,6 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
-#include "em_eigenfactors.h"
-#include "em_takeover.h"
+#include "mass/em_eigenfactors.h"
+#include "mass/em_root_switching.h"
 
 enum { n = SIZE };
 

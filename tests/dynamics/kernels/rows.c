@@ -1,7 +1,7 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
-#include "em_multipliers.h"
-#include "em_eigenfactors.h"
-#include "em_takeover.h"
+#include "constraints/em_multipliers.h"
+#include "mass/em_eigenfactors.h"
+#include "mass/em_root_switching.h"
 
 enum { n = SIZE, m = n + 1 /* rows */ };
 

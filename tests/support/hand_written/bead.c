@@ -6,7 +6,7 @@
  *    /l        lambda = (x . (Q - dV/dx) + m |v|^2) / |x|^2
  *   *  m, push ->
  */
-#include "em_linear.h"
+#include "numeric/em_linear.h"
 
 enum { N = 2, N_ROWS = 1, N_POSITIONS = 1, N_STATE = 4, N_INPUTS = 1, N_EVENTS = 2 };
 enum { MASS, GRAVITY, RADIUS, N_PARAMETERS };
@@ -78,7 +78,7 @@ static void model_events(double t, const double *x, const double *v, const doubl
     g[1] = x[1];
 }
 
-#include "em_handle.h"
+#include "loop/em_handle.h"
 
 /* --- the table --- */
 

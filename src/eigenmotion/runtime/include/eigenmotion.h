@@ -9,9 +9,9 @@
 
 #include <stddef.h>
 
-#include "em_dynamics.h"
+#include "em_state_functions.h"
 #include "em_run.h"
-#include "em_side_by_side.h"
+#include "em_lanes.h"
 
 #define EM_ABI 24 /* changes whenever anything here or in the three files above changes its meaning */
 
@@ -121,7 +121,7 @@ typedef struct em_model {
     void (*event)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 
     /* What is factored where M is singular but not along the constraints, M + A^T W A (n, n), and its gradient; NULL
-     * where M is (em_factored_matrix of em_start.h knows). */
+     * where M is (em_factored_matrix of em_start_check.h knows). */
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
@@ -178,7 +178,7 @@ typedef struct em_model {
     int (*act_along)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                      int columns, double *S, const double *P, em_fault *fault);
 
-    int n_breaks; /* conditions in the time alone: they change at times at + k period, k whole (em_breaks.h) */
+    int n_breaks; /* conditions in the time alone: they change at times at + k period, k whole (em_time_events.h) */
     void (*breaks)(const double *c, double *at);        /* (n_breaks, 3): at, period, eps terms its rounding; or NULL */
     void (*break_partials)(const double *c, double *D); /* (n_breaks, 2, n_arguments), of at and period; or NULL */
 

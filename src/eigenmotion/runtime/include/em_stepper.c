@@ -1,4 +1,4 @@
 /* em_stepper.c: the stepper, compiled once for all models, of which it knows what em_model says. */
 #define EM_UNIT EM_STEPPER
-#include "em_handle.h"
-#include "em_member.h"
+#include "loop/em_handle.h"
+#include "batch/em_lane_run.h"

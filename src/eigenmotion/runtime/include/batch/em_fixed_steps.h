@@ -1,0 +1,132 @@
+/* em_fixed_steps.h: steps of fixed size, of as many motions as the machine has lanes: one in each.
+ *
+ * For the runtime, not for generated code; of models whose state is x, xdot and that hold no constraints. A motion's numbers
+ * follow from its own alone, never from who is beside it. Where a lane finds no number, its step is made again by numbers,
+ * which say why there is none, or know better (a lane knows no sine beyond 1e6). */
+#ifndef EM_FIXED_STEPS_H
+#define EM_FIXED_STEPS_H
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "numeric/em_real.h"
+#include "eigenmotion.h"
+#include "tableaux/em_butcher.h"
+
+enum { EM_LOCKSTEP_STAGES = 4 };
+
+/* What a step works with, for one thread: tables (..., EM_MOST_LANES), on addresses that are multiples of 64. */
+typedef struct em_lockstep {
+    const em_model *model;
+    const em_tableau *rk;
+    double size; /* no step is longer */
+    double *t_stage, *t_new, *h, *sound; /* sound: 0 where y_new is finite, else NaN */
+    double *y_new, *argument, *K;        /* (n_state, ...), (n_state, ...), (4, n_state, ...) */
+} em_lockstep;
+
+/* How many numbers a lockstep's tables are. */
+static size_t em_lockstep_numbers(const em_model *model) {
+    return (4 + (2 + EM_LOCKSTEP_STAGES) * (size_t)model->n_state) * EM_MOST_LANES;
+}
+
+static em_lockstep em_lockstep_at(const em_model *model, const em_tableau *rk, double size, double *place) {
+    const size_t states = (size_t)model->n_state * EM_MOST_LANES;
+    em_lockstep w = {.model = model, .rk = rk, .size = size, .t_stage = place, .t_new = place + EM_MOST_LANES};
+    w.h = place + 2 * EM_MOST_LANES;
+    w.sound = place + 3 * EM_MOST_LANES;
+    w.y_new = place + 4 * EM_MOST_LANES;
+    w.argument = w.y_new + states;
+    w.K = w.argument + states;
+    return w;
+}
+
+/* ceil, without a call of C's library. */
+EM_INLINE double em_lockstep_ceil(double a) {
+    if (!(fabs(a) < 0x1p52)) return a;
+    const double whole = (double)(long long)a;
+    return whole < a ? whole + 1.0 : whole;
+}
+
+/* t_new and h of one motion's next step towards t_goal: of equal parts of the way (em_step.h). */
+static void em_lockstep_aim(const em_lockstep *w, int lane, double t, double t_goal) {
+    const double direction = t_goal < t ? -1.0 : 1.0, way = fabs(t_goal - t), count = em_lockstep_ceil(way / w->size - 1e-6);
+    const double t_new = t + direction * (count > 1.0 ? way / count : 2.0 * way);
+    w->t_new[lane] = direction * (t_new - t_goal) > 0.0 ? t_goal : t_new;
+    w->h[lane] = w->t_new[lane] - t;
+}
+
+/* out <- y + h sum_j a_j K_j over j < stages */
+EM_INLINE void em_lockstep_combine(const int width, const em_lockstep *w, const double *a, int stages, const double *y,
+                                   double *out) {
+    const int n = w->model->n_state;
+    for (int k = 0; k < n; ++k) {
+        double sum[EM_MOST_LANES] = {0.0};
+        for (int j = 0; j < stages; ++j) {
+            const double *const K = w->K + (j * n + k) * width;
+            if (a[j] == 0.0) continue;
+            for (int lane = 0; lane < width; ++lane) sum[lane] += a[j] * K[lane];
+        }
+        for (int lane = 0; lane < width; ++lane) out[k * width + lane] = y[k * width + lane] + w->h[lane] * sum[lane];
+    }
+}
+
+/* y_new <- a step from y at t; NaN in lanes that have none. */
+EM_INLINE void em_lockstep_step(const int width, const em_lockstep *w, const double *t, const double *y, const double *c,
+                                const double *u) {
+    const em_tableau *const rk = w->rk;
+    for (int stage = 0; stage < rk->stages; ++stage) {
+        double *const K = w->K + stage * w->model->n_state * width;
+        for (int lane = 0; lane < width; ++lane) w->t_stage[lane] = t[lane] + rk->c[stage] * w->h[lane];
+        if (stage > 0) em_lockstep_combine(width, w, rk->a[stage], stage, y, w->argument);
+        w->model->lanes->rhs(0, w->t_stage, stage > 0 ? w->argument : y, c, u, 0, K);
+    }
+    em_lockstep_combine(width, w, rk->a[rk->stages], rk->stages, y, w->y_new);
+    for (int lane = 0; lane < width; ++lane) w->sound[lane] = 0.0;
+    for (int k = 0; k < w->model->n_state; ++k) /* NaN and infinity survive a product with zero */
+        for (int lane = 0; lane < width; ++lane) w->sound[lane] += 0.0 * w->y_new[k * width + lane];
+}
+
+static void em_lockstep_any(int width, const em_lockstep *w, const double *t, const double *y, const double *c,
+                            const double *u) {
+    if (width == 8) em_lockstep_step(8, w, t, y, c, u);
+    else if (width == 4) em_lockstep_step(4, w, t, y, c, u);
+    else em_lockstep_step(2, w, t, y, c, u);
+}
+
+/* Numbers of one lane, out of a table (count, width). */
+static void em_lane_out(int width, int lane, int count, const double *table, double *numbers) {
+    for (int k = 0; k < count; ++k) numbers[k] = table[k * width + lane];
+}
+
+static void em_lane_in(int width, int lane, int count, const double *numbers, double *table) {
+    for (int k = 0; k < count; ++k) table[k * width + lane] = numbers[k];
+}
+
+/* One lane's step by numbers, into y_new. 0, or -1 and *fault. */
+EM_COLD int em_lockstep_alone(int width, int lane, const em_lockstep *w, double t, const double *y, const double *c,
+                              const double *u, em_fault *fault) {
+    const em_model *const model = w->model;
+    const int n = model->n_state;
+    double K[EM_LOCKSTEP_STAGES][n], argument[n], before[n], constants[model->n_prepared + 1], inputs[model->n_inputs + 1];
+    em_lane_out(width, lane, n, y, before);
+    em_lane_out(width, lane, model->n_prepared, c, constants);
+    em_lane_out(width, lane, model->n_inputs, u, inputs);
+    for (int stage = 0; stage <= w->rk->stages; ++stage) {
+        const double *const a = w->rk->a[stage];
+        for (int k = 0; k < n; ++k) {
+            double sum = 0.0;
+            for (int j = 0; j < stage; ++j)
+                if (a[j] != 0.0) sum += a[j] * K[j][k];
+            argument[k] = before[k] + w->h[lane] * sum;
+        }
+        if (stage == w->rk->stages) break;
+        if (model->rhs(t + w->rk->c[stage] * w->h[lane], argument, constants, inputs, K[stage], fault)) return -1;
+    }
+    for (int k = 0; k < n; ++k)
+        if (!isfinite(argument[k])) return *fault = (em_fault){EM_NON_FINITE_STATE, k % model->n, -1, t}, -1;
+    em_lane_in(width, lane, n, argument, w->y_new);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,78 @@
+/* em_lane_factors.h: C and s of runs side by side: after a step that all lanes have taken. Where one needs another root of
+ * M, this says so: that lane's run is settled number by number (em_blocks.h). */
+#ifndef EM_LANE_FACTORS_H
+#define EM_LANE_FACTORS_H
+
+#include "mass/em_eigen_refinement.h"
+#include "mass/em_jacobi_rotations.h"
+#include "mass/em_root_switching.h"
+
+EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
+EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
+
+/* Small enough for what is left of all rotations, squared, that em_refine goes on. */
+#define EM_TURNED 1e-6
+
+/* C turned to where em_refine finds the eigenfactors of M (n, n), by Jacobi sweeps in the lanes that are `far` from there,
+ * as where C has rested during a step. Each lane makes as many as it would alone. */
+EM_COLD void em_turn_near(int n, em_truth far, const real *restrict M, real *restrict C) {
+    real Lambda[n * n];
+    em_congruence(n, C, M, Lambda);
+    for (int sweep = 0; em_any(far) && sweep < 6; ++sweep) {
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q) em_rotate(n, p, q, far & em_rotates(n, p, q, Lambda), Lambda, C);
+        em_truth turned = ~(em_truth){0};
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q) {
+                const real off = Lambda[p * n + q], apart = Lambda[p * n + p] - Lambda[q * n + q];
+                turned &= off * off <= EM_TURNED * apart * apart;
+            }
+        far &= ~turned;
+    }
+}
+
+/* C, s <- eigenfactors of M (n, n), near the C given; eta (NULL: another root's) turns with C. Returns -1 in lanes that
+ * have them, and whose eigenvalues leave no doubt that M is positive definite. */
+EM_INLINE em_truth em_refresh(int n, const real *restrict M, real *restrict C, real *restrict s, real *restrict eta) {
+    real before[n * n];
+    if (eta) em_copy(n * n, C, before);
+    em_truth found = em_refine(n, ~(em_truth){0}, M, C, s);
+    if (em_any(~found)) {
+        em_turn_near(n, ~found, M, C);
+        found |= em_refine(n, ~found, M, C, s);
+    }
+    if (eta) em_turn(n, before, C, eta);
+    real least = s[0], largest = s[0];
+    for (int i = 0; i < n; ++i) {
+        least = em_lane_min(s[i], least);
+        largest = em_lane_max(s[i], largest);
+        s[i] = sqrt(s[i]);
+    }
+    return found & (least > 10.0 * EM_SINGULAR_PIVOT * largest);
+}
+
+/* The time to the nearest crossing of eigenvalues, as M (n, n) changes by Mdot. */
+EM_INLINE real em_time_on_lanes(int n, const real *restrict C, const real *restrict s, const real *restrict Mdot) {
+    real mu[n * n];
+    em_congruence(n, C, Mdot, mu);
+    return em_time_to_crossing(n, s, mu);
+}
+
+/* -1 in lanes whose runs stay in the mode (em_mode_by_gaps, em_mode_by_time). */
+EM_INLINE em_truth em_keeps_mode(int mode, real gap, real time, real pace) {
+    const em_truth apart = gap > EM_APART;
+    if (mode) return ~apart & ((gap < EM_CLOSE) | (time < EM_FAR * fabs(pace)));
+    return apart | ~(time < EM_NEAR * fabs(pace));
+}
+
+/* D (n) of M = L D L^T, and the diagonal of M; NaN, or not positive, where that is not positive definite. */
+EM_INLINE void em_pivots(int n, const real *restrict M, real *restrict pivots, real *restrict diagonal) {
+    real L[n * n], r[n];
+    em_ldlt(n, M, L, r, 0.0);
+    for (int k = 0; k < n; ++k) {
+        pivots[k] = L[k * n + k];
+        diagonal[k] = M[k * n + k];
+    }
+}
+
+#endif

@@ -1,0 +1,153 @@
+/* em_lane_run.h: a run whose steps are made in a lane (em_lane_runge_kutta.h): its start, and what is done number by number about some
+ * of its steps. What a lane cannot do begins anew, by em_simulate. */
+#ifndef EM_LANE_RUN_H
+#define EM_LANE_RUN_H
+
+#include "loop/em_stepper.h"
+
+#define EM_LANE(table, k) (table)[(size_t)(k) * (size_t)width + (size_t)lane]
+
+/* Numbers that its lane keeps of a run's last step: asked of the lanes that it is in, for those that this object is linked
+ * with may be for nodes alone, and keep none. */
+static int em_member_remembers(const em_walk *w) { return w->run->model->lanes->remembered; }
+
+/* When the lane's steps are looked at next. */
+static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
+    const em_run *run = w->run;
+    f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_witness;
+    f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
+}
+
+/* Whether a step would end at a break, which lanes do not know of. */
+static int em_breaks_on_the_way(const em_walk *w) {
+    return w->model->n_breaks > 0 &&
+           (isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0);
+}
+
+/* em_model.enter */
+EM_ACROSS void *em_member_enter(const em_model *model, em_run *run, int *mode) {
+    em_walk *const w = em_open(model, run);
+    if (w == NULL) return NULL;
+    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
+    *mode = w->mode;
+    return w;
+}
+
+/* em_model.board */
+EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
+    const em_walk *const w = walk;
+    const em_run *const run = w->run;
+    const int width = w->lanes->width;
+    const double steps = (double)run->n_steps;
+    for (int k = 0; k < w->n_state; ++k) {
+        EM_LANE(f->y, k) = w->y[k];
+        EM_LANE(f->K, k) = w->K[0][k];
+    }
+    for (int k = 0; k < w->lanes->n_prepared; ++k) EM_LANE(f->c, k) = run->prepared[k];
+    for (int k = 0; k < w->n_inputs; ++k) EM_LANE(f->u, k) = w->u[k];
+    for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory, k) = w->memory[k];
+    f->t[lane] = w->t;
+    f->h_next[lane] = w->h_next;
+    f->last_error[lane] = w->last_error;
+    f->longest[lane] = w->longest_step;
+    f->retries[lane] = 0.0;
+    f->n_steps[lane] = steps;
+    f->n_rejected[lane] = (double)run->n_rejected;
+    f->n_rhs[lane] = (double)run->n_rhs;
+    f->stiff[lane] = w->stiff;
+    f->n_stiff[lane] = (double)run->n_stiff;
+    f->next_judge[lane] = EM_STIFF_EVERY * ceil(steps / EM_STIFF_EVERY);
+    em_member_plan(w, f, lane);
+}
+
+/* The stages of the step under way, from the lane, and what the last was made at. */
+EM_RARE static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
+    const em_tableau *const rk = &EM_DOP853_TABLEAU;
+    const int width = w->lanes->width, last = rk->stages - 1;
+    for (int stage = 1; stage < rk->stages; ++stage)
+        for (int k = 0; k < w->n_state; ++k) w->K[stage][k] = EM_LANE(f->K, stage * w->width + k);
+    em_combine(w, rk->a[last], last, 0, w->h, 0, w->y, w->argument);
+}
+
+/* Its ends, and what the run has done so far. */
+EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+    em_run *const run = w->run;
+    const int width = w->lanes->width;
+    const long steps = (long)f->n_steps[lane];
+    for (int k = 0; k < w->n_state; ++k) {
+        w->y[k] = EM_LANE(f->y, k);
+        w->y_new[k] = EM_LANE(f->y_new, k);
+        w->K[0][k] = EM_LANE(f->K, k);
+        w->f_new[k] = EM_LANE(f->f_new, k);
+    }
+    for (int k = 0; k < em_member_remembers(w); ++k) {
+        w->memory[k] = EM_LANE(f->memory, k);
+        w->memory_new[k] = EM_LANE(f->memory_new, k);
+    }
+    w->t = f->t[lane];
+    w->t_new = f->t_new[lane];
+    w->h = f->h[lane];
+    w->h_next = f->h_next[lane];
+    w->longest_step = f->longest[lane];
+    w->retries = (int)f->retries[lane];
+    run->n_bounded += w->mode == 1 ? steps - run->n_steps : 0;
+    run->n_steps = steps;
+    run->n_rejected = (long)f->n_rejected[lane];
+    run->n_stiff = (long)f->n_stiff[lane];
+    run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
+    w->stiff = f->stiff[lane] > 0.0;
+    w->error_norm = w->size_norm = f->error[lane];
+    w->log_size = log(w->size_norm);
+    w->mode_new = w->mode;
+    w->moved = w->of->settles;
+    em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
+}
+
+/* What em_land does about a step that was settled. 0, or -1 */
+EM_RARE static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
+    if (w->n_events > 0 || em_needs_interpolant(w)) {
+        const em_tableau *const rk = &EM_DOP853_TABLEAU;
+        em_member_read_stages(w, f, lane);
+        em_combine(w, rk->a[rk->solution], rk->stages, 0, w->h, 0, w->y, w->y_raw);
+    }
+    if ((!w->bare && em_check_chart(w)) || em_check_witness(w) || (w->n_events > 0 && em_watch(w))) return -1;
+    return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
+}
+
+/* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
+EM_RARE static int em_member_lands(em_walk *w, em_flock *f, int lane) {
+    const int width = w->lanes->width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
+    if (w->n_events > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
+    w->end_rate = NULL;
+    --w->run->n_rhs; /* that of the lane was in vain */
+    if (em_land(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* stages are settled there */
+    for (int k = 0; k < w->n_state; ++k) {
+        EM_LANE(f->y_new, k) = w->y_new[k];
+        EM_LANE(f->f_new, k) = w->f_new[k];
+    }
+    for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory_new, k) = w->memory_new[k];
+    f->stiff[lane] = w->stiff;
+    return 0;
+}
+
+/* em_model.look: what em_land and em_advance do about an accepted step. */
+EM_RARE EM_ACROSS int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
+    em_walk *const w = walk;
+    int terminal = 0;
+    em_member_read(w, f, lane);
+    double t_stop = w->t_new;
+    if (landing == EM_UNSETTLED ? em_member_lands(w, f, lane) : em_member_trusts(w, f, lane)) return -1;
+    if (em_record(w, &t_stop, &terminal)) return -1;
+    em_commit(w);
+    w->run->t_reached = t_stop;
+    if (terminal) w->run->fault.status = EM_TERMINAL_EVENT;
+    if (terminal || w->t == w->run->t_end) return 1;
+    if (w->mode != f->mode) return 2;
+    em_member_plan(w, f, lane);
+    f->n_rhs[lane] += (double)(w->run->n_rhs - (long)f->n_rhs[lane] - EM_DOP853_TABLEAU.stages); /* of the interpolant */
+    return 0;
+}
+
+#undef EM_LANE
+
+#endif

@@ -1,0 +1,232 @@
+/* em_lane_scheduler.h: members of an ensemble side by side (em_lane_runge_kutta.h): who goes into which lane.
+ *
+ * All runs of a flock are in one mode. One whose mode changes leaves its lane and waits for one in the other flock. A flock
+ * goes on as long as it has no empty lane, so that few wait, and all lanes are in use until few members are left. */
+#ifndef EM_LANE_SCHEDULER_H
+#define EM_LANE_SCHEDULER_H
+
+#include <stdint.h>
+
+#include "batch/em_members.h"
+
+enum { EM_MOST_MODES = 2, EM_SEATS = EM_MOST_MODES * EM_MOST_LANES };
+
+/* A run under way: of which member, and what it works with. */
+typedef struct em_seat {
+    em_run run;
+    void *walk;
+    size_t member;
+    double *c, *y;
+    int taken;
+} em_seat;
+
+typedef struct em_flocks {
+    em_ensemble *e;
+    em_flock flock[EM_MOST_MODES];
+    em_seat seats[EM_SEATS];
+    em_seat *in_lane[EM_MOST_MODES][EM_MOST_LANES], *waiting[EM_MOST_MODES][EM_SEATS];
+    int n_waiting[EM_MOST_MODES], modes, width, stopped;
+    size_t next;
+} em_flocks;
+
+/* Whether runs of this task are made in lanes, but for members with redundant rows. That follows from the task and the
+ * model, so that all others' are. */
+static int em_ensemble_has_lanes(const em_ensemble *e) {
+    const em_model *model = e->model;
+    if (model->enter == NULL || model->lanes == NULL || model->lanes->run == NULL || model->lanes->width < 2) return 0;
+    if (e->task.method != EM_DOP853 || model->lanes->width > EM_MOST_LANES) return 0;
+    return (model->m == 0 && model->lanes->remembered == 0) || (e->task.stabilise && e->task.least_norm != EM_SHARED);
+}
+
+/* Whether a member's inputs rest, as those of lanes do. */
+static int em_ensemble_rests(const em_ensemble *e, size_t member) {
+    const em_signal *inputs = e->inputs ? e->inputs + member * e->inputs_stride : NULL;
+    for (int k = 0; k < e->model->n_inputs; ++k)
+        if (inputs[k].kind != EM_CONSTANT) return 0;
+    return 1;
+}
+
+/* A run has ended: its seat is free. kept: what came of it; else the member is run anew, number by number. */
+static void em_leave(em_flocks *w, em_seat *seat, int kept) {
+    em_ensemble *const e = w->e;
+    if (seat->walk != NULL) e->model->close(seat->walk);
+    if (kept) em_ensemble_keep(e, seat->member, &seat->run);
+    e->model->release(&seat->run);
+    if (!kept) em_ensemble_member(e, seat->member, seat->c, seat->y);
+    seat->taken = 0;
+}
+
+static em_seat *em_free_seat(em_flocks *w) {
+    em_seat *seat = w->seats;
+    while (seat->taken) ++seat;
+    return seat;
+}
+
+/* The next member takes a seat and waits for a lane of its mode; or all that came of it is kept already. */
+static void em_arrive(em_flocks *w) {
+    em_ensemble *const e = w->e;
+    em_seat *const seat = em_free_seat(w);
+    em_run *const run = &seat->run;
+    int mode = 0;
+    seat->member = w->next++;
+    seat->walk = NULL;
+    seat->taken = 1;
+    *run = e->task;
+    if (!em_ensemble_stopped(e) && em_ensemble_rests(e, seat->member) &&
+        em_ensemble_start(e, seat->member, seat->c, seat->y, &run->fault) == 0) {
+        run->prepared = seat->c;
+        run->y_start = seat->y;
+        run->inputs = e->inputs ? e->inputs + seat->member * e->inputs_stride : NULL;
+        seat->walk = e->model->enter(run, &mode);
+    }
+    if (seat->walk == NULL) em_leave(w, seat, 0);
+    else w->waiting[mode][w->n_waiting[mode]++] = seat;
+}
+
+/* How many lanes of a flock could be in use; new members count as of mode 0. */
+static size_t em_ready(const em_flocks *w, int mode) {
+    const size_t here = (size_t)(w->flock[mode].n_live + w->n_waiting[mode]);
+    const size_t more = mode == 0 ? w->e->count - w->next : 0;
+    return here + more < (size_t)w->width ? here + more : (size_t)w->width;
+}
+
+/* Whether the other flock is to go on first. */
+static int em_gives_way(const em_flocks *w, int mode) {
+    if (w->modes == 1) return 0;
+    const size_t other = em_ready(w, !mode);
+    return other > em_ready(w, mode) || (mode == 0 && other == (size_t)w->width);
+}
+
+/* Somebody into an empty lane, unless the other flock is to go on first; where nobody is left it stands still. */
+static void em_fill_lane(em_flocks *w, int mode, int lane) {
+    em_flock *const f = &w->flock[mode];
+    while (!(f->pauses = em_gives_way(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
+    f->live[lane] = !f->pauses && w->n_waiting[mode] > 0;
+    f->n_live += f->live[lane];
+    if (f->live[lane]) {
+        em_seat *const seat = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
+        w->e->model->board(seat->walk, f, lane);
+        return;
+    }
+    f->t[lane] = f->task->t_end;
+    f->h_next[lane] = 0.0;
+}
+
+/* em_flock.look */
+static int em_ensemble_look(em_flock *f, int lane, em_landing landing) {
+    enum { ANEW = -1, GOES_ON, ENDED, CHANGES };
+    em_flocks *const w = f->with;
+    em_seat *const seat = w->in_lane[f->mode][lane];
+    const int came = landing == EM_LOST ? ANEW : w->e->model->look(seat->walk, f, lane, landing);
+    if (came == GOES_ON) return 0;
+    f->live[lane] = 0;
+    --f->n_live;
+    if (came == CHANGES) w->waiting[!f->mode][w->n_waiting[!f->mode]++] = seat;
+    else em_leave(w, seat, came == ENDED);
+    em_fill_lane(w, f->mode, lane);
+    return 1;
+}
+
+/* em_flock.stopped */
+static int em_ensemble_all_stop(em_flock *f) {
+    em_flocks *const w = f->with;
+    return w->stopped = em_ensemble_stopped(w->e);
+}
+
+/* Runs that were on their way when an end was asked for. */
+static void em_ensemble_give_up(em_flocks *w) {
+    for (em_seat *seat = w->seats; seat < w->seats + EM_SEATS; ++seat) {
+        if (!seat->taken) continue;
+        seat->run.fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
+        for (int mode = 0; mode < w->modes; ++mode)
+            for (int lane = 0; lane < w->width; ++lane)
+                if (w->in_lane[mode][lane] == seat && w->flock[mode].live[lane]) seat->run.t_reached = w->flock[mode].t[lane];
+        em_leave(w, seat, 1);
+    }
+    while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->seats->c, w->seats->y);
+}
+
+/* The next numbers of a block of memory. */
+static double *em_cut_off(double **place, size_t size) {
+    double *const piece = *place;
+    *place += size;
+    return piece;
+}
+
+enum { EM_FLOCK_STEPS = 12, EM_FLOCK_NUMBERS = 16 };
+
+/* Numbers of all tables of a flock. */
+static size_t em_flock_size(const em_model *model) {
+    const size_t states = ((size_t)model->n_state + 3) / 4 * 4, memory = 2 * (size_t)model->lanes->remembered;
+    const size_t rows = (EM_FLOCK_STEPS + 3) * states + memory + (size_t)model->n_prepared + (size_t)model->n_inputs;
+    return (rows + EM_FLOCK_NUMBERS) * (size_t)model->lanes->width;
+}
+
+/* The tables of a flock, one after the other. */
+static void em_flock_tables(em_flock *f, const em_model *model, double *place) {
+    const size_t width = (size_t)model->lanes->width, states = ((size_t)model->n_state + 3) / 4 * 4;
+    const size_t memory = (size_t)model->lanes->remembered;
+    double **const tables[] = {&f->K, &f->y, &f->y_new, &f->f_new, &f->memory, &f->memory_new, &f->c, &f->u};
+    const size_t sizes[] = {EM_FLOCK_STEPS * states, states, states, states, memory, memory, (size_t)model->n_prepared,
+                            (size_t)model->n_inputs};
+    double **const numbers[EM_FLOCK_NUMBERS] = {
+        &f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps, &f->n_rejected,
+        &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_judge, &f->next_look, &f->t_look};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_cut_off(&place, sizes[k] * width);
+    for (int k = 0; k < EM_FLOCK_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
+}
+
+static void em_flock_begin(em_flocks *w, int mode, double *place) {
+    const em_run *const task = &w->e->task;
+    em_flock *const f = &w->flock[mode];
+    *f = (em_flock){.task = task, .mode = mode, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = w};
+    f->rtol = task->rtol > 100.0 * DBL_EPSILON ? task->rtol : 100.0 * DBL_EPSILON;
+    f->direction = task->t_end < task->t_start ? -1.0 : 1.0;
+    f->stretch = pow(f->rtol, -1.0 / 8.0);
+    f->always = w->e->model->n_events > 0 || f->rtol > 1e-5; /* EM_LOOSE of em_singularity_monitor.h */
+    em_flock_tables(f, w->e->model, place);
+}
+
+/* Memory for all of it in one block, which is returned, or NULL. */
+static double *em_flocks_open(em_flocks *w) {
+    enum { LINE = 8 };
+    const em_model *model = w->e->model;
+    const size_t c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state, flock = em_flock_size(model);
+    double *const block = calloc((size_t)w->modes * flock + LINE + EM_SEATS * (c + n), sizeof *block);
+    if (block == NULL) return NULL;
+    double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
+    for (int mode = 0; mode < w->modes; ++mode) em_flock_begin(w, mode, em_cut_off(&place, flock));
+    for (int k = 0; k < EM_SEATS; ++k) {
+        w->seats[k].c = em_cut_off(&place, c);
+        w->seats[k].y = em_cut_off(&place, n);
+    }
+    return block;
+}
+
+/* Lanes that are empty are filled, and the flock goes on until it gives way to the other. */
+static void em_flock_go_on(em_flocks *w, int mode) {
+    em_flock *const f = &w->flock[mode];
+    for (int lane = 0; lane < w->width; ++lane)
+        if (!f->live[lane]) em_fill_lane(w, mode, lane);
+    if (f->n_live > 0 && !f->pauses) w->e->model->lanes->run(f);
+}
+
+/* All members in lanes, as far as they can. 0, or -1 without memory. */
+static int em_ensemble_in_lanes(em_ensemble *e) {
+    em_flocks w = {.e = e, .modes = e->model->lanes->modes, .width = e->model->lanes->width};
+    double *const block = em_flocks_open(&w);
+    if (block == NULL) return -1;
+    for (int mode = 0; em_ready(&w, mode) > 0 && !w.stopped; mode = em_gives_way(&w, mode) ? !mode : mode)
+        em_flock_go_on(&w, mode);
+    em_ensemble_give_up(&w);
+    free(block);
+    return 0;
+}
+
+/* Every member of an ensemble. 0, or -1 without memory. */
+static int em_ensemble_run(em_ensemble *e) {
+    timespec_get(&e->polled, TIME_UTC);
+    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_by_numbers(e, 0, e->count);
+}
+
+#endif

@@ -1,0 +1,308 @@
+/* em_complementarity.h: the mixed linear complementarity problem of contacts and frictions, solved by enumeration or pivoting.
+ *
+ *     w = q + G p      G (k, k) = B B^T; p what rows push with, w the acceleration (or the velocity after an impact) along them
+ *
+ *     free row        w = 0
+ *     contact         p >= 0, w >= 0, p w = 0
+ *     friction        |p| <= L; p = -L where w > 0, p = L where w < 0
+ *     cone            two rows: |p| <= L; p = -L d where w = beta d, beta > 0, |d| = 1
+ *     sliding         p = -side L (of a cone two rows, side their direction)
+ *
+ * with L = level + coefficient (over . p), over (k) of the rows that press, or of a rooted row the root of the sum of the squares of
+ * these terms (em_norm_friction.h). A mode says of every row which of these conditions holds as an equation. Each mode is
+ * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
+ * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent; or, where cones
+ * stick, all of them with forces that are shared (em_force_sharing.h).
+ *
+ * Where several modes are consistent (Painleve), the one is taken that changes the fewest of the choices given; of those the
+ * first in the order of rows. None: `clash` says which conditions are in the way. */
+#ifndef EM_COMPLEMENTARITY_H
+#define EM_COMPLEMENTARITY_H
+
+#include "numeric/em_complete_pivoting.h"
+
+#define EM_MODE_EXACT (64.0 * DBL_EPSILON) /* the part of the terms by which rounding may miss a condition, */
+#define EM_MODE_VERIFIED 1e-10 /* and by which it may be missed where no mode is as good */
+
+enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* rows without pivoting first; modes before giving up */
+
+/* The second row of a cone is EM_ROW_CONE_TOO, next to the first, whose choice holds for both. */
+typedef enum em_row_kind {
+    EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_TOO, EM_ROW_SLIDES
+} em_row_kind;
+
+/* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
+typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
+
+typedef struct em_mixed em_mixed;
+
+struct em_mixed {
+    int k;
+    em_row_kind kind[EM_MIXED_ROWS];
+    em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
+    double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: what of p its limit is in proportion to */
+    double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative by p */
+    int rooted[EM_MIXED_ROWS];
+    double last[EM_MIXED_ROWS];       /* of a cone whose force has come to its limit: the way it pushes against, else 0 */
+    int by_last;                      /* whether such cones slide that way */
+    int rests[EM_MIXED_ROWS];         /* rows that hold by others: without a force in a basic solution */
+    double beside[EM_MIXED_ROWS];     /* what presses on rooted rows beside p */
+    double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
+    double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
+    double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
+    double size[EM_MIXED_ROWS];       /* the sum of the sizes of what is added in q */
+    double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
+    double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
+    int clash[2], tried;              /* rows whose conditions are missed in the modes that come closest */
+    int (*lasts)(const void *where, const em_mixed *s); /* whether rows that rest follow from others nearby, too; or NULL */
+    const void *where;
+};
+
+EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
+    return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_CONE;
+}
+
+/* A friction whose contacts are open has no force and no condition. */
+EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
+    int presses = 0;
+    if (s->kind[i] < EM_ROW_FRICTION || s->level[i] != 0.0) return 0;
+    for (int j = 0; j < s->k; ++j) {
+        if (s->over[i * s->k + j] == 0.0) continue;
+        presses = 1;
+        if (s->kind[j] != EM_ROW_OUT && (s->kind[j] != EM_ROW_CONTACT || s->choice[j] != EM_OPENS)) return 0;
+    }
+    return presses;
+}
+
+EM_COLD int em_row_holds(const em_mixed *s, int i) {
+    if (s->kind[i] == EM_ROW_FREE) return 1;
+    if (s->kind[i] == EM_ROW_CONE_TOO) return em_row_holds(s, i - 1);
+    return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
+}
+
+/* The sign of p / L of a row that is at its limit: -1 forward, 1 back, 0: it is not. */
+EM_COLD double em_limit_sign(const em_mixed *s, int i) {
+    if (em_is_unloaded(s, i)) return 0.0;
+    if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
+    if (s->kind[i] == EM_ROW_CONE || s->kind[i] == EM_ROW_CONE_TOO)
+        return s->choice[s->kind[i] == EM_ROW_CONE ? i : i - 1] == EM_FORWARD ? -s->side[i] : 0.0;
+    if (s->kind[i] != EM_ROW_FRICTION) return 0.0;
+    return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
+}
+
+/* What presses on row i. */
+EM_COLD double em_normal_force(const em_mixed *s, int i) {
+    double sum = 0.0;
+    for (int j = 0; j < s->k; ++j) {
+        const double over = s->over[i * s->k + j];
+        sum = s->rooted[i] ? hypot(sum, over * (s->p[j] + s->beside[j])) : sum + over * s->p[j];
+    }
+    return sum;
+}
+
+/* What of it is known, at the direction in which it presses. */
+EM_COLD double em_pressed_beside(const em_mixed *s, int i) {
+    double sum = 0.0;
+    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->beside[j];
+    return sum;
+}
+
+EM_COLD double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
+    const double normal = fmax(em_normal_force(s, i), 0.0);
+    return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
+}
+
+/* p <- of the mode with limits as `toward` has them. 0, or -1: its rows depend on each other. */
+EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
+    const int k = s->k;
+    int rows[EM_MIXED_ROWS], count = 0;
+    double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
+    for (int i = 0; i < k; ++i) {
+        s->p[i] = 0.0;
+        if (em_row_holds(s, i) && !s->rests[i]) rows[count++] = i;
+    }
+    for (int i = 0; i < count; ++i) {
+        x[i] = -s->q[rows[i]];
+        for (int j = 0; j < count; ++j) A[i * count + j] = s->G[rows[i] * k + rows[j]];
+        for (int f = 0; f < k; ++f) {
+            const double sign = em_limit_sign(s, f);
+            if (sign == 0.0) continue;
+            x[i] -= sign * (s->level[f] + s->coefficient[f] * em_pressed_beside(s, f)) * s->G[rows[i] * k + f];
+            for (int j = 0; j < count; ++j)
+                A[i * count + j] += sign * s->coefficient[f] * s->toward[f * k + rows[j]] * s->G[rows[i] * k + f];
+        }
+    }
+    if (em_solve_mode(count, A, x, sign_of_all)) return -1;
+    for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
+    for (int f = 0; f < k; ++f) {
+        const double sign = em_limit_sign(s, f);
+        double presses = em_pressed_beside(s, f);
+        for (int j = 0; j < k && sign != 0.0; ++j) presses += s->toward[f * k + j] * s->p[j];
+        if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * presses);
+    }
+    return 0;
+}
+
+#include "contact/em_force_sharing.h"
+
+#include "contact/em_norm_friction.h"
+
+/* w <- q + G p, and the largest of the sums of sizes in it. */
+EM_COLD double em_rates_of_mode(em_mixed *s) {
+    double largest = 0.0;
+    for (int i = 0; i < s->k; ++i) {
+        double terms = s->size[i];
+        s->w[i] = s->q[i];
+        for (int j = 0; j < s->k && s->kind[i] != EM_ROW_OUT; ++j) {
+            const double part = s->G[i * s->k + j] * s->p[j];
+            s->w[i] += part, terms += fabs(part);
+        }
+        if (s->kind[i] != EM_ROW_OUT) largest = fmax(largest, terms);
+    }
+    return largest;
+}
+
+/* By how much a cone misses its conditions: more force than its limit, or a slip that does not go against the force. */
+EM_COLD double em_cone_violation(const em_mixed *s, int i) {
+    const double *const d = s->side + i, *const w = s->w + i;
+    if (s->choice[i] == EM_HOLDS_ROW) return hypot(s->p[i], s->p[i + 1]) - em_limit_of_row(s, i, 1);
+    return fmax(-(d[0] * w[0] + d[1] * w[1]), fabs(d[0] * w[1] - d[1] * w[0]));
+}
+
+/* By how much row i misses the inequality of its mode. */
+EM_COLD double em_violation(const em_mixed *s, int i) {
+    if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) return 0.0;
+    if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
+    if (s->kind[i] == EM_ROW_CONE) return em_cone_violation(s, i);
+    if (s->choice[i] == EM_HOLDS_ROW) return fabs(s->p[i]) - em_limit_of_row(s, i, 1);
+    return s->choice[i] == EM_FORWARD ? -s->w[i] : s->w[i];
+}
+
+#include "contact/em_cone_directions.h"
+
+/* Whether a cone slides with a slip, which has a direction; or begins to against its last force, as yet without. */
+EM_COLD int em_has_direction(const em_mixed *s, int i, double terms) {
+    if (s->kind[i] != EM_ROW_CONE || s->choice[i] != EM_FORWARD || em_is_unloaded(s, i)) return 1;
+    return (s->by_last && em_has_last(s, i)) || hypot(s->w[i], s->w[i + 1]) > EM_MODE_VERIFIED * terms;
+}
+
+/* Whether the mode chosen has a solution that satisfies all conditions. */
+EM_COLD int em_is_consistent_so(em_mixed *s) {
+    if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
+    const double terms = em_rates_of_mode(s);
+    double most = 0.0;
+    if (em_some_rest(s) && !em_share_with_resting(s, terms)) return 0;
+    int worst = -1;
+    for (int i = 0; i < s->k; ++i) {
+        if (!em_has_direction(s, i, terms)) return 0;
+        const double off = em_violation(s, i);
+        if (!(off <= most)) most = off, worst = i;
+    }
+    if (worst < 0 || most <= s->tolerance * terms) return 1;
+    if (most < s->least || s->clash[0] < 0) {
+        s->least = most;
+        if (worst != s->clash[0]) s->clash[1] = s->clash[0], s->clash[0] = worst;
+    } else if (s->clash[1] < 0 && worst != s->clash[0]) {
+        s->clash[1] = worst;
+    }
+    return 0;
+}
+
+EM_COLD int em_is_consistent(em_mixed *s) {
+    int slide[EM_MIXED_ROWS], some = 0;
+    ++s->tried;
+    s->by_last = 0;
+    if (em_is_consistent_so(s)) return 1;
+    for (int c = em_sliding_cones(s, slide) - 1; c >= 0; --c) some |= em_has_last(s, slide[c]);
+    s->by_last = some;
+    return some && em_is_consistent_so(s);
+}
+
+/* Whether a mode is consistent that differs from the one given in `left` of the rows from `from` on. */
+EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
+    if (s->tried > EM_MOST_TRIED) return 0;
+    if (left == 0) {
+        for (int i = 0; bars && i < s->k; ++i)
+            if (em_is_choice_row(s, i) && s->choice[i] == s->barred[i] && !em_is_unloaded(s, i)) return 0;
+        return em_is_consistent(s);
+    }
+    for (int i = from; i + left <= s->k; ++i) {
+        const em_choice given = s->choice[i];
+        if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) continue;
+        const em_choice contact[] = {EM_HOLDS_ROW, EM_OPENS, EM_NO_CHOICE}, friction[] = {EM_HOLDS_ROW, EM_FORWARD, EM_BACK};
+        const int ways = s->kind[i] == EM_ROW_FRICTION ? 3 : 2;
+        for (int way = 0; way < ways; ++way) {
+            s->choice[i] = s->kind[i] == EM_ROW_CONTACT ? contact[way] : friction[way];
+            if (s->choice[i] == EM_NO_CHOICE || s->choice[i] == given) continue;
+            if (em_try_changes(s, i + 1, left - 1, bars)) return 1;
+        }
+        s->choice[i] = given;
+    }
+    return 0;
+}
+
+/* Lengths one: p and w of all rows have one unit, that of the root of an energy. `back`: as they were. */
+EM_COLD void em_scale_mixed(em_mixed *s, int back) {
+    double by[EM_MIXED_ROWS];
+    for (int i = 0; i < s->k; ++i) {
+        const double square = s->G[i * s->k + i];
+        if (!back) s->unit[i] = square > 0.0 && s->kind[i] != EM_ROW_OUT ? 1.0 / sqrt(square) : 1.0;
+        if (!back && s->kind[i] == EM_ROW_CONE_TOO) /* one unit for both, in which the length of a vector means something */
+            s->unit[i] = s->unit[i - 1] = sqrt(2.0) / hypot(1.0 / s->unit[i], 1.0 / s->unit[i - 1]);
+    }
+    for (int i = 0; i < s->k; ++i) {
+        by[i] = back ? 1.0 / s->unit[i] : s->unit[i];
+    }
+    for (int i = 0; i < s->k; ++i) {
+        for (int j = 0; j < s->k; ++j)
+            s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j], s->toward[i * s->k + j] *= by[j];
+        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i], s->beside[i] /= by[i];
+        s->level[i] /= by[i], s->at_rest[i] /= by[i];
+        s->coefficient[i] /= by[i], s->coefficient_at_rest[i] /= by[i];
+    }
+}
+
+EM_COLD int em_enumerate_modes(em_mixed *s, int bars) {
+    int most = 0;
+    for (int i = 0; i < s->k; ++i) most += em_is_choice_row(s, i);
+    for (int changes = 0; changes <= most; ++changes)
+        if (em_try_changes(s, 0, changes, bars)) return 1;
+    return 0;
+}
+
+/* Contacts that touch and are kept so by others share the load where cones stick: each holds, too, with which a mode is consistent. */
+EM_COLD void em_share_with_idle(em_mixed *s) {
+    for (int i = 0; i < s->k && em_some_cone_sticks(s); ++i) {
+        if (s->kind[i] != EM_ROW_CONTACT || s->choice[i] != EM_OPENS) continue;
+        em_mixed more = *s;
+        more.choice[i] = EM_HOLDS_ROW;
+        if (fabs(s->w[i]) <= EM_MODE_VERIFIED * fabs(s->size[i]) && em_is_consistent(&more)) *s = more;
+    }
+}
+
+#include "contact/em_lemke.h"
+
+/* The mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to try. */
+EM_COLD int em_solve_mixed(em_mixed *s) {
+    em_choice given[EM_MIXED_ROWS];
+    int found = 0, choices = 0;
+    memcpy(given, s->choice, sizeof given);
+    s->clash[0] = s->clash[1] = -1, s->least = INFINITY, s->tried = 0;
+    em_scale_mixed(s, 0);
+    for (int i = 0; i < s->k; ++i) choices += em_is_choice_row(s, i);
+    for (int pass = 0; pass < 4 && !found; ++pass) {
+        const int bars = pass < 2;
+        s->tolerance = pass % 2 == 0 ? EM_MODE_EXACT : EM_MODE_VERIFIED;
+        memcpy(s->choice, given, sizeof given);
+        if (choices > EM_ENUMERATED && !em_some_rooted(s) && em_pivot_modes(s, bars)) {
+            found = em_is_consistent(s);
+            if (found) break;
+        }
+        found = em_enumerate_modes(s, bars);
+    }
+    if (found) em_share_with_idle(s);
+    em_scale_mixed(s, 1);
+    return found ? 1 : s->tried > EM_MOST_TRIED ? -1 : 0;
+}
+
+#endif

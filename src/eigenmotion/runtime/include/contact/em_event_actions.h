@@ -1,0 +1,314 @@
+/* em_event_actions.h: event actions: what events do to a state.
+ *
+ * In this order: impacts, until nothing approaches what it touches: those of events one after the other as the model lists them,
+ * then those of all contacts at once (em_impacts.h); resets; then the mode that the state calls for (em_mode_selection.h). */
+#ifndef EM_EVENT_ACTIONS_H
+#define EM_EVENT_ACTIONS_H
+
+#include "dynamics/em_projection.h"
+#include "contact/em_impacts.h"
+#include "contact/em_switch_partials.h"
+
+#define EM_AT_LIMIT 1e-9 /* the part of a limit by which a force may be below it that has come to it */
+
+/* Events that pile up: each so soon after the one before that no time passes. 0, or -1 and *fault. */
+EM_COLD int em_check_pile(const em_acting *a, em_pile *pile) {
+    enum { MANY = 200 };
+    const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (!a->fired[i]) continue;
+        pile[i].count = pile[i].count > 0 && fabs(a->t - pile[i].t) <= soon ? pile[i].count + 1 : 1;
+        pile[i].t = a->t;
+        if (pile[i].count > MANY) return em_fail(a->fault, EM_EVENTS_PILE_UP, i, -1, NAN);
+    }
+    return 0;
+}
+
+/* --- impacts --- */
+
+/* Whether an event that has fired is an impact, and no contact's. */
+EM_COLD int em_strikes(const em_acting *a, int event) {
+    return a->fired[event] && deeds[event].impact >= 0 && deeds[event].held < 0;
+}
+
+/* One round of impacts: whether there was any, or -1 and *fault. side (n_events): the sign of approach, 0: not known */
+EM_COLD int em_strike_round(em_acting *a, em_all_rows *r, double *side) {
+    int any = 0;
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (!em_strikes(a, i)) continue;
+        const int struck = em_strike_event(a, r, i, &side[i]);
+        if (struck < 0) return -1;
+        any |= struck;
+    }
+    const int struck = em_strike_contacts(a, r);
+    return struck < 0 ? -1 : any | struck;
+}
+
+/* All impacts. 0, or -1 and *fault. */
+EM_COLD int em_strike_all(em_acting *a, em_all_rows *r) {
+    enum { ROUNDS = 1000 };
+    double side[N_EVENTS] = {0.0};
+    int any = 1;
+    if (N_IMPACTS == 0) return 0;
+    for (int round = 0; round < ROUNDS && any > 0; ++round) any = em_strike_round(a, r, side);
+    if (any < 0) return -1;
+    for (int i = 0; any && i < N_EVENTS; ++i)
+        if (a->fired[i] && deeds[i].impact >= 0) return em_fail(a->fault, EM_EVENTS_PILE_UP, i, -1, NAN);
+    return 0;
+}
+
+/* --- resets --- */
+
+/* What a reset leaves of the constraints. 0, or -1 and *fault. */
+EM_COLD int em_check_reset(const em_acting *a, int event) {
+    double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    position(a->t, a->x, a->c, phi, terms);
+    for (int row = 0; row < N_POSITIONS; ++row)
+        if (!(fabs(phi[row]) <= EM_RESET_MAY * terms[row]))
+            return em_fail(a->fault, EM_RESET_OFF, event, row, phi[row]);
+    pfaffian(a->t, a->x, a->c, A, b);
+    for (int row = 0; row < N_ROWS; ++row) {
+        double rate = b[row], size = fabs(b[row]);
+        for (int k = 0; k < N; ++k) rate += A[row * N + k] * a->v[k], size += fabs(A[row * N + k] * a->v[k]);
+        if (!(fabs(rate) <= EM_RESET_MAY * size)) return em_fail(a->fault, EM_RESET_OFF, event, row, rate);
+    }
+    return 0;
+}
+
+EM_COLD int em_reset(em_acting *a, int event) {
+    double after[EM_SOME_RESETS * 2 * N];
+    const int number = deeds[event].reset;
+    if (N_RESETS == 0) return 0; /* that compilers see it, too */
+    resets(a->t, a->x, a->v, a->c, a->u, after);
+    const double *const at = after + number * 2 * N;
+    for (int k = 0; k < 2 * N; ++k)
+        if (!isfinite(at[k])) return em_fail(a->fault, EM_NON_FINITE_STATE, k % N, -1, NAN);
+    if (a->along) em_reset_along(a->along, a->t, a->x, a->v, a->c, a->u, number);
+    memcpy(a->x, at, N * sizeof *at);
+    if (!resets_quasi[number]) memcpy(a->v, at + N, N * sizeof *at);
+    else if (em_rates_of_quasi(a->t, a->x, at + N, a->c, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
+#ifdef EM_QUASI
+    if (a->along && resets_quasi[number] && em_quasi_along(a->along, a->t, a->x, a->v, a->c))
+        return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
+#endif
+    a->moved = 1;
+    return em_check_reset(a, event);
+}
+
+/* --- the mode afterwards --- */
+
+/* The same of cones: of those that share a load all come to their bounds at once, but for rounding; and the way their forces push
+ * against. */
+EM_COLD void em_find_released_cones(em_acting *a) {
+    double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
+    em_fault fault;
+    if (em_acceleration(a->t, a->x, a->v, a->c, a->u, EM_LEAST_NORM, acceleration, lambda, &fault)) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const one = &switches[k];
+        if (!em_is_cone(one) || !em_holds(one, a->c)) continue;
+        const double force = em_along_switch(one, lambda), limit = em_limit(one, level[EM_LEVELS * k + 1], lambda);
+        a->lets_go[k] |= force > 0.0 && force >= (1.0 - EM_AT_LIMIT) * limit;
+        for (int i = 0; i < 2 && force > 0.0; ++i) a->last[2 * k + i] = lambda[one->row + i] / force;
+    }
+}
+
+/* lets_go <- switches whose row held, and whose event has fired: their force has come to its bound. */
+EM_COLD void em_find_released(em_acting *a) {
+    int cones = 0;
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
+        cones |= a->lets_go[k] && em_is_cone(&switches[k]);
+    }
+    if (cones) em_find_released_cones(a);
+}
+
+/* Whether anything may press on a friction: a contact at rest, a constraint, or what its limit is made of. */
+EM_COLD int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
+    const int norm = em_norm_of(friction);
+    int switched[EM_SOME_ROWS] = {0};
+    if (norm < 0) return friction->over < 0 || em_is_at_rest(a, r, friction->over);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        switched[switches[k].row] = 1;
+        if (em_is_contact(&switches[k]) && em_is_among(norm, switches[k].row) && em_is_at_rest(a, r, k)) return 1;
+    }
+    for (int row = 0; row < N_ROWS; ++row)
+        if (!switched[row] && em_is_among(norm, row)) return 1;
+    return 0;
+}
+
+/* v <- with no speed along the rows at rest, but rounding; a friction on a contact that opens stops nothing. 0, or -1 and
+ * *fault. */
+EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
+    em_state_of_switch mode[EM_SOME_SWITCHES];
+    double c[N_PREPARED + 1];
+    memcpy(c, a->c, N_PREPARED * sizeof *c);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const int stops = em_is_at_rest(a, r, k) && (em_is_contact(&switches[k]) || em_may_rub(a, r, &switches[k]));
+        mode[k] = (em_state_of_switch){.holds = stops};
+    }
+    if (em_set_mode(c, mode, a->fault)) return -1;
+    if (em_project_velocity(a->t, a->x, a->v, c, EM_LEAST_NORM, a->fault)) return -1;
+    em_rates_along(r, a->v);
+    return 0;
+}
+
+/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what its slip is shifted by. */
+EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
+    const int row = switches[k].row, contact = em_is_contact(&switches[k]);
+    a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
+    if (em_is_cone(&switches[k])) a->rounding[switches[k].event] = 2.0 * EM_CONE_BEGINS * em_cone_stops(a, r, &switches[k]);
+    else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
+}
+
+/* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
+EM_COLD int em_settle_modes(em_acting *a) {
+    em_state_of_switch before[EM_SOME_SWITCHES], after[EM_SOME_SWITCHES];
+    int rests[EM_SOME_SWITCHES];
+    em_all_rows r;
+    if (N_SWITCHES == 0) return 0;
+    if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
+    em_find_still(a, &r);
+    em_find_parts(a);
+    if (em_stop_at_rest(a, &r)) return -1;
+    em_mode_of(a->c, before);
+    for (int k = 0; k < N_SWITCHES; ++k) rests[k] = em_is_at_rest(a, &r, k);
+    if (em_decide_mode(a, &r)) return -1;
+    em_mode_of(a->c, after);
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (before[k].holds != after[k].holds || before[k].slides != after[k].slides || before[k].idles != after[k].idles)
+            a->fired[switches[k].event] = 1;
+    if (em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault)) return -1;
+    pfaffian(a->t, a->x, r.c, r.A, r.b);
+    em_rates_along(&r, a->v);
+    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k, rests[k]);
+    return 0;
+}
+
+/* Resets in the order of the model, each of the state that the one before left. Whether there was one, or -1 and *fault. */
+EM_COLD int em_reset_all(em_acting *a) {
+    int last = -1;
+    double from[N];
+    memcpy(from, a->x, sizeof from);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (!a->fired[i] || deeds[i].reset < 0) continue;
+        last = i;
+        if (em_reset(a, i)) return -1;
+    }
+    return last >= 0 && em_check_apart(a->t, from, a->x, a->v, a->c, a->u, last, a->fault) ? -1 : last >= 0;
+}
+
+/* The event of the first contact whose gap is negative; -1: none. */
+EM_COLD int em_first_inside(const em_all_rows *r) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k]) && r->gap[switches[k].row] < 0.0) return switches[k].event;
+    return -1;
+}
+
+/* Whether the start is inside a contact: 1; 0; or -1 and *fault where that is by more than its tolerance. */
+EM_COLD int em_starts_inside(em_acting *a, const em_all_rows *r) {
+    int inside = 0;
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        if (!em_is_contact(s) || em_holds(s, a->c) || !(r->gap[s->row] < -EM_TOUCHES * r->gap_terms[s->row])) continue;
+        if (a->atol && -r->gap[s->row] > em_reach(a, r->A + s->row * N, a->x, EM_START_STEPS, em_start_tolerance(a->rtol)))
+            return em_fail(a->fault, EM_START_REFUSED, s->event, EM_INSIDE_CONTACT, r->gap[s->row]);
+        a->deep = fmax(a->deep, -r->gap[s->row] / em_length(N, r->root.B + s->row * N));
+        inside = 1;
+    }
+    return inside;
+}
+
+/* At the start of a run: what is inside contacts by less than its tolerance is put on their surfaces. 0, or -1 and *fault. */
+EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
+    enum { STEPS = 20 };
+    double before[EM_SOME_ROWS];
+    memcpy(before, r->rate, sizeof before);
+    for (int step = 0; step <= STEPS; ++step) {
+        const int inside = em_starts_inside(a, r);
+        if (inside < 1) return inside;
+        if (em_push_out(r, a->x)) break;
+        if (em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault)) return -1;
+        for (int row = 0; row < N_ROWS; ++row) a->stirred[row] = fabs(r->rate[row] - before[row]);
+    }
+    const int event = em_first_inside(r);
+    return em_fail(a->fault, EM_START_REFUSED, event, event < 0 ? -1 : EM_INSIDE_CONTACT, NAN);
+}
+
+/* Whether a contact that touches approaches. */
+EM_COLD int em_approaches(const em_acting *a, const em_all_rows *r) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k]) && a->closed[k] && r->rate[switches[k].row] < -a->still[switches[k].row]) return 1;
+    return 0;
+}
+
+EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
+    em_pile before[N_EVENTS];
+    em_all_rows r;
+    memcpy(before, pile, sizeof before);
+    if (em_check_pile(a, pile)) return -1;
+    if (N_SWITCHES > 0 || N_IMPACTS > 0) {
+        if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
+        em_find_released(a);
+        if (a->starts && em_put_outside(a, &r)) return -1;
+        em_find_closed(a, &r);
+        em_find_still(a, &r);
+        em_find_landed(a, &r, before);
+        if (a->starts && em_approaches(a, &r)) return 0; /* the impact comes first, as an event */
+        if (!a->starts && em_strike_all(a, &r)) return -1;
+    }
+    if (em_reset_all(a) < 0) return -1;
+    return em_settle_modes(a);
+}
+
+EM_COLD int em_none_fired(const int *fired) {
+    for (int i = 0; i < N_EVENTS; ++i)
+        if (fired[i]) return 0;
+    return 1;
+}
+
+/* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
+ * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
+EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
+                     int *fired, em_pile *pile, em_fault *fault) {
+    em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
+                   .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .deep = *within->deep,
+                   .starts = em_none_fired(fired)};
+    memcpy(a.stirred, within->stirred, N_ROWS * sizeof *a.stirred);
+    const int failed = em_act_on_all(&a, pile);
+    *within->deep = a.deep;
+    memcpy(within->stirred, a.stirred, N_ROWS * sizeof *a.stirred);
+    return failed;
+}
+
+/* em_model.act_along: the same, and what becomes of directions. */
+EM_ACROSS int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
+                           em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
+    const em_directions along = {columns, S, P};
+    em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
+                   .along = &along, .starts = em_none_fired(fired)};
+    if (em_act_on_all(&a, pile)) return -1;
+#ifdef EM_TANGENT_H
+    return em_tangent(t, x, v, c, least_norm, columns, S, P, fault);
+#else
+    return 0;
+#endif
+}
+
+/* em_model.event: g (n_events) in the mode of c; NaN where it has no value */
+EM_ACROSS void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
+    em_fault fault;
+    model_events(t, x, v, c, u, g);
+    if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
+        for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
+}
+
+/* em_model.event_partials: D (n_events, n_arguments), likewise */
+EM_ACROSS void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u,
+                                   double *D) {
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
+#endif

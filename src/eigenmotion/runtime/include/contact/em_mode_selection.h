@@ -1,0 +1,306 @@
+/* em_mode_selection.h: the mode that a state calls for: complementarity of accelerations and forces of what is at rest.
+ *
+ * At gap = 0 and without speed a contact's acceleration w and force p satisfy w >= 0, p >= 0, w p = 0; a friction at rest takes
+ * at most its limit, and less only where it does not start to slip. Together with the constraints, and with the frictions
+ * that slide, that is the problem of em_complementarity.h with w = A a + gamma. */
+#ifndef EM_MODE_SELECTION_H
+#define EM_MODE_SELECTION_H
+
+#include "dynamics/em_dependent_rows.h"
+#include "contact/em_reset.h"
+#include "constraints/em_start_tolerance.h"
+
+#define EM_AT_ONCE 4096.0        /* times the spacing of t: what follows sooner happens at the same time */
+#define EM_RESTS 1e-12           /* the part of the terms of a speed below which nothing moves */
+#define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it is closed */
+#define EM_MODE_AGREES 1e-8       /* the part of the terms by which the rate of a dependent row may be off */
+#define EM_ROUNDS (8.0 * DBL_EPSILON) /* the part of its terms that rounding may leave of a gap */
+#define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
+#define EM_CONE_STOPS 4.0        /* times a tolerance: a slip that errors turn around, as dopri5 does at 3 */
+#define EM_CONE_BEGINS 8.0        /* times that slip: what the slip of a cone that begins to slide is shifted by */
+#define EM_ELSEWHERE 3e-4            /* the part of what turns a row over by which a place is another one nearby */
+#define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
+
+/* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
+ * rtol, atol (n): of the run, or NULL; starts: whether it starts here. */
+typedef struct em_acting {
+    double t, *x, *v, *c;
+    const double *u;
+    int least_norm, *fired;
+    em_fault *fault;
+    const em_directions *along;
+    double rtol;
+    const double *atol;
+    int starts;
+    double deep;                       /* how far inside contacts it has started, rows at length one */
+    double stirred[EM_SOME_ROWS];      /* what putting it outside has made of rates */
+    double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
+    int moved;                         /* whether velocities have jumped, or places */
+    int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
+    int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
+    double last[2 * EM_SOME_SWITCHES]; /* of cones that let go: the way their forces push against */
+    double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
+    double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not part, where no blow has parted them */
+} em_acting;
+
+/* What a change of x (or of v: the same units apart) within tolerances makes of a row. */
+EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
+    double sum = 0.0;
+    for (int k = 0; k < N; ++k) sum += fabs(row[k]) * (times * a->atol[k] + rtol * fabs(z[k]));
+    return sum;
+}
+
+/* still <- what counts as no speed: rounding of the terms of the rates, now or before; what rows that hold have, as long as
+ * nothing has moved them; what putting it outside has left; at the start of a run a part of its tolerances, too, within which
+ * it is meant. */
+EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
+    for (int row = 0; row < N_ROWS; ++row) {
+        a->still[row] = fmax(a->still[row], fmax(EM_RESTS * r->rate_terms[row], 2.0 * a->stirred[row]));
+        if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
+    }
+    for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {
+        const int row = switches[k].row;
+        if (!em_holds(&switches[k], a->c) && !em_is_idle(&switches[k], a->c)) continue;
+        for (int also = row; also <= row + em_is_cone(&switches[k]); ++also)
+            a->still[also] = fmax(a->still[also], 2.0 * fabs(r->rate[also]));
+    }
+}
+
+/* closed <- contacts that touch: those that held, whose gap has just closed, or closes at the same time. */
+EM_COLD void em_find_closed(em_acting *a, const em_all_rows *r) {
+    const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const s = &switches[k];
+        if (!em_is_contact(s)) continue;
+        const double *const A = r->A + s->row * N;
+        double within = EM_TOUCHES * r->gap_terms[s->row] + soon * fabs(r->rate[s->row]);
+        if (a->starts && a->atol) within = fmax(within, em_reach(a, A, a->x, EM_IDLE, 0.0));
+        within = fmax(within, 4.0 * a->deep * em_length(N, r->root.B + s->row * N));
+        a->closed[k] = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event] || r->gap[s->row] <= within;
+    }
+}
+
+/* x (n) <- with no gap negative and phi = 0, by the least change in the mass metric. 0, or -1: there is none. */
+EM_COLD int em_push_out(const em_all_rows *r, double *x) {
+    em_mixed s;
+    double change[N] = {0.0};
+    em_begin_mixed(r, &s);
+    for (int row = 0; row < N_POSITIONS; ++row) s.q[row] = r->gap[row], s.size[row] = fabs(r->gap[row]);
+    for (int row = N_POSITIONS; row < N_ROWS; ++row) s.kind[row] = EM_ROW_OUT;
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_is_contact(&switches[k])) s.kind[switches[k].row] = EM_ROW_CONTACT;
+    if (em_solve_mixed(&s) < 1) return -1;
+    for (int row = 0; row < N_POSITIONS; ++row)
+        for (int k = 0; k < N; ++k) change[k] += r->root.B[row * N + k] * s.p[row];
+    em_backward(N, r->root.L, r->root.r, change);
+    for (int k = 0; k < N; ++k) x[k] += change[k];
+    return 0;
+}
+
+/* Whether what idled has gone its own way by as much as it may be off: no row keeps it any more. */
+EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
+    const em_switch *const s = &switches[k];
+    if (em_is_cone(s) || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
+    return (em_is_contact(s) ? r->gap[s->row] : fabs(r->rate[s->row])) >= 0.5 * a->c[s->idles];
+}
+
+/* parts <- `rest` of contacts on their way: what opens no faster, and still touches as something happens, stays in contact.
+ * Else what comes down ever sooner does so by less than rounding tells. */
+EM_COLD void em_find_parts(em_acting *a) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    if (a->starts || a->moved) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) a->parts[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
+}
+
+/* What comes down no faster than `rest`, and has not left what rounding leaves of its gap since it fired last, is at rest: what
+ * comes down ever sooner ends so. A flight that ends with this rate is a quarter of it, times how long it was, high. */
+EM_COLD void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    if (a->starts) return;
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const int row = switches[k].row;
+        const em_pile last = before[switches[k].event];
+        if (!em_is_contact(&switches[k]) || !a->closed[k] || last.count == 0.0) continue;
+        const double high = 0.25 * fabs(r->rate[row]) * fabs(a->t - last.t);
+        if (-r->rate[row] <= level[EM_LEVELS * k] && high <= EM_TOUCHES * r->gap_terms[row])
+            a->still[row] = fmax(a->still[row], -r->rate[row]);
+    }
+}
+
+/* Whether a row has no speed: it held and nothing has moved it, its slip has just stopped or its gap closed (where a rate opens
+ * it all the same, the motion is back within what is rounded), or what there is is rounding. */
+EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
+    const em_switch *const s = &switches[k];
+    const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
+    if ((em_is_contact(s) && !a->closed[k]) || em_has_left(a, r, k)) return 0;
+    return (came && !a->moved) || em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->still), a->parts[k]);
+}
+
+/* The problem of what may hold at rest. 0, or -1 and *fault. */
+EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+    double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
+    const int shared = em_shared_normal(r);
+    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, EM_SHARED_LOAD, NAN);
+    em_begin_mixed(r, s);
+    motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    em_forward(N, r->root.L, r->root.r, free_a);
+    for (int row = 0; row < N_ROWS; ++row) {
+        s->q[row] = gamma[row], s->size[row] = fabs(gamma[row]);
+        for (int k = 0; k < N; ++k) {
+            s->q[row] += r->root.B[row * N + k] * free_a[k];
+            s->size[row] += fabs(r->root.B[row * N + k] * free_a[k]);
+        }
+        if (!isfinite(s->q[row])) return em_fail(a->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    }
+    for (int k = 0; k < N_SWITCHES; ++k) {
+        const em_switch *const one = &switches[k];
+        const int at_rest = em_is_at_rest(a, r, k);
+        if (em_is_contact(one)) {
+            if (!at_rest) continue;
+            s->kind[one->row] = EM_ROW_CONTACT;
+            s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
+        } else {
+            em_friction_row(s, k, level, at_rest ? NULL : r->rate, a->c);
+            if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
+                s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;
+        }
+        if (!a->lets_go[k] || a->moved) continue;
+        s->barred[one->row] = EM_HOLDS_ROW;
+        if (em_is_cone(one)) memcpy(s->last + one->row, a->last + 2 * k, 2 * sizeof *s->last);
+    }
+    return 0;
+}
+
+/* Q (count, n) <- row at length one without its part along those before; the count with it, if anything is left of it. */
+EM_COLD int em_add_direction(int count, double *Q, const double *row) {
+    double rest[N];
+    memcpy(rest, row, sizeof rest);
+    em_remove_rows(N, count, Q, rest);
+    const double left = em_length(N, rest);
+    if (!(left * left > EM_DEPENDENT * em_length(N, row) * em_length(N, row))) return count;
+    for (int k = 0; k < N; ++k) Q[count * N + k] = rest[k] / left;
+    return count + 1;
+}
+
+/* Q (n, n) <- orthonormal, of the rows of B that hold in the mode. How many. */
+EM_COLD int em_held_directions(const em_all_rows *r, const em_mixed *s, double *Q) {
+    int count = 0;
+    for (int i = 0; i < N_ROWS && count < N; ++i)
+        if (em_row_holds(s, i)) count = em_add_direction(count, Q, r->root.B + i * N);
+    return count;
+}
+
+/* em_mixed.lasts: whether as many rows of the mode are independent beside here, wherever they let the mechanism go. */
+typedef struct em_here {
+    const em_acting *a;
+    const em_all_rows *r;
+} em_here;
+
+EM_COLD int em_rests_last(const void *where, const em_mixed *s) {
+    const em_here *const here = where;
+    const em_acting *const a = here->a;
+    double Q[N * N], there_Q[N * N], unit[N];
+    em_all_rows there;
+    em_fault fault;
+    const int held = em_held_directions(here->r, s, Q);
+    em_turns_over(a->t, a->x, here->r->c, unit);
+    for (int k = 0, count = held; k < N && count < N; ++k) {
+        double way[N] = {0.0}, x[N], size = 0.0;
+        way[k] = 1.0;
+        const int more = em_add_direction(count, Q, way);
+        if (more == count) continue;
+        memcpy(way, Q + count * N, sizeof way), count = more;
+        em_backward(N, here->r->root.L, here->r->root.r, way);
+        for (int i = 0; i < N; ++i) size = fmax(size, fabs(way[i]) / unit[i]);
+        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_ELSEWHERE / size * way[i];
+        if (em_all_rows_at(a->t, x, a->v, a->c, &there, &fault) || em_held_directions(&there, s, there_Q) > held) return 0;
+    }
+    return 1;
+}
+
+/* Whether row B_row is a combination of the rows of the mode that hold. */
+EM_COLD int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row) {
+    double Q[N * N], rest[N];
+    const int count = em_held_directions(r, s, Q);
+    memcpy(rest, r->root.B + row * N, sizeof rest);
+    const double length = em_length(N, rest);
+    em_remove_rows(N, count, Q, rest);
+    const double left = em_length(N, rest);
+    return left * left <= EM_DEPENDENT * length * length;
+}
+
+/* How far an idle row may be off; 0: it is not idle. */
+EM_COLD double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
+    double terms = s->size[row];
+    for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
+    if (fabs(s->w[row]) > EM_MODE_AGREES * terms || !em_depends_on_mode(r, s, row)) return 0.0;
+    const double slack = EM_RESTS * (contact ? r->gap_terms[row] : r->rate_terms[row]);
+    if (a->atol == NULL) return fmax(slack, DBL_MIN);
+    return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
+}
+
+/* The slip below which a cone has stopped: what tolerances do not tell from none, beyond rounding. Of one that is the difference
+ * of speeds errors are parts of these: steps would go to and fro over none. */
+EM_COLD double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
+    double slip = 1e-150;
+    for (int row = s->row; row <= s->row + 1; ++row) {
+        slip = fmax(slip, EM_CONE_ROUNDS * r->rate_terms[row]);
+        if (a->atol) slip = fmax(slip, em_reach(a, r->A + row * N, a->v, EM_CONE_STOPS, EM_CONE_STOPS * a->rtol));
+    }
+    return slip;
+}
+
+/* A cone that slides: idle where both its rows depend on what holds; else down to which slip. Where it begins to, the slip is
+ * shifted along the direction in which it begins; where it goes on, by what it was. */
+EM_COLD void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one,
+                            em_state_of_switch *after) {
+    const int row = one->row, begins = s->kind[row] == EM_ROW_CONE, slid = !begins && a->c[one->slides] != 0.0;
+    const double one_slack = begins ? em_idle_slack(a, r, s, row, 0) : 0.0;
+    const double other = one_slack > 0.0 ? em_idle_slack(a, r, s, row + 1, 0) : 0.0;
+    const double stops = em_cone_stops(a, r, one);
+    after->slides = 1;
+    for (int i = 0; i < 2; ++i)
+        after->shift[i] = begins ? EM_CONE_BEGINS * stops * s->side[row + i] : slid ? a->c[one->shift + i] : 0.0;
+    const double slip = hypot(r->rate[row] + after->shift[0], r->rate[row + 1] + after->shift[1]);
+    after->idles = other > 0.0 ? fmax(one_slack, other) : -fmin(stops, 0.25 * slip);
+}
+
+/* What the solution makes of a switch. */
+EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
+    const em_switch *const one = &switches[k];
+    const int row = one->row, contact = em_is_contact(one);
+    em_state_of_switch after = {.holds = em_row_holds(s, row)};
+    if (s->kind[row] == EM_ROW_OUT || after.holds || em_is_unloaded(s, row)) return after;
+    if (em_is_cone(one)) return em_cone_slides(a, r, s, one, &after), after;
+    if (!contact) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
+    if (em_is_choice_row(s, row)) after.idles = em_idle_slack(a, r, s, row, contact);
+    return after;
+}
+
+/* The event of the switch whose row this is; -1: of none. */
+EM_COLD int em_event_of_row(int row) {
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (switches[k].row == row) return switches[k].event;
+    return -1;
+}
+
+/* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
+EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
+    em_state_of_switch mode[EM_SOME_SWITCHES];
+    em_mixed s;
+    const em_here here = {a, r};
+    if (em_mode_problem(a, r, &s)) return -1;
+    s.lasts = em_rests_last, s.where = &here;
+    const int found = em_solve_mixed(&s);
+    if (found < 1) {
+        const int first = em_event_of_row(s.clash[0]), second = found < 0 ? EM_TOO_MANY_MODES : em_event_of_row(s.clash[1]);
+        return em_fail(a->fault, EM_CONTACTS_CLASH, first, first < 0 && second == -1 ? EM_JAMMED : second, NAN);
+    }
+    for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
+    return em_set_mode(a->c, mode, a->fault);
+}
+
+#endif

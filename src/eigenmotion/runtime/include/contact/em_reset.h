@@ -1,0 +1,126 @@
+/* em_reset.h: states that events set, in rates or in quasi-velocities, and directions that go with them. */
+#ifndef EM_RESET_H
+#define EM_RESET_H
+
+#include "contact/em_active_set.h"
+
+#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
+
+enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
+
+/* S (2 n, columns) of x, v, and P (n_given, columns) of inputs, parameters, time. */
+typedef struct em_directions {
+    int columns;
+    double *S;
+    const double *P;
+} em_directions;
+
+/* W (rows, columns) <- D (rows, n_arguments) along the directions. */
+EM_COLD void em_along(const em_directions *d, int rows, const double *D, double *W) {
+    memset(W, 0, (size_t)rows * d->columns * sizeof *W);
+    for (int row = 0; row < rows; ++row) {
+        em_add_products(1, 2 * N, d->columns, D + row * N_ARGUMENTS, d->S, W + row * d->columns);
+        em_add_products(1, N_GIVEN, d->columns, D + row * N_ARGUMENTS + 2 * N, d->P, W + row * d->columns);
+    }
+}
+
+#ifdef EM_QUASI
+/* v (n) <- P^-1 v by elimination, the largest pivot of each column first. 0, or -1: P (n, n) is singular. */
+EM_COLD int em_eliminate(double *P, double *v) {
+    for (int k = 0; k < N; ++k) {
+        int best = k;
+        for (int i = k + 1; i < N; ++i)
+            if (fabs(P[i * N + k]) > fabs(P[best * N + k])) best = i;
+        if (!(fabs(P[best * N + k]) > 0.0)) return -1;
+        for (int j = 0; j < N && best != k; ++j) {
+            const double kept = P[k * N + j];
+            P[k * N + j] = P[best * N + j], P[best * N + j] = kept;
+        }
+        const double last = v[k];
+        v[k] = v[best];
+        if (best != k) v[best] = last;
+        for (int i = k + 1; i < N; ++i) {
+            const double part = P[i * N + k] / P[k * N + k];
+            for (int j = k; j < N; ++j) P[i * N + j] -= part * P[k * N + j];
+            v[i] -= part * v[k];
+        }
+    }
+    for (int k = N - 1; k >= 0; --k) {
+        for (int j = k + 1; j < N; ++j) v[k] -= P[k * N + j] * v[j];
+        v[k] /= P[k * N + k];
+    }
+    return 0;
+}
+#endif
+
+/* v (n) <- with P(x, t) v = y (3). 0, or -1: P is singular. */
+EM_COLD int em_rates_of_quasi(double t, const double *x, const double *y, const double *c, double *v) {
+#ifdef EM_QUASI
+    double P[N * N], unit[N] = {0.0}, column[N];
+    for (int j = 0; j < N; ++j) {
+        unit[j] = 1.0;
+        quasi(t, x, unit, c, column);
+        unit[j] = 0.0;
+        for (int i = 0; i < N; ++i) P[i * N + j] = column[i];
+    }
+    memcpy(v, y, N * sizeof *v);
+    return em_eliminate(P, v);
+#else
+    (void)t, (void)x, (void)c;
+    return memcpy(v, y, N * sizeof *v), 0;
+#endif
+}
+
+#ifdef EM_QUASI
+/* Of v where the reset has set the quasi-velocities y = P v: P dv = dy - dP v. S holds dy in place of dv. */
+EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, const double *v, const double *c) {
+    double by[N * N_ARGUMENTS], P[N * N], W[N * d->columns];
+    quasi_partials(t, x, v, c, by);
+    for (int j = 0; j < d->columns; ++j) {
+        double column[N];
+        for (int i = 0; i < N; ++i) {
+            const double *const row = by + i * N_ARGUMENTS;
+            column[i] = d->S[(N + i) * d->columns + j];
+            for (int k = 0; k < N; ++k) P[i * N + k] = row[N + k], column[i] -= row[k] * d->S[k * d->columns + j];
+            for (int k = 0; k < N_GIVEN; ++k) column[i] -= row[2 * N + k] * d->P[k * d->columns + j];
+        }
+        if (em_eliminate(P, column)) return -1;
+        for (int i = 0; i < N; ++i) W[i * d->columns + j] = column[i];
+    }
+    memcpy(d->S + N * d->columns, W, sizeof W);
+    return 0;
+}
+#endif
+
+/* Whether resets, `event`'s the last, have put x to where an impact never lets it come, further than it was at `from`, and
+ * beyond rounding: -1 and *fault. */
+EM_COLD int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
+                           const double *u, int event, em_fault *fault) {
+    double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
+    model_events(t, from, v, c, u, before);
+    model_events(t, x, v, c, u, g);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
+        double reach = 2.0 * fmax(0.0, -before[i] * deeds[i].keeps_apart);
+        for (int k = 0; k < N; ++k) {
+            memcpy(near, x, sizeof near);
+            near[k] += EM_RESET_MAY * fabs(near[k]);
+            model_events(t, near, v, c, u, there);
+            reach += fabs(there[i] - g[i]);
+        }
+        if (fabs(g[i]) > reach) return em_fail(fault, EM_RESET_INSIDE, event, i, g[i] * deeds[i].keeps_apart);
+    }
+    return 0;
+}
+
+/* Directions after reset `number` of x, v; those of rates are of the quasi-velocities where these are set. */
+EM_COLD void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
+                            const double *u, int number) {
+    double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];
+    if (N_RESETS == 0) return;
+    reset_partials(t, x, v, c, u, by);
+    em_along(d, 2 * N, by + number * 2 * N * N_ARGUMENTS, W);
+    memcpy(d->S, W, sizeof W);
+}
+
+#endif

@@ -1,0 +1,103 @@
+/* em_saltation.h: the saltation matrix of a blow: what directions become.
+ *
+ * With the mode of the impulses as it is, M (v+ - v) + A^T lambda = 0 and A v+ + b = -e (A v + b) of the rows that hold in it,
+ * and friction that slips is in proportion to its contact. What directions become solves the same system, for the derivatives
+ * of these terms. */
+#ifndef EM_SALTATION_H
+#define EM_SALTATION_H
+
+/* The derivatives along the directions of what a blow is made of. */
+typedef struct em_blow_partials {
+    double *balance, *rates, *levels, *impacts; /* (n + m), (h + m), levels, impacts: each by columns */
+} em_blow_partials;
+
+/* X (n, columns) <- v+ - v along the directions, where F (n, columns) is the residual's and G (rows, columns) the rates'. */
+EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, double *F, const double *G) {
+    int rows[EM_STRUCK_ROWS], count = 0;
+    double Q[EM_STRUCK_ROWS * N], A[EM_STRUCK_ROWS * EM_STRUCK_ROWS], y[EM_STRUCK_ROWS];
+    memcpy(Q, b->B, sizeof Q);
+    for (int f = 0; f < EM_STRUCK_ROWS; ++f) {
+        const double sign = em_limit_sign(&b->s, f);
+        for (int k = 0; k < EM_STRUCK_ROWS * N && sign != 0.0; ++k)
+            Q[k] += sign * b->s.coefficient[f] * b->s.toward[f * EM_STRUCK_ROWS + k / N] * b->B[f * N + k % N];
+        if (em_row_holds(&b->s, f)) rows[count++] = f;
+    }
+    em_forward_rows(N, columns, r->root.L, r->root.r, F);
+    for (int j = 0; j < columns; ++j) {
+        for (int i = 0; i < count; ++i) {
+            const double scale = b->s.unit[rows[i]];
+            y[i] = -scale * G[rows[i] * columns + j];
+            for (int k = 0; k < N; ++k) y[i] += scale * b->B[rows[i] * N + k] * F[k * columns + j];
+            for (int l = 0; l < count; ++l) {
+                A[i * count + l] = 0.0;
+                for (int k = 0; k < N; ++k) A[i * count + l] += scale * b->B[rows[i] * N + k] * Q[rows[l] * N + k] * b->s.unit[rows[l]];
+            }
+        }
+        if (em_solve_mode(count, A, y, NULL)) return -1;
+        for (int i = 0; i < count; ++i)
+            for (int k = 0; k < N; ++k) F[k * columns + j] -= Q[rows[i] * N + k] * b->s.unit[rows[i]] * y[i];
+    }
+    em_backward_rows(N, columns, r->root.L, r->root.r, F);
+    return 0;
+}
+
+/* G (columns) <- what A (v+ - v) of a row becomes by: its own change, that of the rate before, of the restitution. */
+EM_COLD void em_blow_rate_along(const em_acting *a, const em_blow *b, const em_blow_partials *of,
+                                const double *change, int row, double *G) {
+    const int columns = a->along->columns, lands = !b->strikes[row] || b->lands[row];
+    const double e = lands ? 0.0 : b->e[row];
+    const double *const N_along = of->impacts + b->impact[row] * EM_STRUCK * columns;
+    for (int j = 0; j < columns; ++j) {
+        double sum = 0.0;
+        if (row < N_ROWS) sum = -of->balance[(N + row) * columns + j] - (1.0 + e) * of->rates[(N_POSITIONS + row) * columns + j];
+        else sum = -(1.0 + e) * b->side * N_along[N * columns + j];
+        for (int k = 0; k < N && row == N_ROWS; ++k)
+            sum -= b->side * (N_along[k * columns + j] * (change[k] + (1.0 + e) * a->v[k])) +
+                   (1.0 + e) * b->extra[k] * a->along->S[(N + k) * columns + j];
+        if (!lands) sum -= N_along[(N + 1) * columns + j] * b->before[row];
+        G[j] = sum;
+    }
+}
+
+/* Directions after a blow that changes v by `change`. 0, or -1 and *fault. */
+EM_COLD int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, const double *change, int event) {
+    const em_directions *const d = a->along;
+    const int columns = d->columns;
+    double D[(N + N_ROWS) * N_ARGUMENTS], E[(N_POSITIONS + N_ROWS + 1) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
+    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS], I[EM_SOME_IMPACTS * EM_STRUCK * N_ARGUMENTS];
+    double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_STRUCK_ROWS * columns];
+    double level[EM_LEVELS * EM_SOME_SWITCHES * columns], struck[EM_SOME_IMPACTS * EM_STRUCK * columns];
+    const em_blow_partials of = {balance, rates, level, struck};
+    if (b->lowered < 1.0) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_RESTITUTION_LOWERED, b->lowered);
+    for (int row = 0; row < N_ROWS; ++row)
+        if (b->poisson || (b->s.kind[row] == EM_ROW_CONE && em_limit_sign(&b->s, row) != 0.0))
+            return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_LAW_NOT_DERIVED, NAN);
+    for (int row = 0; row < N_ROWS; ++row) impulse[row] = -b->s.p[row];
+    blow_partials(a->t, a->x, change, impulse, r->c, D);
+    if (N_ROWS > 0) constraint_partials(a->t, a->x, a->v, r->c, E);
+    level_partials(a->t, a->x, a->v, a->c, a->u, L);
+    impact_partials(a->t, a->x, a->v, a->c, a->u, I);
+    em_along(d, N + N_ROWS, D, balance);
+    em_along(d, N_ROWS > 0 ? N_POSITIONS + N_ROWS : 0, E, rates);
+    em_along(d, EM_LEVELS * N_SWITCHES, L, level);
+    em_along(d, EM_SOME_IMPACTS * EM_STRUCK, I, struck);
+    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+        em_blow_rate_along(a, b, &of, change, row, G + row * columns);
+    double F[N * columns];
+    for (int k = 0; k < N; ++k)
+        for (int j = 0; j < columns; ++j) {
+            double sum = -balance[k * columns + j];
+            if (b->strikes[N_ROWS]) sum += b->side * struck[(b->impact[N_ROWS] * EM_STRUCK + k) * columns + j] * b->s.p[N_ROWS];
+            for (int f = 0; f < N_SWITCHES; ++f) {
+                const int row = switches[f].row;
+                const double sign = em_limit_sign(&b->s, row);
+                if (sign != 0.0) sum += r->A[row * N + k] * sign * em_normal_force(&b->s, row) * level[EM_LEVELS * f * columns + j];
+            }
+            F[k * columns + j] = sum;
+        }
+    if (em_solve_blow(r, b, columns, F, G)) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
+    for (int k = 0; k < N * columns; ++k) d->S[N * columns + k] += F[k];
+    return 0;
+}
+
+#endif

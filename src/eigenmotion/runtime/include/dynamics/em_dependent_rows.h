@@ -1,0 +1,121 @@
+/* em_dependent_rows.h: which constraint rows follow from others, here and wherever the mechanism goes from here.
+ *
+ * At a singular position, as a dead centre, rows depend on each other too, but there only: beside it, on all that the
+ * independent ones allow, the others are not met. */
+#ifndef EM_DEPENDENT_ROWS_H
+#define EM_DEPENDENT_ROWS_H
+
+#include "dynamics/em_projection.h"
+
+#define EM_SURELY 1e-3   /* rows of length one that add more than this, squared, to the others nearby do so on the constraints */
+#define EM_FOLLOWS 1e-10 /* the part of its terms by which a row that follows from others is off, where these are met; */
+#define EM_BESIDE 1e-2   /* looked at beside a state, by this part of what turns a row over, */
+#define EM_CLOSEST 1e-4  /* or less where that is too far, down to this: a row that does not follow is off by its square */
+
+/* Delta of the rows that always hold; those of contacts and frictions stand in it as if they acted on nothing else. */
+EM_COLD void em_lasting_rows(const em_root *root, double *Delta) {
+    memcpy(Delta, root->Delta, sizeof root->Delta);
+#ifdef EM_SWITCHED_ROWS
+    for (int i = 0; i < N_ROWS; ++i)
+        for (int j = 0; j < i; ++j)
+            if ((EM_SWITCHED_ROWS >> i | EM_SWITCHED_ROWS >> j) & 1) Delta[i * N_ROWS + j] = 0.0;
+#endif
+}
+
+/* The root at x, and what its lasting rows are. 0, or -1. */
+EM_COLD int em_lasting_at(double t, const double *x, const double *c, em_root *root, double *Delta) {
+    em_fault fault;
+    if (em_root_at(t, x, c, root, &fault)) return -1;
+    return em_lasting_rows(root, Delta), 0;
+}
+
+/* unit (n) <- the change of each coordinate that makes up for the terms of a row; its own size, or 1, where none holds it. */
+EM_COLD void em_turns_over(double t, const double *x, const double *c, double *unit) {
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS];
+    pfaffian(t, x, c, A, b);
+    if (N_POSITIONS > 0) position(t, x, c, phi, terms);
+    for (int k = 0; k < N; ++k) {
+        unit[k] = INFINITY;
+        for (int row = 0; row < N_POSITIONS; ++row) {
+            const double change = terms[row] / fabs(A[row * N + k]);
+            if (change > 0.0 && isfinite(change)) unit[k] = fmin(unit[k], change);
+        }
+        if (isinf(unit[k])) unit[k] = x[k] != 0.0 ? fabs(x[k]) : 1.0;
+    }
+}
+
+/* x <- where the rows kept are met, whatever the others are; terms (h) <- what phi was the sum of on the way, at most: where
+ * all terms vanish there, rounding is of these. Whether it got there. */
+EM_COLD int em_meet_kept(double t, double *x, const double *c, int kept, double *terms) {
+    enum { STEPS = 30, ROUNDINGS = 1000 };
+    double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS];
+    em_root root;
+    em_fault fault;
+    memset(terms, 0, EM_SOME_POSITIONS * sizeof *terms);
+    for (int step = 0; step < STEPS; ++step) {
+        int worst;
+        em_position_residual(t, x, c, residual, here);
+        for (int row = 0; row < N_POSITIONS; ++row) {
+            terms[row] = fmax(terms[row], here[row]);
+            if (!(kept & EM_FIRST_KEPT << row)) residual[row] = 0.0;
+        }
+        if (em_largest_residual(residual, terms, &worst) <= ROUNDINGS) return 1;
+        if (em_root_at(t, x, c, &root, &fault)) return 0;
+        if (em_correct(&root, x, residual, NULL, EM_LEAST_NORM | kept, &fault)) return 0;
+    }
+    return 0;
+}
+
+/* Whether the rows that are not kept follow from those that are at x, which these allow, and are as many there. */
+EM_COLD int em_follow_at(double t, const double *x, const double *c, int kept, int rank, const double *terms) {
+    double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+    int there;
+    em_root root;
+    em_position_residual(t, x, c, residual, here);
+    for (int row = 0; row < N_POSITIONS; ++row)
+        if (!(kept & EM_FIRST_KEPT << row) && !(fabs(residual[row]) <= EM_FOLLOWS * terms[row])) return 0;
+    if (em_lasting_at(t, x, c, &root, Delta)) return 0;
+    return em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &there) <= rank;
+}
+
+/* x moved by a part of `unit` (n), each coordinate by another, one way or the other. */
+EM_COLD void em_move(const double *x, const double *unit, double part, double *beside) {
+    for (int k = 0; k < N; ++k) {
+        const double some = 1.0 + k * 5 % 7 / 7.0, sign = k % 3 == 1 ? -1.0 : 1.0;
+        beside[k] = x[k] + part * some * sign * unit[k];
+    }
+}
+
+/* The same beside x, on either side of it. */
+EM_COLD int em_follow_beside(double t, const double *x, const double *c, int kept, int rank) {
+    double unit[N], beside[N], terms[EM_SOME_POSITIONS];
+    em_turns_over(t, x, c, unit);
+    for (int side = 0; side < 2; ++side) {
+        int met = 0;
+        for (double part = EM_BESIDE; !met && part >= 0.5 * EM_CLOSEST; part *= 0.1) {
+            em_move(x, unit, side ? -part : part, beside);
+            met = em_meet_kept(t, beside, c, kept, terms);
+        }
+        if (!met || !em_follow_at(t, beside, c, kept, rank, terms)) return 0;
+    }
+    return 1;
+}
+
+/* em_model.redundant */
+EM_COLD int em_redundant(double t, const double *x, const double *c, int *rows) {
+    double near[N], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+    int kept;
+    em_root root;
+    em_fault fault;
+    memset(rows, 0, N_ROWS * sizeof *rows);
+    if (N_ROWS == 0 || em_lasting_at(t, x, c, &root, Delta)) return 0;
+    if (em_independent_rows(EM_SOME_ROWS, Delta, EM_SURELY, &kept) == N_ROWS) return 0;
+    memcpy(near, x, sizeof near);
+    if (N_POSITIONS > 0 && em_newton_from_afar(t, near, c, EM_SHARED, &fault) < 0) return 0;
+    if (em_lasting_at(t, near, c, &root, Delta)) return 0;
+    const int rank = em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept);
+    if (rank == N_ROWS || ((int)N_ROWS <= (int)EM_MOST_ROWS && !em_follow_beside(t, near, c, kept, rank))) return 0;
+    return em_rows_in_doubt(EM_SOME_ROWS, Delta, rows);
+}
+
+#endif

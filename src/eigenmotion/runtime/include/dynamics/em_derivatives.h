@@ -1,0 +1,177 @@
+/* em_derivatives.h: exact derivatives of the constrained acceleration and its multipliers.
+ *
+ *   r = M a + P^T lambda - bias = 0,  s = A a + gamma = 0                                                     (11) (39)
+ *
+ * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same system as they themselves, with the same
+ * factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
+ * (derivatives.c.jinja); P is A, but where friction takes part of multipliers. Of rows that depend on each other those
+ * count that are independent here: off the constraints
+ * these are the smooth system whose motion is the same. */
+#ifndef EM_DERIVATIVES_H
+#define EM_DERIVATIVES_H
+
+#include "dynamics/em_mechanics.h"
+
+/* The factors of the system at a place: L, B = A L^-T, and D = L_D L_D^T of B B^T. rows: flags of those that count. */
+typedef struct em_factors {
+    em_root root;
+    double L[EM_SOME_ROWS * EM_SOME_ROWS], r[EM_SOME_ROWS];
+    int rows;
+} em_factors;
+
+/* least_norm: 0, 1 or flags that say which rows are kept */
+EM_COLD int em_factors_at(double t, const double *x, const double *c, int least_norm, em_factors *f, em_fault *fault) {
+    double unused[EM_SOME_ROWS] = {0.0};
+    double *const Delta = f->root.Delta;
+    if (em_root_at(t, x, c, &f->root, fault)) return -1;
+    f->rows = least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
+    if (N_ROWS == 0) return 0;
+    if (f->rows == EM_LEAST_NORM) {
+        int kept;
+        if (em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept) < N_ROWS) f->rows |= kept;
+        else f->rows = 0;
+    }
+    if (f->rows >= EM_FIRST_KEPT) em_drop_rows(EM_SOME_ROWS, Delta, unused, f->rows);
+    int row = f->rows ? -1 : em_vanished_row(EM_SOME_ROWS, Delta);
+    if (row < 0) row = em_cholesky(EM_SOME_ROWS, Delta, f->L, f->r, EM_SINGULAR_PIVOT);
+    return row < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
+}
+
+/* Of W (n + m, columns): rows k += factor row i. */
+EM_INLINE void em_add_row(int columns, double factor, const double *restrict from, double *restrict to) {
+    EM_ALONG
+    for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
+}
+
+EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
+    EM_ALONG
+    for (int j = 0; j < columns; ++j) row[j] *= factor;
+}
+
+/* X (n, columns) <- L^-1 X, or L^-T X */
+EM_INLINE void em_forward_rows(int n, int columns, const double *L, const double *r, double *X) {
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < i; ++k) em_add_row(columns, -L[i * n + k], X + k * columns, X + i * columns);
+        em_scale_row(columns, r[i], X + i * columns);
+    }
+}
+
+EM_INLINE void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
+    for (int i = n - 1; i >= 0; --i) {
+        for (int k = i + 1; k < n; ++k) em_add_row(columns, -L[k * n + i], X + k * columns, X + i * columns);
+        em_scale_row(columns, r[i], X + i * columns);
+    }
+}
+
+/* X (m, columns) <- Delta^-1 X; where multipliers push by rows of their own, pushed^-1 X. */
+EM_INLINE void em_solve_multipliers(const em_factors *f, int columns, double *X) {
+#ifdef EM_PUSHES
+    em_fault none; /* a and lambda follow from the same matrix: it has been solved with */
+    for (int j = 0; j < columns; ++j) {
+        double column[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) column[row] = X[row * columns + j];
+        em_solve_push(&f->root, column, f->rows, &none);
+        for (int row = 0; row < N_ROWS; ++row) X[row * columns + j] = column[row];
+    }
+#else
+    em_forward_rows(N_ROWS, columns, f->L, f->r, X);
+    em_backward_rows(N_ROWS, columns, f->L, f->r, X);
+#endif
+}
+
+/* W (n + m, columns): partial derivatives of r, s -> derivatives of a, lambda. Multipliers of rows that do not count
+ * are zero. */
+EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
+    double *const a = W, *const lambda = W + N * columns;
+    for (int k = 0; k < N; ++k) em_scale_row(columns, -1.0, a + k * columns);
+    em_forward_rows(N, columns, f->root.L, f->root.r, a);
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int k = 0; k < N; ++k) em_add_row(columns, f->root.B[row * N + k], a + k * columns, lambda + row * columns);
+    for (int row = 0; row < N_ROWS && f->rows >= EM_FIRST_KEPT; ++row)
+        if (!(f->rows & EM_FIRST_KEPT << row)) memset(lambda + row * columns, 0, columns * sizeof *lambda);
+    em_solve_multipliers(f, columns, lambda);
+    for (int k = 0; k < N; ++k)
+        for (int row = 0; row < N_ROWS; ++row)
+            em_add_row(columns, -EM_REACTIONS(&f->root)[row * N + k], lambda + row * columns, a + k * columns);
+    em_backward_rows(N, columns, f->root.L, f->root.r, a);
+}
+
+EM_COLD EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
+
+/* Partial derivatives by state (n + m, 2 n) and by what is given (n + m, n_given) -> da (n, n_arguments), dlambda (m,
+ * n_arguments). Rows are as long as vectors fill them, which the compiler knows. */
+EM_COLD EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
+                                       double *dlambda) {
+    enum { WIDTH = (N_ARGUMENTS + 3) / 4 * 4 };
+    double W[(N + N_ROWS) * WIDTH];
+    for (int row = 0; row < N + N_ROWS; ++row) {
+        double *const to = W + row * WIDTH;
+        memcpy(to, by_state + row * 2 * N, 2 * N * sizeof *to);
+        memcpy(to + 2 * N, by_given + row * N_GIVEN, N_GIVEN * sizeof *to);
+        for (int j = N_ARGUMENTS; j < WIDTH; ++j) to[j] = 0.0;
+    }
+    em_solve_columns(f, WIDTH, W);
+    for (int row = 0; row < N; ++row) memcpy(da + row * N_ARGUMENTS, W + row * WIDTH, N_ARGUMENTS * sizeof *da);
+    for (int row = 0; row < N_ROWS; ++row)
+        memcpy(dlambda + row * N_ARGUMENTS, W + (N + row) * WIDTH, N_ARGUMENTS * sizeof *dlambda);
+}
+
+/* a (n), lambda (m) of the rows that count, and the factors there. */
+EM_COLD int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                         em_factors *f, double *a, double *lambda, em_fault *fault) {
+    if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
+    return em_acceleration_of(&f->root, t, x, v, c, u, f->rows, a, lambda, fault);
+}
+
+/* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */
+EM_ACROSS int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
+                                 em_fault *fault) {
+    em_factors factors;
+    double a[N], lambda[EM_SOME_ROWS], W[(N + N_ROWS) * 2 * N];
+    if (em_motion_at(t, z, z + N, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, z, z + N, a, lambda, c, u, W);
+    em_solve_motion(&factors, 2 * N, W);
+    memset(J, 0, 2 * N * N * sizeof *J);
+    for (int k = 0; k < N; ++k) J[k * 2 * N + N + k] = 1.0;
+    memcpy(J + 2 * N * N, W, 2 * N * N * sizeof *J);
+    return 0;
+}
+
+/* da (n, n_arguments), dlambda (m, n_arguments): by x, v, inputs, parameters, time; a (n), lambda (m). */
+EM_ACROSS int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
+                                    int least_norm, double *a, double *lambda, double *da, double *dlambda,
+                                    em_fault *fault) {
+    em_factors factors;
+    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, x, v, a, lambda, c, u, by_state);
+    forcing_partials(t, x, v, a, lambda, c, u, by_given);
+    em_solve_arguments(&factors, by_state, by_given, da, dlambda);
+    return 0;
+}
+
+/* W (rows, columns) += D (rows, inner) S (inner, columns) */
+EM_COLD void em_add_products(int rows, int inner, int columns, const double *D, const double *S, double *W) {
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < inner; ++k)
+            if (D[i * inner + k] != 0.0) em_add_row(columns, D[i * inner + k], S + k * columns, W + i * columns);
+}
+
+/* Along `columns` directions, S (2 n, columns) of x, v and P (n_given, columns) of inputs, parameters, time:
+ * W (n + m, columns) <- the changes of a and lambda; a (n), lambda (m). */
+EM_ACROSS int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
+                              int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
+                              double *W, em_fault *fault) {
+    em_factors factors;
+    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, x, v, a, lambda, c, u, by_state);
+    forcing_partials(t, x, v, a, lambda, c, u, by_given);
+    memset(W, 0, (size_t)(N + N_ROWS) * columns * sizeof *W);
+    em_add_products(N + N_ROWS, 2 * N, columns, by_state, S, W);
+    em_add_products(N + N_ROWS, N_GIVEN, columns, by_given, P, W);
+    em_solve_motion(&factors, columns, W);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,137 @@
+/* em_projection.h: from a state to the nearest that satisfies the constraints. */
+#ifndef EM_PROJECTION_H
+#define EM_PROJECTION_H
+
+#include "dynamics/em_mechanics.h"
+
+/* |phi| in units of its rounding, infinite where it is not known. No number below DBL_MIN has digits to round. */
+static double em_in_roundings(double phi, double terms) {
+    if (phi == 0.0) return 0.0;
+    return isfinite(phi) && isfinite(terms) ? fabs(phi) / fmax(terms * DBL_EPSILON, DBL_MIN) : INFINITY;
+}
+
+/* residual (m) <- phi, 0 in the rows of velocities; terms (h): what phi is the sum of. */
+EM_COLD void em_position_residual(double t, const double *x, const double *c, double *residual, double *terms) {
+    double phi[EM_SOME_POSITIONS];
+    memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
+    position(t, x, c, phi, terms);
+    for (int row = 0; row < N_POSITIONS; ++row) residual[row] = phi[row];
+}
+
+/* The largest residual in units of its rounding, and *worst, its row. */
+EM_COLD double em_largest_residual(const double *residual, const double *terms, int *worst) {
+    double largest = 0.0;
+    *worst = 0;
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        const double size = em_in_roundings(residual[row], terms[row]);
+        if (size > largest) largest = size, *worst = row;
+    }
+    return largest;
+}
+
+/* A row that depends on others is met as well as they are: what rounding leaves of those that are kept, in units of
+ * their lengths, it leaves of all. */
+EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
+    double most = 0.0;
+    for (int row = 0; row < N_POSITIONS; ++row)
+        if (rows & EM_FIRST_KEPT << row) most = fmax(most, terms[row] / sqrt(root->Delta[row * N_ROWS + row]));
+    for (int row = 0; row < N_POSITIONS; ++row)
+        terms[row] = fmax(terms[row], most * sqrt(root->Delta[row * N_ROWS + row]));
+}
+
+/* terms <- the larger of those here and before the last step, which become those here: where all terms vanish with phi,
+ * what is left is rounding of what they were. */
+EM_COLD void em_widen_terms(double *terms, double *before) {
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        const double here = terms[row];
+        terms[row] = fmax(here, before[row]);
+        before[row] = here;
+    }
+}
+
+/* terms += what cancels in each row of Delta lambda, the change of phi that a correction made: of a coordinate that is 0
+ * but for the corrections of others, phi's own terms know nothing. lengths (m): the roots of Delta's diagonal. */
+EM_COLD void em_add_correction(const double *lengths, const double *lambda, double *terms) {
+    double whole = 0.0;
+    for (int row = 0; row < N_ROWS; ++row) whole += lengths[row] * fabs(lambda[row]);
+    for (int row = 0; row < N_POSITIONS; ++row) terms[row] += lengths[row] * whole;
+}
+
+EM_COLD void em_row_lengths(const em_root *root, double *lengths) {
+    for (int row = 0; row < N_ROWS; ++row) lengths[row] = sqrt(root->Delta[row * N_ROWS + row]);
+}
+
+/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
+ * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
+ * Returns whether x changed, or -1. */
+EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
+                         em_fault *fault) {
+    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0}, lengths[EM_SOME_ROWS];
+    em_root root;
+    for (int step = 0;; ++step) {
+        int worst, rows = least_norm;
+        em_position_residual(t, x, c, residual, terms);
+        em_widen_terms(terms, before);
+        if (least_norm) {
+            if (em_root_at(t, x, c, &root, fault)) return -1;
+            if (least_norm < EM_FIRST_KEPT) em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);
+            rows |= EM_LEAST_NORM;
+            em_share_rounding(&root, rows, terms);
+        }
+        const double size = em_largest_residual(residual, terms, &worst);
+        if (size <= 1.0) return step > 0;
+        if (isinf(size) || (step == steps && size > 1e3))
+            return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
+        if (step == steps) return 1;
+        if (!least_norm && em_root_at(t, x, c, &root, fault)) return -1;
+        em_row_lengths(&root, lengths);
+        if (em_correct(&root, x, residual, NULL, rows, fault)) return -1;
+        em_add_correction(lengths, residual, before);
+    }
+}
+
+EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
+    return em_newton_of(t, x, c, steps, least_norm, EM_DEPENDENT, fault);
+}
+
+/* The same from afar. Off the constraints, rows that depend on each other on them differ, by little: first only rows
+ * that clearly add to others count, which is right unless phi = 0 is not reached so. */
+EM_RARE EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
+    enum { STEPS = 50 };
+    static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};
+    double near[N];
+    for (int k = 0; least_norm && k < 4; ++k) {
+        memcpy(near, x, sizeof near);
+        if (em_newton_of(t, near, c, STEPS, least_norm, tolerance[k], fault) < 0) continue;
+        memcpy(x, near, sizeof near);
+        return 1;
+    }
+    return em_newton(t, x, c, STEPS, least_norm, fault);
+}
+
+/* v <- the nearest velocity in the mass metric that satisfies the constraints at x. */
+EM_COLD int em_project_velocity(double t, const double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    em_root root;
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], terms[EM_SOME_ROWS];
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    pfaffian(t, x, c, A, b);
+    for (int row = 0; row < N_ROWS; ++row) {
+        terms[row] = fabs(b[row]);
+        for (int k = 0; k < N; ++k) b[row] += A[row * N + k] * v[k], terms[row] += fabs(A[row * N + k] * v[k]);
+    }
+    return em_correct(&root, v, b, terms, least_norm, fault);
+}
+
+/* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
+EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    if (N_POSITIONS > 0 && em_newton_from_afar(t, x, c, least_norm, fault) < 0) return -1;
+    return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
+}
+
+/* The same after a step, from nearby. */
+EM_COLD int em_settle_motion(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    if (N_POSITIONS > 0 && em_newton(t, x, c, 3, least_norm, fault) < 0) return -1;
+    return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
+}
+
+#endif

@@ -1,0 +1,47 @@
+/* em_tangent.h: directions along which the constraints stay satisfied; included where there are some. */
+#ifndef EM_TANGENT_H
+#define EM_TANGENT_H
+
+#include "dynamics/em_derivatives.h"
+
+/* X (n, columns) <- X - M^-1 A^T Delta^-1 E, of the first `rows` constraint rows, of which E (rows, columns) is off. */
+EM_COLD void em_correct_along(const em_factors *f, int rows, int columns, double *E, double *X) {
+    double L[EM_SOME_ROWS * EM_SOME_ROWS];
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k <= i; ++k) L[i * rows + k] = f->L[i * N_ROWS + k];
+    for (int row = 0; row < rows && f->rows >= EM_FIRST_KEPT; ++row)
+        if (!(f->rows & EM_FIRST_KEPT << row)) memset(E + row * columns, 0, columns * sizeof *E);
+    em_forward_rows(rows, columns, L, f->r, E);
+    em_backward_rows(rows, columns, L, f->r, E);
+    double change[N * columns];
+    memset(change, 0, sizeof change);
+    for (int k = 0; k < N; ++k)
+        for (int row = 0; row < rows; ++row)
+            em_add_row(columns, -f->root.B[row * N + k], E + row * columns, change + k * columns);
+    em_backward_rows(N, columns, f->root.L, f->root.r, change);
+    for (int k = 0; k < N * columns; ++k) X[k] += change[k];
+}
+
+/* S (2 n, columns) <- the nearest directions, in the mass metric, along which the constraints stay satisfied. */
+EM_ACROSS int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns,
+                         double *S, const double *P, em_fault *fault) {
+    enum { ALL = N_POSITIONS + N_ROWS };
+    em_factors f;
+    double D[ALL * N_ARGUMENTS], by_state[ALL * 2 * N], by_given[ALL * N_GIVEN], E[EM_SOME_ROWS * columns];
+    if (em_factors_at(t, x, c, least_norm, &f, fault)) return -1;
+    constraint_partials(t, x, v, c, D);
+    for (int row = 0; row < ALL; ++row) {
+        memcpy(by_state + row * 2 * N, D + row * N_ARGUMENTS, 2 * N * sizeof *D);
+        memcpy(by_given + row * N_GIVEN, D + row * N_ARGUMENTS + 2 * N, N_GIVEN * sizeof *D);
+    }
+    for (int level = N_POSITIONS ? 0 : 1; level < 2; ++level) { /* positions, then velocities */
+        const int first = level * N_POSITIONS, rows = level ? N_ROWS : N_POSITIONS;
+        memset(E, 0, (size_t)rows * columns * sizeof *E);
+        em_add_products(rows, 2 * N, columns, by_state + first * 2 * N, S, E);
+        em_add_products(rows, N_GIVEN, columns, by_given + first * N_GIVEN, P, E);
+        em_correct_along(&f, rows, columns, E, S + level * N * columns);
+    }
+    return 0;
+}
+
+#endif

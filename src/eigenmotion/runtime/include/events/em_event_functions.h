@@ -1,0 +1,103 @@
+/* em_event_functions.h: what an event is: a g_i that changes sign along the trajectory.
+ *
+ * An event fires where g_i goes over from one sign to the other, or reaches zero at t_end. Directions are those of the
+ * run: 1 fires where g_i grows on the way from t_start to t_end. A g_i that is zero at the start, to rounding, takes its
+ * sign from what follows: it does not fire as it leaves zero, and does when it comes back. One that touches zero and
+ * turns back keeps its sign. What the step's interpolant shows is not missed:
+ * em_event_screening.h looks at every step, em_root_isolation.h where that is not enough, em_event_location.h locates what they find; em_event_detection.h
+ * puts them together.
+ */
+#ifndef EM_EVENT_FUNCTIONS_H
+#define EM_EVENT_FUNCTIONS_H
+
+#include "methods/em_dense_output.h"
+
+static int em_keeps_apart(const em_walk *w, int i) { return w->model->deeds ? w->model->deeds[i].keeps_apart : 0; }
+static int em_event_acts(const em_walk *w, int i) { return w->model->deeds ? w->model->deeds[i].acts : 0; }
+static int em_lets_go(const em_walk *w, int i) { return w->model->deeds && w->model->deeds[i].held >= 0; }
+
+/* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
+static int em_watches_mode(const em_walk *w, int i) {
+    const double *const c = w->run->prepared;
+    for (int k = 0; k < w->model->n_switches; ++k) {
+        const em_switch *const s = &w->model->switches[k];
+        if (s->event == i) return c[s->holds] != 0.0 || c[s->idles] != 0.0 || (s->slides >= 0 && c[s->slides] != 0.0);
+    }
+    return 0;
+}
+
+/* g (n_events) in the mode of c. 0, or -1 and w->reason. */
+static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
+    const double *const c = w->run->prepared;
+    w->of->events(t, x, v, c, w->u, g);
+    if (w->of->watch_modes == NULL) return 0;
+    return w->of->watch_modes(t, x, v, c, w->u, w->run->least_norm ? EM_LEAST_NORM : 0, g, &w->reason);
+}
+
+static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }
+
+/* g (n_events) at a state whose velocities are known. 0, or -1 and w->reason: an event has no value there. */
+static int em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
+    em_signals(w, t);
+    if (em_events_in_mode(w, em_clock(w, t), y, v, g)) return -1;
+    for (int i = 0; i < w->n_events; ++i)
+        if (isnan(g[i])) return em_fail(&w->reason, EM_EVENT_UNDEFINED, i, -1, NAN);
+    return 0;
+}
+
+/* The same at a state of the step under way. */
+static int em_events_of(em_walk *w, double t, const double *y, double *g) {
+    double v[w->n];
+    if (em_xdot(w, w->mode, t, y, v, &w->reason)) return -1;
+    return em_events_at(w, t, y, v, g);
+}
+
+/* g (n_events) at t inside the step, on the settled trajectory. 0, or -1 and w->reason. */
+static int em_events_inside(em_walk *w, double t, double *g) {
+    double memory[em_padded(w->n_memory)];
+    if (t == w->t || t == w->t_new) {
+        em_copy_events(w, g, t == w->t ? w->g : w->g_new);
+        return 0;
+    }
+    return em_inside(w, t, w->argument, memory) ? -1 : em_events_of(w, t, w->argument, g);
+}
+
+/* --- the start of a run --- */
+
+#define EM_LAST_PLACES (256.0 * DBL_EPSILON) /* relative: what the arithmetic before the start may leave of a number */
+#define EM_OF_TOLERANCE 1e-3                 /* the part of a tolerance within which a start is meant to be on zero */
+
+/* What g changes by from one to the other adds to what is zero at the start, and `part` of it to noise. */
+static void em_add_noise(em_walk *w, const double *g, double part) {
+    for (int i = 0; i < w->n_events; ++i) {
+        const double change = fabs(g[i] - w->g[i]);
+        w->zero[i] += change;
+        w->noise[i] += part * change;
+    }
+}
+
+/* noise[i] <- what g_i changes by when the time, and one of x and v after the other, change in their last places;
+ * zero[i] <- the same with a part of their tolerances. Where g has no value that way nothing is added. */
+static void em_events_noise(em_walk *w) {
+    const double later = EM_LAST_PLACES * fabs(w->t);
+    double z[2 * w->n], g[em_some(w->n_events)];
+    for (int i = 0; i < w->n_events; ++i) w->noise[i] += w->rounding[i], w->zero[i] += w->rounding[i];
+    for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + w->direction * later * w->K[0][k];
+    if (!em_events_of(w, w->t + w->direction * later, w->argument, g)) em_add_noise(w, g, 1.0);
+    for (int k = 0; k < w->n; ++k) z[k] = w->y[k], z[w->n + k] = w->K[0][k];
+    for (int k = 0; k < 2 * w->n; ++k) {
+        const double kept = z[k], last = EM_LAST_PLACES * fabs(kept), more = last + EM_OF_TOLERANCE / w->weight[k];
+        z[k] += more;
+        if (more > 0.0 && !em_events_at(w, w->t, z, z + w->n, g)) em_add_noise(w, g, last / more);
+        z[k] = kept;
+    }
+}
+
+/* g and its noise at the start. 0, or -1 and w->reason. */
+static int em_begin_events(em_walk *w) {
+    if (em_events_at(w, w->t, w->y, w->K[0], w->g)) return -1;
+    em_events_noise(w);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,217 @@
+/* em_root_isolation.h: a closer look at g in a step where a glance is not enough: between which places it passes zero. */
+#ifndef EM_ROOT_ISOLATION_H
+#define EM_ROOT_ISOLATION_H
+
+#include "events/em_event_screening.h"
+
+#define EM_PROBE 0.38196601125010515 /* by no fraction of small numbers: what repeats itself from node to node shows there */
+
+/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes; and at one
+ * more, EM_PROBE, where no node is. */
+typedef struct em_survey {
+    int count, near;
+    double t[EM_PLACES];
+    int n_events;
+    double *g, *probe; /* (EM_PLACES, n_events), (n_events) */
+} em_survey;
+
+/* The nodes of Chebyshev's polynomials, in [0, 1]. */
+static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
+
+static int em_look(em_walk *w, em_survey *s, double t) {
+    s->t[s->count] = t;
+    return em_events_inside(w, t, s->g + s->count++ * w->n_events);
+}
+
+/* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
+static int em_quarters(em_walk *w, int *quarters) {
+    double g[em_some(w->n_events)];
+    for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
+        int left = 0;
+        if (em_events_inside(w, w->t + ldexp(w->h, -2 * *quarters), g)) return -1;
+        for (int i = 0; i < w->n_events; ++i) left |= w->side[i] == 0 && em_side_of(g[i], w->quiet[i]);
+        if (!left) break;
+    }
+    return 0;
+}
+
+/* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
+static int em_survey_step(em_walk *w, em_survey *s) {
+    int zero = 0, quarters = 0;
+    for (int i = 0; i < w->n_events; ++i) zero |= w->side[i] == 0;
+    if (zero && em_quarters(w, &quarters)) return -1;
+    s->count = 0;
+    if (em_look(w, s, w->t)) return -1;
+    for (; quarters > 2; --quarters)
+        if (em_look(w, s, w->t + ldexp(w->h, -2 * quarters))) return -1;
+    s->near = s->count - 1;
+    for (int j = 1; j < EM_NODES - 1; ++j)
+        if (em_look(w, s, w->t + em_node(j) * w->h)) return -1;
+    return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
+}
+
+static double em_at_node(const em_survey *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
+
+/* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
+static void em_polynomial(const em_survey *s, int i, double *a) {
+    for (int k = 0; k < EM_NODES; ++k) {
+        double sum = 0.0;
+        for (int j = 0; j < EM_NODES; ++j)
+            sum += (j % (EM_NODES - 1) ? 1.0 : 0.5) * em_at_node(s, j, i) * em_eighth(j * k);
+        a[k] = (k % (EM_NODES - 1) ? 0.25 : 0.125) * sum;
+    }
+}
+
+/* Clenshaw's sum. */
+static double em_polynomial_at(const double *a, double theta) {
+    const double z = 1.0 - 2.0 * theta;
+    double b = 0.0, before = 0.0;
+    for (int k = EM_NODES - 1; k > 0; --k) {
+        const double next = a[k] + 2.0 * z * b - before;
+        before = b, b = next;
+    }
+    return a[0] + z * b - before;
+}
+
+/* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
+ * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
+ * enough. Nor of what is rounding all along. */
+static int em_is_wild(const em_walk *w, int i, const double *a, double size, double probe) {
+    enum { RETRIES = 5 };
+    const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
+    const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
+    const double off = fabs(em_polynomial_at(a, EM_PROBE) - probe);
+    if (size <= w->noise[i]) return 0;
+    return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
+}
+
+/* The way between two places of the survey, walked along in equal parts. */
+typedef struct em_way {
+    double left, right, part; /* in theta */
+    int next;                 /* part */
+} em_way;
+
+enum { EM_PARTS = 8 };
+
+static em_way em_way_to(const em_walk *w, const em_survey *s, int k) {
+    const double left = (s->t[k - 1] - w->t) / w->h, right = (s->t[k] - w->t) / w->h;
+    return (em_way){left, right, (right - left) / EM_PARTS, 0};
+}
+
+/* *theta <- the next place on the way at which the polynomial, times `side`, is lowest among its neighbours, *low <- how
+ * low. Whether there is one: a lowest place close to an end of the way may lie on either side of it. */
+static int em_next_low(const double *a, em_way *way, double side, double *theta, double *low) {
+    double before = side * em_polynomial_at(a, way->left + (way->next - 1) * way->part);
+    double here = side * em_polynomial_at(a, way->left + way->next * way->part);
+    while (way->next <= EM_PARTS) {
+        const double at = way->left + way->next * way->part, after = side * em_polynomial_at(a, at + way->part);
+        ++way->next;
+        if (here < before && here <= after) return *low = here, *theta = at, 1;
+        before = here, here = after;
+    }
+    return 0;
+}
+
+/* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
+ * closer places, at first `apart` from each other. 1, 0, or -1 and w->reason. */
+static int em_dips(em_walk *w, int i, double side, double apart, double *theta, double *value) {
+    double f[3], g[em_some(w->n_events)];
+    for (int n = 0; n < 8; ++n) {
+        *theta = em_min(1.0 - apart, em_max(apart, *theta));
+        for (int place = 0; place < 3; ++place) {
+            const double at = *theta + (place - 1) * apart;
+            if (em_events_inside(w, w->t + at * w->h, g)) return -1;
+            f[place] = side * g[i];
+            if (f[place] < 0.0) return *theta = at, *value = g[i], 1;
+        }
+        const double slope = 0.5 * (f[2] - f[0]), bend = f[0] - 2.0 * f[1] + f[2];
+        if (!(bend > 0.0)) return 0;
+        if (f[1] - 0.5 * slope * slope / bend > 0.1 * bend && fabs(slope) < bend) return 0;
+        *theta += apart * em_min(1.0, em_max(-1.0, -slope / bend));
+        if (fabs(slope) <= bend) apart /= 8.0; /* else the lowest place lies farther than this, and is walked to */
+    }
+    return 0;
+}
+
+static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
+
+/* Whether g_i, zero so far, is where it must not go from there: then it fires where it left. */
+static int em_enters(const em_walk *w, int i, double g) {
+    return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
+}
+
+/* Whether a leg begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
+static int em_is_rash(const em_walk *w, int i, double g) {
+    enum { RETRIES = 10 };
+    return w->fresh == EM_NEXT_LEG && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
+}
+
+/* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
+static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
+    const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
+    if (sign == 0) return;
+    if (em_enters(w, i, after->g)) {
+        const em_point *const end = before->g * after->g < 0.0 ? after : before;
+        w->found[w->n_found++] = (em_found){*before, *end, i};
+    }
+    if (sign == -w->side_new[i] && em_fires(w->run->event_direction[i], w->side_new[i]))
+        w->found[w->n_found++] = (em_found){*before, *after, i};
+    w->side_new[i] = sign;
+}
+
+/* The crossings of event i on the way to place k, where the polynomial turns back before or behind zero: each dip towards it
+ * from the side on which g_i is by then, in their order. *before <- the last point known. 0, or -1 and w->reason. */
+static int em_search_way(em_walk *w, const em_survey *s, int i, int k, const double *a, double size, em_point *before) {
+    const double coarse = 1.0 / 128.0, close = 0.05; /* of the step; of `size` */
+    em_way way = em_way_to(w, s, k);
+    double theta = 0.0, low;
+    while (w->side_new[i] != 0 && em_next_low(a, &way, w->side_new[i], &theta, &low)) {
+        em_point dip;
+        if (!(low < close * size)) continue;
+        const int dips = em_dips(w, i, w->side_new[i], em_min(coarse, 0.5 * way.part), &theta, &dip.g);
+        if (dips < 0) return -1;
+        dip.t = w->t + theta * w->h;
+        if (!dips || !(theta > way.left && theta < way.right && (dip.t - before->t) * w->direction > 0.0)) continue;
+        em_pass(w, i, before, &dip);
+        *before = dip;
+    }
+    return 0;
+}
+
+/* The crossings of event i by the signs at the places of the survey and in the dips between them: of nine nodes
+ * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
+static int em_search(em_walk *w, const em_survey *s, int i) {
+    double a[EM_NODES], size = 0.0;
+    em_polynomial(s, i, a);
+    for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
+    if (em_is_wild(w, i, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+    em_point before = {w->t, w->g[i]};
+    em_pass(w, i, &before, &before);
+    for (int k = 0; k < s->count; ++k) {
+        const em_point here = {s->t[k], s->g[k * s->n_events + i]};
+        if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
+        if (em_is_rash(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+        em_pass(w, i, &before, &here);
+        if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
+    }
+    return 0;
+}
+
+/* g (n_events) as they are at the end of the run itself: before a break the model is asked a little earlier. */
+static void em_events_at_end(em_walk *w, double *g) {
+    em_copy_events(w, g, w->g_new);
+    if (w->t_new == w->run->t_end && em_clock(w, w->t_new) != w->t_new && em_events_in_mode(w, w->t_new, w->y_new, w->f_new, g))
+        em_copy_events(w, g, w->g_new);
+}
+
+/* What is zero at the end of the run, where g_i is g, has come there, unless it rested at zero before; what has the other sign
+ * has jumped there. */
+static void em_arrive(em_walk *w, const em_survey *s, int i, double g) {
+    const em_point end = {w->t_new, g};
+    const int sign = em_side_of(g, 0.0);
+    if (w->t_new != w->run->t_end || sign == w->side_new[i] || w->side[i] == 0) return;
+    if (sign == 0 && s->g[(s->count - 2) * s->n_events + i] == 0.0) return;
+    if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
+}
+
+#endif

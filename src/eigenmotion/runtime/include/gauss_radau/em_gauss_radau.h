@@ -1,0 +1,262 @@
+/* em_gauss_radau.h: a step as a polynomial through the rates at eight left Radau nodes, all of which are evaluated side by side.
+ *
+ * The method is of order 15 (Everhart 1985; Rein & Spiegel, MNRAS 446 (2015)). The rates at the nodes are found by fixed
+ * point iteration, which begins with the polynomial of the step before, extrapolated. Where the state is (x, v), x is
+ * the double integral of the rates of v. Two errors are watched: that of the iteration, by how fast its changes fall off;
+ * and that of the polynomial, by how fast its Legendre coefficients fall off and by how far it misses the rate at the
+ * end of the step (em_nodes_judge). */
+#ifndef EM_GAUSS_RADAU_H
+#define EM_GAUSS_RADAU_H
+
+#include "stepper/em_failure_location.h"
+#include "gauss_radau/em_node_vectors.h"
+#include "gauss_radau/em_node_rates.h"
+#include "gauss_radau/em_legendre_series.h"
+#include "gauss_radau/em_node_predictor.h"
+
+enum {
+    EM_LAST_LOOK = 4,    /* the iteration after which a step that is too long is no longer given up */
+    EM_SIZES_ORDER = 13  /* after em_aimed the error falls with the power 1 + 8 + 5 of the step's size, at least */
+};
+
+#define EM_BLIND 0.01 /* the least error that the size of a step follows where nothing was known of the one before */
+#define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding: */
+#define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
+#define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
+#define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
+#define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
+
+/* Iterations that a step is made for: more where they cost less beside it. One less tells whether it converges slowly. */
+EM_INLINE int em_aimed(const em_walk *w) { return w->second_order ? 6 : 5; }
+
+/* Of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere. */
+EM_INLINE double em_may_be_left(const em_walk *w) { return w->second_order ? 0.01 : 0.03; }
+
+/* --- the iteration --- */
+
+/* What a rate of each number of the state counts: x by its tolerance, eta by what it makes of v and, within the step, of x. */
+static void em_weigh_rates(em_walk *w) {
+    const double *const y = w->y;
+    double *const weight = w->nodes.weight;
+    const double h = w->h, *const restrict in_x = w->weight, *const restrict in_v = in_x + w->n;
+    double *const restrict of_v = weight + w->n;
+    em_set_weights_of(w, y, w->K[0], y, w->K[0]);
+    em_copy_packs(w->n, weight, w->weight);
+    for (int k = 0; w->second_order && k < w->n; k += EM_PACK)
+        for (int place = k; place < k + EM_PACK; ++place) {
+            const double by_x = h * in_x[place], by_v = in_v[place];
+            of_v[place] = sqrt(by_v * by_v + by_x * by_x);
+        }
+    for (int i = 0; !w->second_order && i < w->n; ++i) {
+        double e[w->n], ev[w->n], sum = 0.0;
+        memset(e, 0, sizeof e);
+        e[i] = 1.0;
+        em_velocity_error(w, e, ev);
+        for (int k = 0; k < w->n; ++k) {
+            const double by_x = w->h * w->weight[k], by_v = w->weight[w->n + k];
+            sum += ev[k] * ev[k] * (by_v * by_v + by_x * by_x);
+        }
+        weight[w->n + i] = sqrt(sum);
+    }
+    const int counts = em_counts_factors(w);
+    for (int k = 2 * w->n; k < w->n_state; ++k) weight[k] = counts ? w->weight[k] : 0.0;
+}
+
+/* What rests, within the step. */
+static void em_rest(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        for (int k = em_rates_end(w); k < w->n_state; ++k) {
+            q->Y[b][k] = (em_bundle){0.0} + w->y[k];
+            q->F[b][k] = q->a[b][k] = q->series[b][k] = (em_bundle){0.0};
+        }
+}
+
+/* Y's x and v, of rows k on, <- by the integral of the rates of v and the integral of that. */
+EM_INLINE void em_motion_states(em_walk *w, int rows, int k) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    em_bundle sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
+    em_both_rows(rows, em_integral, em_integral_twice, q->a, w->n + k, sum);
+    for (int r = 0; r < rows; ++r)
+        for (int b = 0; b < EM_BUNDLES; ++b) {
+            const em_bundle part = h * em_bundle_at(em_node_place + b * EM_LANES);
+            q->Y[b][w->n + k + r] = w->y[w->n + k + r] + h * sum[r][0][b];
+            q->Y[b][k + r] = w->y[k + r] + (part * w->y[w->n + k + r] + h * h * sum[r][1][b]);
+        }
+}
+
+/* Y <- the states that the rates make. */
+static void em_node_states(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    if (!w->second_order) {
+        const int first = q->drifted ? w->n : 0; /* places are where the velocities of the last iteration led */
+        em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, w->h, q->Y, first);
+        return;
+    }
+    int k = 0;
+    for (; k + EM_TOGETHER <= w->n; k += EM_TOGETHER) em_motion_states(w, EM_TOGETHER, k);
+    if (k < w->n) em_motion_states(w, 1, k);
+}
+
+/* The size in tolerances of something at the nodes, in whose terms the rates are weighed. */
+EM_INLINE double em_over_nodes(em_walk *w, em_term *term) {
+    const em_tables at = em_tables_of(w);
+    const int first = w->first_rate, end = em_rates_end(w);
+    double sum = 0.0;
+    for (int b = 0; b < EM_BUNDLES; ++b) {
+        const em_bundle square = em_sum_of_squares(&at, b, first, end, term);
+        sum += em_sum_of(square * em_bundle_at(em_end_weight + b * EM_LANES));
+    }
+    return fabs(w->h) * sqrt(em_mean(sum, em_rates_count(w)));
+}
+
+/* a <- F. By how much they differed. */
+EM_INLINE em_bundle em_take_rate(const em_tables *at, int b, int k) {
+    const em_bundle rate = at->F[b][k], change = rate - at->a[b][k];
+    at->a[b][k] = rate;
+    return change * at->weight[k];
+}
+
+EM_INLINE em_bundle em_weighed_rate(const em_tables *at, int b, int k) { return at->a[b][k] * at->weight[k]; }
+
+EM_INLINE double em_take_rates(em_walk *w) { return em_over_nodes(w, em_take_rate); }
+
+/* How large they are. */
+EM_COLD double em_rates_size(em_walk *w) { return em_over_nodes(w, em_weighed_rate); }
+
+/* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
+EM_RARE EM_COLD int em_fail_nodes(em_walk *w) {
+    double y[w->width], dy[w->width];
+    memset(y, 0, sizeof y), memset(dy, 0, sizeof dy);
+    for (int i = 0; i < EM_NODE_COUNT; ++i) {
+        for (int k = 0; k < w->n_state; ++k) y[k] = em_number_at(w->nodes.Y, k, i), dy[k] = em_number_at(w->nodes.F, k, i);
+        if (!em_all_finite(w, y) || !em_all_finite(w, dy)) return em_not_finite(w, y, dy);
+    }
+    return em_not_finite(w, w->y, w->K[0]); /* none is, but their squares overflow */
+}
+
+/* One iteration: its change in tolerances, NaN where there are no rates and w->reason says why. */
+static double em_iterate(em_walk *w) {
+    em_node_states(w);
+    em_velocities_at_nodes(w);
+    if (em_rates_at_nodes(w)) return NAN;
+    double change = em_take_rates(w);
+    if (isfinite(change)) return change;
+    if (w->nodes.on_lanes) { /* some lane knows no rate: numbers say why */
+        if (em_rates_one_by_one(w)) return NAN;
+        change = em_take_rates(w);
+    }
+    if (!isfinite(change)) em_fail_nodes(w);
+    return change;
+}
+
+static double em_power(double base, int times) {
+    double power = 1.0;
+    for (; times > 0; --times) power *= base;
+    return power;
+}
+
+/* What is left after an iteration that changed the rates by so much, where that before it changed them by `before`. */
+static double em_left(double change, double before) {
+    return change < 0.9 * before ? change * change / (before - change) : change > 0.0 ? EM_DIVERGES : 0.0;
+}
+
+/* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
+ * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates; what is foreseen where the step
+ * turns out to be too long for its polynomial, which is kept for a shorter one to begin with. */
+static double em_solve_nodes(em_walk *w, int most, double *aimed) {
+    double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
+    const int aimed_for = em_aimed(w);
+    *aimed = EM_DIVERGES;
+    w->nodes.slow = 0;
+    for (int k = 1; k <= most; ++k) {
+        const double change = em_iterate(w);
+        if (!isfinite(change)) return NAN;
+        if (k == 1) first = change;
+        else left = em_left(change, before);
+        if (k >= aimed_for - 1) w->nodes.slow = first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
+        if (k == aimed_for) *aimed = left;
+        if (left < em_may_be_left(w)) {
+            if (k < aimed_for) *aimed = left * em_power(em_max(change / (before + DBL_MIN), 1e-3), aimed_for - k);
+            return left;
+        }
+        if (k >= 2 && k <= EM_LAST_LOOK && left >= 1.0) {
+            const double foreseen = em_foreseen(w, change);
+            if (foreseen >= 1.0) return em_find_series(w), em_keep_series(w), foreseen;
+        }
+        if (k == aimed_for) rounding = EM_ITERATED * em_rates_size(w);
+        if (k >= aimed_for && change <= rounding) return EM_ROUNDED;
+        if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change in turns */
+        earlier = before, before = change;
+    }
+    return EM_DIVERGES;
+}
+
+/* --- the step --- */
+
+/* What sizes are chosen by. */
+static double em_size_of_nodes(const em_walk *w, double truncation) {
+    return em_max(w->nodes.blind ? EM_BLIND : w->nodes.aimed, em_size_by_truncation(truncation));
+}
+
+/* y_new, the series of the rates, and by what the next size is chosen unless the end of the step says otherwise. */
+static void em_finish_nodes(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    em_find_series(w);
+    for (int k = w->first_rate; k < em_rates_end(w); ++k)
+        w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the others' integrals vanish */
+    for (int k = 0; w->second_order && k < w->n; ++k) {
+        const double twice = em_number_at(q->series, w->n + k, 0) / 2.0 - em_number_at(q->series, w->n + k, 1) / 6.0;
+        w->y_new[k] = w->y[k] + h * (w->y[w->n + k] + h * twice);
+    }
+    em_keep_series(w);
+    w->size_norm = em_size_of_nodes(w, em_error_of_series(w, em_usually_missed(w)));
+}
+
+/* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
+EM_RARE EM_COLD void em_note_changes(em_walk *w) {
+    double ev[w->n];
+    memset(w->error, 0, (size_t)w->width * sizeof *w->error);
+    for (int k = w->first_rate; k < 2 * w->n; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];
+    em_velocity_error(w, w->error + w->n, ev);
+    memcpy(w->error + w->n, ev, sizeof ev);
+}
+
+static int em_nodes_step(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const int most = em_predict(w);
+    q->blind = most == EM_MOST_AT_START; /* how long that took says nothing of the next step */
+    q->converged = 0;
+    em_weigh_rates(w);
+    em_rest(w);
+    em_begin_nodes(w);
+    q->drifted = 0;
+    const double left = em_solve_nodes(w, most, &q->aimed);
+    w->end_rate = NULL;
+    w->error_norm = em_min(left, EM_DIVERGES);
+    w->size_norm = q->converged ? em_size_by_truncation(left) : w->error_norm;
+    if (left != left) return -1;
+    em_copy_state(w, w->y_new, w->y);
+    if (left < 1.0) em_finish_nodes(w);
+    else em_note_changes(w);
+    return 0;
+}
+
+/* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
+static int em_nodes_judge(em_walk *w) {
+    const double *f = w->f_new, usual = em_usually_missed(w);
+    if (w->mode_new != w->mode) {
+        if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
+        f = w->K[1];
+    }
+    const double missed = em_missed(w, f), truncation = em_error_of_series(w, missed);
+    w->error_norm = em_max(w->error_norm, truncation);
+    w->stiff = w->nodes.slow && truncation < 1.0;
+    if (!(truncation < 1.0)) em_note_changes(w);
+    if (missed > usual) w->size_norm = em_size_of_nodes(w, truncation);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,107 @@
+/* em_restart.h: how a run goes on after events that act (em_event_actions.h): anew, from what they made of the state at the root. */
+#ifndef EM_RESTART_H
+#define EM_RESTART_H
+
+#include "stepper/em_smooth_intervals.h"
+#include "loop/em_step.h"
+
+static int em_begin(em_walk *w);
+
+/* Whether rows that hold may depend on each other in some modes, where cones stick. */
+static int em_may_share(const em_walk *w) { return w->of->cones && w->asked != EM_REFUSED; }
+
+/* run->least_norm <- of the mode. 0, or -1 and w->reason. */
+static int em_share_in_mode(em_walk *w, const double *y) {
+    const int m = w->n_rows;
+    double B[em_some(m * w->n)], Delta[em_some(m * m)];
+    if (!em_may_share(w) || w->shares) return 0;
+    if (w->of->rows(w->t, y, w->run->prepared, B, Delta, &w->reason)) return -1;
+    w->run->least_norm = em_rank(m, Delta) < m ? EM_SHARED : EM_REFUSED;
+    return 0;
+}
+
+/* A leg from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
+static int em_leg_begin(em_walk *w, const double *c) {
+    em_run *run = w->run;
+    const size_t prepared = (size_t)w->model->n_prepared;
+    if (w->model->n_switches == 0) return 0;
+    if (run->legs.count > 0 && !memcmp(run->prepared, c, (size_t)w->model->n_parameters * sizeof *c)) return 0;
+    run->legs.width = prepared + 1;
+    double *const leg = em_rows_next(&run->legs, &w->reason);
+    if (leg == NULL) return -1;
+    memmove(leg, c, prepared * sizeof *c);
+    leg[prepared] = (double)run->rows.count;
+    run->prepared = leg;
+    em_rows_keep(&run->legs, w->t);
+    return 0;
+}
+
+/* row (n_state), published <- after the events w->fired at t, in a leg of its own. 0, or -1 and w->reason. */
+static int em_act_on(em_walk *w, double t, double *row) {
+    const em_run *run = w->run;
+    double x[w->n], v[w->n], c[w->model->n_prepared + 1];
+    memset(c, 0, sizeof c);
+    memcpy(x, row, sizeof x);
+    memcpy(c, run->prepared, (size_t)w->model->n_prepared * sizeof *c);
+    if (w->of->velocity(0, t, row, c, v, &w->reason)) return -1;
+    em_signals(w, t);
+    const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->deep, w->stirred};
+    const int least_norm = run->least_norm || em_may_share(w) ? EM_LEAST_NORM : 0;
+    if (w->of->act(t, x, v, c, w->u, least_norm, &within, w->fired, w->pile, &w->reason)) return -1;
+    w->t = t;
+    return em_leg_begin(w, c) || em_share_in_mode(w, x) || w->model->state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
+}
+
+/* The mode in which a run starts. 0, or -1 and w->reason. */
+static int em_first_leg(em_walk *w) {
+    if (w->model->n_switches == 0) return 0;
+    em_enter_pieces(w);
+    if (em_act_on(w, w->t, w->y)) return -1;
+    return w->run->least_norm && !w->shares ? em_keep_constraints_at_start(w) : 0;
+}
+
+/* What a step knows of those before it is of another motion. */
+static void em_forget(em_walk *w) {
+    memset(&w->nodes, 0, offsetof(em_nodes, Y));
+    memset(w->node_tables, 0, w->node_tables_size);
+    w->c_is_known = 0;
+    w->stages.known = w->stages.accepted = w->stages.sloped = w->stages.own = 0;
+    memset(w->longest, 0, (size_t)w->n_rows * sizeof *w->longest);
+    memset(w->row_tolerance, 0, (size_t)w->n_rows * sizeof *w->row_tolerance);
+    memset(w->zero, 0, (size_t)w->n_events * sizeof *w->zero);
+    memset(w->noise, 0, (size_t)w->n_events * sizeof *w->noise);
+    memset(w->memory, 0, (size_t)w->n_memory * sizeof *w->memory);
+    w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
+    w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
+    w->seen = 0;
+    w->next_witness = 0;
+    w->fresh = EM_NEXT_LEG;
+}
+
+static int em_append_after(em_walk *w) {
+    em_run *run = w->run;
+    for (int i = 0; i < w->n_events; ++i)
+        if (w->struck[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
+    return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
+}
+
+/* The step ends at t, where events act; the next leg begins. */
+static int em_next_leg(em_walk *w, double t, int terminal) {
+    double row[w->n_state], memory[em_padded(w->n_memory)];
+    em_run *run = w->run;
+    em_fault fault;
+    if (em_inside(w, t, w->argument, memory) || em_publish(w->model, run, w->mode, t, w->argument, memory, row, &fault))
+        return em_end_with(w, w->reason);
+    ++run->n_steps;
+    run->t_reached = t;
+    memcpy(w->struck, w->fired, (size_t)w->n_events * sizeof *w->struck);
+    if (em_act_on(w, t, row)) return em_end_with(w, w->reason);
+    em_forget(w);
+    memcpy(w->y, row, sizeof row);
+    if (run->least_norm && em_keep_constraints_at_start(w)) return em_end_with(w, w->reason);
+    if (em_enter_mode(w) < 0) return em_end_with(w, w->reason);
+    if (em_append_after(w)) return EM_END;
+    if (terminal) return em_end(w, EM_TERMINAL_EVENT);
+    return em_begin(w);
+}
+#endif

@@ -1,0 +1,104 @@
+/* em_step.h: one step: attempts, ever shorter, until one counts.
+ *
+ * A step counts only when everything about it worked: its stages, its error, settling, the right-hand side and the
+ * interpolant at its end. Whatever did not is tried again with a shorter step, and names the end of the run if no step is
+ * short enough.
+ */
+#ifndef EM_STEP_H
+#define EM_STEP_H
+
+#include "loop/em_record.h"
+#include "methods/em_step_size.h"
+#include "monitors/em_monitors.h"
+
+static double em_spacing(const em_walk *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
+
+/* Steps of fixed size make equal parts of the way, none longer; the last one goes too far and is cut, whatever rounding. */
+static double em_equal_part(double way, double size) {
+    const double count = ceil(way / size - 1e-6);
+    return count > 1.0 ? way / count : 2.0 * way;
+}
+
+/* t_new and h of a step of size `size`, no further than the goal or the end of what is smooth. */
+static void em_aim(em_walk *w, double size) {
+    const double bound = w->direction * (w->pieces_end - w->t_goal) < 0.0 ? w->pieces_end : w->t_goal;
+    if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
+    w->t_new = w->t + w->direction * size;
+    if (w->direction * (w->t_new - bound) > 0.0) w->t_new = bound;
+    w->h = w->t_new - w->t;
+}
+
+/* Whether somebody asks for a state inside the step. */
+static int em_asks_within(const em_walk *w) {
+    const em_run *run = w->run;
+    if (run->dense == EM_DENSE || w->n_found > 0) return 1;
+    return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
+}
+
+static int em_needs_interpolant(const em_walk *w) {
+    return !w->has_interpolant && (w->run->dense || em_asks_within(w));
+}
+
+/* What follows a step whose error is small enough. 0, or -1 and w->reason. */
+static int em_land(em_walk *w) {
+    w->mode_new = w->mode;
+    em_copy_memory(w, w->memory_new, w->memory);
+    em_copy_state(w, w->y_raw, w->y_new);
+    w->moved = em_settle(w->model, w->run, &w->mode_new, 0, em_clock(w, w->t_new), w->y_new, w->memory_new, w->h * w->stretch,
+                         &w->reason);
+    if (w->moved < 0) return -1;
+    if (w->mode_new != w->mode) w->moved = 1;
+    if (w->end_rate != NULL && !w->moved) em_copy_state(w, w->f_new, w->end_rate);
+    else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
+    if (!em_all_finite(w, w->y_new) || !em_all_finite(w, w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
+    if (w->scheme.judge != NULL && w->scheme.judge(w)) return -1;
+    if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
+    if (!(w->error_norm < 1.0)) return 0;
+    if (!w->scheme.fixed && em_check_step(w)) return -1;
+    if (w->n_events > 0 && em_watch(w)) return -1;
+    if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
+    return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
+}
+
+/* 0, or -1 and w->reason; then the error norm may still be 1 or more. */
+static int em_attempt(em_walk *w) {
+    w->error_norm = w->size_norm = INFINITY;
+    if (w->scheme.step(w)) return -1;
+    if (!isfinite(w->error_norm) || !em_all_finite(w, w->y_new)) return em_not_finite(w, w->y_new, w->error);
+    return w->error_norm < 1.0 ? em_land(w) : 0;
+}
+
+/* No step is short enough: the fault that stood in the way, if it was not the error alone. */
+EM_RARE static int em_underflow(em_walk *w, double size, em_fault obstacle) {
+    if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
+    return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
+}
+
+/* Attempts until one succeeds; proposes the size of the next step. */
+static int em_step_forward(em_walk *w) {
+    em_run *run = w->run;
+    if (run->n_steps >= w->most_steps) return em_end(w, EM_TOO_MANY_STEPS);
+    const double least = 10.0 * em_spacing(w);
+    const double proposed = em_max(least, em_min(w->h_next, run->max_step));
+    em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
+    double size = proposed;
+    for (int rejected = 0;; ++rejected) {
+        if (size < least) return em_underflow(w, size, obstacle);
+        if (em_poll(w)) return EM_END;
+        em_aim(w, size);
+        w->retries = rejected;
+        const int failed = em_attempt(w) != 0;
+        if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_GO_ON;
+        const double factor = em_size_factor(w, failed);
+        size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
+        if (failed) obstacle = w->reason;
+        else if (w->error_norm < 1.0) break;
+        ++run->n_rejected;
+    }
+    /* A step cut short, at the end of a piece or the goal, says little: the size proposed before stands. */
+    const int cut = (w->t_new == w->pieces_end || w->t_new == w->t_goal) && size >= fabs(w->h);
+    w->h_next = cut ? em_max(size, proposed) : size;
+    return EM_GO_ON;
+}
+
+#endif

@@ -1,0 +1,153 @@
+/* em_eigenfactors.h: M = C^T S^2 C. How C and s are found and kept. */
+#ifndef EM_EIGENFACTORS_H
+#define EM_EIGENFACTORS_H
+
+#include "mass/em_quasivelocities.h"
+#include "mass/em_eigen_refinement.h"
+#include "mass/em_jacobi_rotations.h"
+
+/* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
+ * it takes. */
+EM_INLINE void em_orthonormalise(int n, double *restrict C) {
+    double K[n * n], D[n * n], deviation = 1.0;
+    for (int pass = 0; pass < 8 && deviation > 1e-8; ++pass) {
+        deviation = 0.0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j <= i; ++j) {
+                double sum = i == j ? 1.0 : 0.0;
+                for (int k = 0; k < n; ++k) sum -= C[i * n + k] * C[j * n + k];
+                deviation = fmax(deviation, fabs(sum));
+                K[i * n + j] = K[j * n + i] = 0.5 * sum;
+            }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                double sum = C[i * n + j];
+                for (int k = 0; k < n; ++k) sum += K[i * n + k] * C[k * n + j];
+                D[i * n + j] = sum;
+            }
+        memcpy(C, D, sizeof D);
+    }
+}
+
+/* Cyclic Jacobi sweeps on Lambda = C M C^T until what is off the diagonal is at rounding (Golub & Van Loan, 8.5).
+ * Small rotations only where Lambda is nearly diagonal: rows of C keep their order and sign. */
+EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
+    for (int sweep = 0, rotated = 1; rotated && sweep < 40; ++sweep) {
+        rotated = 0;
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q)
+                if (em_rotates(n, p, q, Lambda)) {
+                    em_rotate(n, p, q, 1, Lambda, C);
+                    rotated = 1;
+                }
+    }
+}
+
+/* Index of the first pivot of M (n, n) that leaves fewer than three right digits, -1 where all are sound. */
+EM_RARE EM_COLD int em_look_at_pivots(int n, const double *M) {
+    double L[n * n], r[n];
+    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
+}
+
+/* The same; least and largest: its eigenvalues. None is above M_ii, nor below the least: pivots are only looked at where
+ * that is small. */
+EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
+    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_look_at_pivots(n, M);
+}
+
+/* C, lambda <- those of M (n, n), near the C given, whatever it is. */
+EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
+    double Lambda[n * n];
+    em_orthonormalise(n, C);
+    em_congruence(n, C, M, Lambda);
+    em_jacobi(n, Lambda, C);
+    for (int i = 0; i < n; ++i) lambda[i] = Lambda[i * n + i];
+}
+
+/* The same in a run, */
+EM_COLD void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
+
+/* and beside runs, where n is known at run time only, and a second copy for speed would take compilers long. */
+EM_RARE EM_COLD void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
+
+/* s <- its roots, in which eigenvalues of M (n, n) are given. Returns -1, or an index where M is singular. */
+EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
+    double least = s[0], largest = s[0];
+    for (int i = 0; i < n; ++i) {
+        if (!(s[i] > 0.0)) return i;
+        least = fmin(least, s[i]);
+        largest = fmax(largest, s[i]);
+        s[i] = sqrt(s[i]);
+    }
+    return em_unsound_pivot(n, M, least, largest);
+}
+
+/* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
+EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
+    double before[n * n];
+    if (eta) em_copy(n * n, C, before);
+    if (!em_refine(n, M, C, s)) em_sweep(n, M, C, s);
+    if (eta) em_turn(n, before, C, eta);
+    return em_roots(n, M, s);
+}
+
+/* The same where n is known at run time only. */
+EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) {
+    em_sweep_any(n, M, C, s);
+    return em_roots(n, M, s);
+}
+
+/* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
+EM_RARE EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
+    const int singular = em_refresh_any(n, M, C, s);
+    if (singular >= 0) return singular;
+    for (int i = 0; i < n; ++i) {
+        int least = i, largest = 0;
+        for (int k = i + 1; k < n; ++k)
+            if (s[k] < s[least]) least = k;
+        const double root = s[i];
+        s[i] = s[least];
+        s[least] = root;
+        for (int j = 0; j < n; ++j) {
+            const double entry = C[i * n + j];
+            C[i * n + j] = C[least * n + j];
+            C[least * n + j] = entry;
+            if (fabs(C[i * n + j]) > fabs(C[i * n + largest]) * (1.0 + 1e-9)) largest = j;
+        }
+        if (C[i * n + largest] < 0.0)
+            for (int j = 0; j < n; ++j) C[i * n + j] = -C[i * n + j];
+    }
+    return -1;
+}
+
+/* Both factors of a constant block: M = C^T S^2 C = L L^T. */
+EM_RARE EM_COLD int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
+    memset(L, 0, sizeof *L * (size_t)(n * n));
+    const int singular = em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
+    return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
+}
+
+/* The largest |S^-1 C M C^T S^-1 - 1|: how far C, s are from the eigenfactors of M, relative to each eigenvalue. */
+EM_COLD double em_factor_error(int n, const double *M, const double *C, const double *s) {
+    double Lambda[n * n], worst = 0.0;
+    em_congruence(n, C, M, Lambda);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) worst = fmax(worst, fabs(Lambda[i * n + j] / (s[i] * s[j]) - (i == j)));
+    return worst;
+}
+
+/* whole (n, n) <- with the entries of a block (size, size) at its coordinates */
+EM_INLINE void em_spread(int n, int size, const int *coordinate, const double *block, double *whole) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) whole[coordinate[i] * n + coordinate[j]] = block[i * size + j];
+}
+
+/* block (size, size) <- the entries of `whole` (n, n) at its coordinates */
+EM_INLINE void em_gather(int n, int size, const int *coordinate, const double *whole, double *block) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) block[i * size + j] = whole[coordinate[i] * n + coordinate[j]];
+}
+
+#endif

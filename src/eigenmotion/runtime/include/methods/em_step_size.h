@@ -1,0 +1,142 @@
+/* em_step_size.h: how long the first step is, and how long the next.
+ *
+ * Errors are measured in x and v. The first step is a matter of the tolerances and of how rates change, never of how
+ * large coordinates are: those of another origin are others.
+ */
+#ifndef EM_STEP_SIZE_H
+#define EM_STEP_SIZE_H
+
+#include "stepper/em_error_norm.h"
+
+/* By which the size of the next step differs: after an accepted step for its error and that of the one before
+ * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
+ * A step that failed otherwise is quartered. */
+static double em_size_factor(em_walk *w, int failed) {
+    const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
+    if (failed) return 0.25;
+    const double error = w->log_size = log(w->size_norm);
+    const double wanted = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
+    return em_min(w->scheme.growth, em_max(least, safety * exp(wanted / order)));
+}
+
+#define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */
+
+/* --- the first step --- */
+
+#define EM_TOO_NEAR 1e-4 /* of the time in which a motion varies: second differences over less are rounding, */
+#define EM_TOO_FAR 0.5   /* and those over more another motion's */
+
+/* How a motion sets out, looked at over a time h: d1, d2, sizes in tolerances of the state's first two derivatives; V, A, sums
+ * of squares of xdot and its rate, both in tolerances of x; and the rate [1 / time] at which the motion goes through them, 0
+ * where it shows none. */
+typedef struct em_outset {
+    double h, d1, d2, V, A, rate;
+} em_outset;
+
+/* Root mean square, in tolerances, of a vector (n_state) that is a state's rate. */
+static double em_rate_norm(em_walk *w, const double *rate) {
+    em_copy_state(w, w->error, rate);
+    return sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
+}
+
+/* places, speeds <- sums of squares of what a rate of the state makes of x (and of factors that count) and of v; both in
+ * tolerances of x, so that their ratio is a time squared. */
+static void em_split_rate(em_walk *w, const double *rate, double *places, double *speeds) {
+    em_copy_state(w, w->error, rate);
+    em_velocity_error(w, rate + w->n, w->error + w->n);
+    *places = em_weighted_squares(w->n, w->error, w->weight);
+    if (em_counts_factors(w)) *places += em_weighted_squares(w->n_state - 2 * w->n, w->error + 2 * w->n, w->weight + 2 * w->n);
+    *speeds = 0.0;
+    for (int k = 0; k < w->n; ++k) {
+        const double r = w->error[w->n + k] * (w->weight[k] > 0.0 ? w->weight[k] : w->weight[w->n + k]);
+        *speeds += r * r;
+    }
+}
+
+/* K[1], K[2] <- f at h / 2 and h (Kutta's method of third order). 0, or -1. */
+static int em_look_ahead(em_walk *w, double h) {
+    const double step = w->direction * h;
+    for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + 0.5 * step * w->K[0][k];
+    if (em_any_stage_rate(w, w->t + 0.5 * step, w->argument, w->K[1])) return -1;
+    for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + step * (2.0 * w->K[1][k] - w->K[0][k]);
+    if (em_any_stage_rate(w, w->t + step, w->argument, w->K[2])) return -1;
+    return em_all_finite(w, w->K[1]) && em_all_finite(w, w->K[2]) ? 0 : -1;
+}
+
+/* z with z^2 (a z + b) = c z + d, none of them negative; not a finite positive number where there is none. */
+static double em_balance(double a, double b, double c, double d) {
+    double z = 1.0;
+    for (int i = 0; i < 10; ++i) z = sqrt((c * z + d) / (a * z + b)); /* at least halves the error of log z */
+    return z;
+}
+
+/* d2 and rate over `at->h`: with the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J, S /
+ * rate) to (V, A / rate). At rest that is S / A, where the motion passes its middle J / V, and at any phase of an
+ * oscillation its frequency squared: without |x|, which another origin makes another number. 0, or -1. */
+static int em_measure(em_walk *w, em_outset *at) {
+    double J, S;
+    const double h = at->h;
+    at->d2 = at->rate = 0.0;
+    if (em_look_ahead(w, h)) return -1;
+    for (int k = 0; k < w->width; ++k) {
+        const double first = w->K[1][k] - w->K[0][k];
+        w->K[2][k] = w->K[2][k] - w->K[1][k] - first;
+        w->K[1][k] = first;
+    }
+    em_split_rate(w, w->K[2], &J, &S);
+    const double d2 = em_rate_norm(w, w->K[1]) * 2.0 / h;
+    const double rate = J + S > 0.0 ? sqrt(em_balance(at->V, at->A * h * h, J, S * h * h)) / h : 0.0;
+    if (!isfinite(rate) || !isfinite(d2)) return -1;
+    at->d2 = d2, at->rate = rate;
+    return 0;
+}
+
+/* How far to look first: as long as it takes to move by far more than a tolerance and far less than by what rtol is a
+ * part of, at the speed there is or from rest. */
+static double em_first_look(const em_walk *w, const em_outset *at, double span) {
+    const double far = 1.0 / sqrt(w->rtol), h = em_min(far / sqrt(at->V), sqrt(far / sqrt(at->A)));
+    return h < span ? h : 0.01 * span;
+}
+
+/* How far to look next, after a look over at->h that showed at->rate, or failed. */
+static double em_next_look(const em_outset *at, int failed, double span) {
+    const double part = at->h * at->rate;
+    if (failed) return 0.01 * at->h;
+    if (part > EM_TOO_FAR) return em_max(1e-4 * at->h, 0.1 * EM_TOO_FAR / at->rate);
+    if (part < EM_TOO_NEAR) return em_max(at->h, em_min(em_min(1e3 * at->h, 0.01 / at->rate), span));
+    return at->h;
+}
+
+/* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every look is too far:
+ * what changes is beyond all parts of what there is, and the motion shows no rate. */
+static em_outset em_set_out(em_walk *w, double span) {
+    em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
+    em_split_rate(w, w->K[0], &at.V, &at.A);
+    const double first = em_first_look(w, &at, span);
+    double next = first;
+    for (int looks = 0; looks < 3 && next != at.h; ++looks) {
+        at.h = next;
+        next = em_next_look(&at, em_measure(w, &at), span);
+    }
+    if (at.h * at.rate > EM_TOO_FAR) at.rate = 0.0, at.h = 1e-4 * first;
+    return at;
+}
+
+/* Where a motion shows no rate, as in a fall, what has not set in may do so later. After an impact it may be soon: a step
+ * far longer than what slows down takes for that is too coarse for the flight. */
+static double em_size_without_rate(const em_walk *w, const em_outset *at, double span) {
+    const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
+    return w->fresh == EM_NEXT_LEG ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
+}
+
+/* The first step's size, as Hairer, Norsett & Wanner's (II.4) in whatever unit the time is: a motion that goes at a `rate`
+ * through what is `size` tolerances is off by about size (rate h)^(order + 1) after a step h. */
+static double em_first_size(em_walk *w) {
+    const double span = fabs(w->t_goal - w->t), longest = em_min(span, w->run->max_step);
+    const em_outset at = em_set_out(w, span);
+    if (!(at.rate * at.h >= EM_TOO_NEAR)) return em_min(em_size_without_rate(w, &at, span), longest);
+    const double size = em_max(at.d1, at.d2 / at.rate) / at.rate, far = em_max(100.0 * at.h, 1.0 / at.rate);
+    return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.error_order + 1)) / at.rate, far), longest);
+}
+
+#endif

@@ -1,0 +1,135 @@
+/* em_constraint_monitor.h: whether an accepted step is one of the mechanism with its constraints, and which row is to blame if not. */
+#ifndef EM_CONSTRAINT_MONITOR_H
+#define EM_CONSTRAINT_MONITOR_H
+
+#include "stepper/em_failure_location.h"
+#include "monitors/em_kept_rows.h"
+
+/* Settling removes the part of a step's error that leaves the constraints: it moves x and v by about the error that
+ * the step was allowed, 1 in units of the tolerances. Farther than this it does not correct an error but makes one,
+ * as near a singular position, where the rows of A lose their directions to rounding. */
+#define EM_FARTHEST 10.0
+
+#define EM_DRIFTED 0.3 /* where nothing is settled, x and v are off by no more than this part of the largest */
+#define EM_SETTLES_STAGES 0.1 /* the part of the largest pivot below which a singular position is near */
+#define EM_NEARBY 100.0 /* how near to a singular position it is near, in tolerances, */
+#define EM_SHORT 0.2     /* and how short is short, beside the longest step */
+
+/* Delta (m, m) <- of the rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
+static int em_look_at_constraints(em_walk *w, double *Delta) {
+    double B[w->n_rows * w->n];
+    if (w->of->rows(w->t_new, w->y_new, w->run->prepared, B, Delta, &w->reason)) return -1;
+    for (int row = 0; row < w->n_rows; ++row)
+        w->longest[row] = em_max(w->longest[row], Delta[row * w->n_rows + row]);
+    return 0;
+}
+
+/* The row that adds least to the others, of those that are independent, each in units of its longest; *pivot <- the
+ * square of what it adds. -1 where nothing is known of the rows. */
+static int em_weakest_constraint(em_walk *w, const double *Delta, double *pivot) {
+    const int m = w->n_rows;
+    double scaled[m * m], pivots[m];
+    int rows[m];
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double unit = sqrt(w->longest[i]) * sqrt(w->longest[j]);
+            scaled[i * m + j] = unit > 0.0 ? Delta[i * m + j] / unit : 0.0;
+        }
+    if (w->rank == 0) w->rank = em_rank(m, Delta);
+    if (w->rank == 0) return -1;
+    em_ranked_rows(m, scaled, pivots, rows);
+    *pivot = pivots[w->rank - 1];
+    return rows[w->rank - 1];
+}
+
+/* A fault that names the weakest constraint row. */
+EM_RARE EM_COLD int em_fail_weakest(em_walk *w, double size) {
+    double pivot, Delta[em_some(w->n_rows * w->n_rows)];
+    const int known = !w->bare && em_look_at_constraints(w, Delta) == 0, row = known ? em_weakest_constraint(w, Delta, &pivot) : -1;
+    em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
+    return em_blame(w, w->t_new, w->y_new);
+}
+
+/* Rows that are not kept must follow from those that are. 0, or -1 and w->reason, which names one that does not. */
+static int em_check_dependent(em_walk *w) {
+    double a[w->n], lambda[em_some(w->n_rows)];
+    if (w->n_inputs > 0) em_signals(w, w->t_new);
+    return w->of->acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
+}
+
+/* How far q (n) is from `other` in units of the tolerances. */
+static double em_apart(int n, const double *q, const double *other, const double *weight) {
+    double difference[n];
+    for (int k = 0; k < n; ++k) difference[k] = q[k] - other[k];
+    return sqrt(em_weighted_squares(n, difference, weight));
+}
+
+/* Where nothing is settled, the constraints are met up to drift by the x and v (n) that are integrated. A consistent state
+ * nearby differs by as little, in x and in v, except where A turns within the drift: there a motion on the drifted
+ * constraints leaves for another branch than that on the constraints. 0, or -1 and w->reason. */
+static int em_check_drift(em_walk *w, const double *x, const double *v) {
+    const int n = w->n;
+    const double *const weight = w->weight;
+    double near_x[n], near_v[n], still[n];
+    memset(still, 0, sizeof still);
+    memcpy(near_x, x, sizeof near_x);
+    memcpy(near_v, v, sizeof near_v);
+    w->farthest = em_max(w->farthest, em_apart(n, x, w->run->y_start, weight));
+    w->fastest = em_max(w->fastest, em_apart(n, v, still, weight + n));
+    if (w->model->project(w->t_new, near_x, near_v, w->run->prepared, w->run->least_norm, &w->reason)) return -1;
+    const double distance = em_apart(n, near_x, x, weight), change = em_apart(n, near_v, v, weight + n);
+    const int lost = !(distance <= EM_DRIFTED * w->farthest + EM_FARTHEST);
+    if (!lost && change <= EM_DRIFTED * w->fastest + EM_FARTHEST) return 0;
+    return em_fail_weakest(w, lost ? distance : change);
+}
+
+/* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
+ * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
+ * 0, or -1 and w->reason. */
+static int em_check_lengths(em_walk *w, const double *Delta) {
+    for (int row = 0; row < w->n_positions; ++row) {
+        const double square = Delta[row * w->n_rows + row], longest = w->longest[row];
+        if (!(square > EM_SINGULAR_PIVOT * longest))
+            return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, sqrt(square / longest));
+    }
+    return 0;
+}
+
+/* A tolerance on x is one on phi, and where B is shorter than its root beside what it was, motions on phi = 0 and on
+ * phi = rtol leave a singular position on different branches: short steps follow now one, now another. Steps that are
+ * not short pass it as the smooth motion does. 0, or -1 and w->reason. */
+static int em_check_branch(em_walk *w, const double *Delta) {
+    const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
+    double pivot;
+    if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    const int row = em_weakest_constraint(w, Delta, &pivot);
+    if (row < 0) return 0;
+    w->strongest = em_max(w->strongest, pivot);
+    w->near = w->run->stabilise && pivot < EM_SETTLES_STAGES * w->strongest;
+    if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    if (pivot > near * w->strongest) return 0;
+    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
+}
+
+/* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
+ * which may become small later. 0, or -1 and w->reason. */
+static int em_check_factors(em_walk *w) {
+    enum { DRIFTED = 1000 }; /* tolerances */
+    if (w->of->worst_factors == NULL || w->run->stabilise) return 0;
+    double M[w->n * w->n];
+    int first = -1;
+    w->of->factored(w->t_new, w->y_new, w->run->prepared, M);
+    const double error = w->of->worst_factors(M, w->y_new, &first);
+    if (!(error <= DRIFTED * w->rtol)) return em_fail(&w->reason, EM_FACTORS_DRIFTED, first, -1, error);
+    return 0;
+}
+
+/* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */
+static int em_check_positions(em_walk *w) {
+    double Delta[w->n_rows * w->n_rows];
+    if (em_look_at_constraints(w, Delta)) return -1;
+    if (!w->run->least_norm && em_check_lengths(w, Delta)) return -1;
+    return em_check_branch(w, Delta);
+}
+
+#endif

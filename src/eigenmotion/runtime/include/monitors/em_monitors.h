@@ -1,0 +1,32 @@
+/* em_monitors.h: what the end of a step is worth, all checks of it together. */
+#ifndef EM_MONITORS_H
+#define EM_MONITORS_H
+
+#include "monitors/em_singularity_monitor.h"
+#include "monitors/em_constraint_monitor.h"
+#include "monitors/em_energy_monitor.h"
+
+/* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */
+static int em_check_settled(em_walk *w) {
+    const int n = w->n;
+    double *const v = w->spare, *const moved = w->argument;
+    if (em_xdot(w, w->mode, em_clock(w, w->t_new), w->y_raw, v, &w->reason)) return -1;
+    for (int k = 0; k < n; k += EM_PACK) EM_PUT_PACK(moved + k, EM_PACK_AT(w->y_new + k) - EM_PACK_AT(w->y_raw + k));
+    for (int k = 0; k < n; k += EM_PACK) EM_PUT_PACK(moved + n + k, EM_PACK_AT(w->f_new + k) - EM_PACK_AT(v + k));
+    const double distance = sqrt(em_mean(em_weighted_squares(2 * n, moved, w->weight), 2 * n));
+    if (distance <= EM_FARTHEST) return 0;
+    return em_fail_weakest(w, distance);
+}
+
+/* Whether the step under way, settled, is one of the motion asked for; of what is bare there are no terms to hold it
+ * against. 0, or -1 and w->reason. */
+static int em_check_step(em_walk *w) {
+    if (!w->bare && em_check_chart(w)) return -1;
+    if (!w->bare && w->n_positions > 0 && em_check_positions(w)) return -1;
+    if (!w->bare && w->n_rows > 0 && w->run->least_norm && em_check_dependent(w)) return -1;
+    if (w->n_rows > 0 && w->run->stabilise && em_check_settled(w)) return -1;
+    if (!w->bare && w->n_positions > 0 && !(w->run->stabilise) && em_check_drift(w, w->y_new, w->f_new)) return -1;
+    return (!w->bare && em_check_factors(w)) || em_check_witness(w) ? -1 : 0;
+}
+
+#endif

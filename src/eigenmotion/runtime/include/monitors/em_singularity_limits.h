@@ -1,0 +1,12 @@
+/* em_singularity_limits.h: which steps are looked at for a singularity of the coordinates nearby, and what is asked of M within them: by
+ * numbers (em_singularity_monitor.h) and on lanes (em_lane_singularity.h). */
+#ifndef EM_SINGULARITY_LIMITS_H
+#define EM_SINGULARITY_LIMITS_H
+
+#define EM_BRIEF 0.25   /* the part of the longest step below which one is looked at, as the first is and retries */
+#define EM_RESOLVED 4.0 /* the factor by which a pivot of M may change within half a step */
+
+/* Part of eps / p, p the least pivot beside its entry of M, that a passage adds to the error: measured. */
+#define EM_PASSAGE_ADDS 1e-4
+
+#endif

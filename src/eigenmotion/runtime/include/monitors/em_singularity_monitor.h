@@ -1,0 +1,140 @@
+/* em_singularity_monitor.h: whether a step sees the motion where steps have become short, as near a singularity of the coordinates.
+ * eta may be constant to all digits while v = L^-T eta grows beyond bounds within the tolerance on x, and what rounding
+ * makes of a small pivot of M no tolerance removes: the error of a step shows neither. */
+#ifndef EM_SINGULARITY_MONITOR_H
+#define EM_SINGULARITY_MONITOR_H
+
+#include "monitors/em_singularity_limits.h"
+#include "stepper/em_error_norm.h"
+
+#define EM_NEAR_START 300.0 /* so many tolerances from the start M is to be resolved, or every step is looked at */
+#define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; implicit
+                              ones, which need no short ones there, always; */
+#define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
+#define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
+
+/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No root is asked for. */
+EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) {
+    for (int k = 0; k < n; ++k) diagonal[k] = M[k * n + k], pivots[k] = 0.0;
+    for (int k = 0; k < n && M[k * n + k] > 0.0; ++k) {
+        const double inverse = 1.0 / (pivots[k] = M[k * n + k]);
+        for (int i = k + 1; i < n; ++i) {
+            const double part = M[i * n + k] * inverse;
+            for (int j = k + 1; j <= i; ++j) M[i * n + j] -= part * M[j * n + k];
+        }
+    }
+}
+
+/* The same of M at x; where it is small, as most are, by loops that unroll. */
+static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
+    double M[w->n * w->n];
+    w->of->factored(t, x, w->run->prepared, M);
+    switch (w->n) {
+        case 1: em_pivots_of(1, M, pivots, diagonal); break;
+        case 2: em_pivots_of(2, M, pivots, diagonal); break;
+        case 3: em_pivots_of(3, M, pivots, diagonal); break;
+        case 4: em_pivots_of(4, M, pivots, diagonal); break;
+        default: em_pivots_of(w->n, M, pivots, diagonal);
+    }
+}
+
+/* The same at the start of the step under way, where the step before has ended as a rule. */
+static void em_pivots_at_start(const em_walk *w, double *pivots) {
+    const size_t size = (size_t)w->n * sizeof *pivots;
+    double diagonal[w->n];
+    if (w->seen && w->seen_t == w->t && !memcmp(w->seen_x, w->y, size)) memcpy(pivots, w->seen_pivots, size);
+    else em_pivots(w, w->t, w->y, pivots, diagonal);
+}
+
+/* and at its end. */
+static void em_pivots_at_end(em_walk *w, double *pivots, double *diagonal) {
+    const size_t size = (size_t)w->n * sizeof *pivots;
+    em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
+    w->seen = 1;
+    w->seen_t = w->t_new;
+    memcpy(w->seen_x, w->y_new, size);
+    memcpy(w->seen_pivots, pivots, size);
+}
+
+/* The first coordinate whose pivot changes by more than it may from `before` to `after`, or -1. */
+static int em_first_unresolved(int n, const double *before, const double *after, double most) {
+    for (int k = 0; k < n; ++k)
+        if (!(after[k] * most >= before[k] && before[k] * most >= after[k] && after[k] > 0.0)) return k;
+    return -1;
+}
+
+/* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1; pivots and
+ * diagonal (n) <- at x_new. No passage through 0 between two of three points is so small in all of them. */
+static int em_unresolved(const em_walk *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
+                         double *diagonal) {
+    double middle[w->n], before[2][w->n];
+    for (int k = 0; k < w->n; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
+    em_pivots(w, t, x, before[0], diagonal);
+    em_pivots(w, 0.5 * (t + t_new), middle, before[1], diagonal);
+    em_pivots(w, t_new, x_new, pivots, diagonal);
+    const int first = em_first_unresolved(w->n, before[0], before[1], EM_RESOLVED);
+    return first >= 0 ? first : em_first_unresolved(w->n, before[1], pivots, EM_RESOLVED);
+}
+
+/* x (n) at the part s of the step under way, by the cubic through both ends. */
+static void em_within(const em_walk *w, double s, double *x) {
+    const double r = 1.0 - s, h = w->h;
+    for (int k = 0; k < w->n; ++k)
+        x[k] = r * r * ((1.0 + 2.0 * s) * w->y[k] + s * h * w->K[0][k]) +
+               s * s * ((1.0 + 2.0 * r) * w->y_new[k] - r * h * w->f_new[k]);
+}
+
+/* The first coordinate whose pivot changes by more than `most` within one of so many equal parts of the step, or -1. */
+static int em_unresolved_within(em_walk *w, int parts, double most) {
+    double x[w->n], pivots[2][w->n], diagonal[w->n];
+    em_pivots_at_start(w, pivots[0]);
+    for (int j = 1; j < parts; ++j) {
+        em_within(w, (double)j / parts, x);
+        em_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
+        const int first = em_first_unresolved(w->n, pivots[(j + 1) % 2], pivots[j % 2], most);
+        if (first >= 0) return first;
+    }
+    em_pivots_at_end(w, pivots[parts % 2], diagonal);
+    return em_first_unresolved(w->n, pivots[(parts + 1) % 2], pivots[parts % 2], most);
+}
+
+/* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
+static int em_rounded(const em_walk *w, const double *pivots, const double *diagonal) {
+    for (int k = 0; k < w->n; ++k)
+        if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
+    return -1;
+}
+
+EM_COLD int em_look_at_chart(em_walk *w) {
+    double pivots[w->n], diagonal[w->n];
+    int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
+    if (lost < 0) lost = em_rounded(w, pivots, diagonal);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
+}
+
+EM_COLD int em_look_across(em_walk *w) {
+    if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
+    const int lost = em_unresolved_within(w, EM_PARTS, EM_CROSSED);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
+}
+
+/* Beside the first step from near a singularity no other is long. */
+static void em_begin_chart(em_walk *w) {
+    const double rate = sqrt(em_weighted_squares(w->n, w->K[0], w->weight));
+    double ahead[w->n], behind[w->n], pivots[w->n], diagonal[w->n];
+    for (int k = 0; k < w->n; ++k) {
+        const double away = rate > 0.0 ? EM_NEAR_START / rate * w->K[0][k] : 0.0;
+        ahead[k] = w->y[k] + away;
+        behind[k] = w->y[k] - away;
+    }
+    w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead, pivots, diagonal) >= 0;
+}
+
+/* Whether the step under way sees the motion. 0, or -1 and w->reason. */
+EM_INLINE int em_check_chart(em_walk *w) {
+    if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
+        return em_look_at_chart(w);
+    return w->rtol > EM_LOOSE || w->scheme.radau_iia != NULL ? em_look_across(w) : 0;
+}
+
+#endif

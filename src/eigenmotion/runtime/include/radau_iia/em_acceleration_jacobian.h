@@ -1,0 +1,63 @@
+/* em_acceleration_jacobian.h: how the acceleration a(t, x, v) of the constrained motion changes with x and with v. */
+#ifndef EM_ACCELERATION_JACOBIAN_H
+#define EM_ACCELERATION_JACOBIAN_H
+
+#include "stepper/em_failure_location.h"
+
+/* A model written by hand states no derivatives: differences, which an iteration needs no better. */
+static int em_bare_rate(em_walk *w, double t, const double *z, double *rate) {
+    const int n = w->n;
+    double y[w->width], dy[w->width], memory[em_padded(w->n_memory)];
+    memset(y, 0, sizeof y);
+    memcpy(y, z, 2 * (size_t)n * sizeof *y);
+    em_copy_memory(w, memory, w->memory);
+    if (em_motion_rhs(w->model, t, y, w->run->prepared, w->u, memory, 0, dy, &w->reason)) return -1;
+    memcpy(rate, dy, 2 * (size_t)n * sizeof *rate);
+    for (int k = 0; k < 2 * n; ++k)
+        if (!isfinite(rate[k])) return em_not_finite(w, z, rate);
+    return 0;
+}
+
+/* Column k: over both sides, or the one on which there are rates. */
+static int em_bare_slope(em_walk *w, double t, double *at, int k, const double *here, double *J) {
+    double up[2 * w->n], down[2 * w->n], z = at[k], high = z + 1e-3 * fmax(1.0, fabs(z)), low = z - (high - z);
+    at[k] = high;
+    if (em_bare_rate(w, t, at, up)) high = z, memcpy(up, here, sizeof up);
+    at[k] = low;
+    if (em_bare_rate(w, t, at, down)) low = z, memcpy(down, here, sizeof down);
+    at[k] = z;
+    for (int row = 0; row < 2 * w->n; ++row) J[row * 2 * w->n + k] = (up[row] - down[row]) / (high - low);
+    return high > low ? 0 : -1;
+}
+
+static int em_bare_slopes(em_walk *w, double t, const double *z, double *J) {
+    double at[2 * w->n], here[2 * w->n];
+    memcpy(at, z, sizeof at);
+    if (em_bare_rate(w, t, at, here)) return -1;
+    for (int k = 0; k < 2 * w->n; ++k)
+        if (em_bare_slope(w, t, at, k, here, J)) return -1;
+    return 0;
+}
+
+/* Of the model that the caller names, which may have derivatives that the stepper's own is without. */
+static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
+    const em_run *const run = w->run;
+    const em_model *const model = run->model ? run->model : w->model;
+    if (w->bare) return em_bare_slopes(w, t, z, J);
+    return model->motion_jacobian(em_clock(w, t), z, run->prepared, w->u, em_constraint_flags(run), J, &w->reason);
+}
+
+/* K (n, n) = da/dx and D (n, n) = da/dv at z = (x, v), signals in w->u. 0, or -1 and w->reason */
+static int em_acceleration_slopes(em_walk *w, double t, const double *z, double *K, double *D) {
+    const int n = w->n;
+    double J[4 * n * n];
+    ++w->run->n_jacobians;
+    if (em_slopes_at(w, t, z, J)) return -1;
+    for (int i = 0; i < n; ++i) {
+        const double *const row = J + (n + i) * 2 * n;
+        for (int k = 0; k < n; ++k) K[i * n + k] = row[k], D[i * n + k] = row[n + k];
+    }
+    return 0;
+}
+
+#endif

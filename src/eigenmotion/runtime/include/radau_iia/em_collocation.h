@@ -1,0 +1,203 @@
+/* em_collocation.h: a step of a Radau IIA method on the motion (x, v): its stages, its error, how long the next one is, and
+ * the states within.
+ *
+ * As in Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8: the error is that of a solution of order s,
+ * multiplied by (1 - h J / mu_0)^-1, so that stiff parts do not count where they have died out; slopes are kept as long as
+ * the iteration converges well, and its factors as long as the step would grow by little; sizes follow from two errors
+ * (Gustafsson 1994). The states within are those of the collocation polynomial, off by as much as the error says. */
+#ifndef EM_COLLOCATION_H
+#define EM_COLLOCATION_H
+
+#include "radau_iia/em_signal_averages.h"
+#include "radau_iia/em_stages.h"
+
+#define EM_WELL 1e-3       /* a contraction from which on slopes are taken anew */
+#define EM_STEADY 1.2      /* a step that would be longer by less is as long as the one before */
+#define EM_NOT_SO_LONG 0.5 /* the size of the next attempt where an iteration does not converge */
+#define EM_SAFE 0.9        /* em_size_factor's safety */
+#define EM_LEAST_SEEN 1e-2 /* an error that is smaller by chance says nothing of the next */
+
+enum { EM_STEPS_ALONE = 16 }; /* with slopes of each stage, before others are tried again */
+
+/* --- the accelerations a step begins with --- */
+
+/* a <- the polynomial through the last accelerations at start + ratio c_i, in units of their step. */
+static void em_extend_last(const em_radau_iia *rk, em_walk *w, double start, double ratio) {
+    em_implicit *q = &w->stages;
+    const int stride = w->stride;
+    memset(q->a, 0, (size_t)(EM_MOST_NODES * stride) * sizeof *q->a);
+    for (int i = 0; i < rk->stages; ++i)
+        for (int j = 0; j < rk->stages; ++j) {
+            const double theta = start + ratio * rk->c[i];
+            double share = 1.0;
+            for (int l = 0; l < rk->stages; ++l)
+                if (l != j) share *= (theta - rk->c[l]) / (rk->c[j] - rk->c[l]);
+            for (int k = 0; k < stride; k += EM_PACK) {
+                double *const a = q->a + i * stride + k;
+                EM_PUT_PACK(a, EM_PACK_AT(a) + share * EM_PACK_AT(q->last + j * stride + k));
+            }
+        }
+}
+
+/* The stages as the last step continues, or a rejected attempt has them; or with the acceleration at the start. */
+static void em_guess_stages(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    if (q->known && w->t == q->t) em_extend_last(rk, w, 0.0, w->h / q->h);
+    else if (q->known && w->t == q->t_new) em_extend_last(rk, w, 1.0, w->h / q->h);
+    else
+        for (int i = 0; i < rk->stages; ++i) em_copy_packs(w->n, q->a + i * w->stride, w->K[0] + w->n);
+    em_stage_states(rk, w);
+    em_weigh_stages(rk, w);
+}
+
+/* --- their solution --- */
+
+/* With slopes that stages share, taken anew where old ones do not serve. EM_SOLVED and so on. */
+static int em_solve_shared(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    for (int old = q->sloped && !q->outdated;; old = 0) {
+        if (!old && em_take_slopes(w)) return EM_NO_RATE;
+        old = old && !em_slopes_are_fresh(w);
+        em_guess_stages(rk, w);
+        const int found = em_factor_shared(rk, w) ? EM_NOT_SOLVED : em_iterate_stages(rk, w);
+        if (found == EM_SOLVED || !old) return found;
+    }
+}
+
+static int em_solve_coupled(const em_radau_iia *rk, em_walk *w) {
+    int singular = 0;
+    em_guess_stages(rk, w);
+    if (em_couple_stages(rk, w, &singular)) return EM_NO_RATE;
+    return singular ? EM_NOT_SOLVED : em_iterate_stages(rk, w);
+}
+
+/* What converges, in the order of the cost; what converged before, first. */
+static int em_solve_stages(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    if (q->own > 0) return em_solve_coupled(rk, w);
+    const int found = em_solve_shared(rk, w);
+    if (found == EM_SOLVED) return found;
+    q->own = EM_STEPS_ALONE;
+    return em_solve_coupled(rk, w);
+}
+
+/* --- the error --- */
+
+/* error (2 n) <- (1 - h J / mu_0)^-1 (h / mu_0 rate + h sum_i e_i rate_i), `rate` (2 n) at the start of the step. */
+static void em_filtered_error(const em_radau_iia *rk, em_walk *w, const double *rate, double *error) {
+    em_implicit *q = &w->stages;
+    const double sigma = rk->mu[0][0] / w->h;
+    double raw[w->n];
+    for (int k = 0; k < w->n; ++k) {
+        double p = rate[k] / sigma, r = rate[w->n + k] / sigma;
+        for (int i = 0; i < rk->stages; ++i) p += w->h * rk->e[i] * q->V[i * w->stride + k], r += w->h * rk->e[i] * q->a[i * w->stride + k];
+        raw[k] = p;
+        error[k] = sigma * (r + sigma * p);
+    }
+    for (int i = 0; i < w->n; ++i)
+        for (int k = 0; k < w->n; ++k) error[i] -= sigma * q->D[i * w->n + k] * raw[k];
+    em_lu_solve(w->n, q->G[0], q->pivot[0], error);
+    for (int k = 0; k < w->n; ++k) error[w->n + k] = sigma * (error[k] - raw[k]);
+}
+
+/* 0, or -1 and w->reason. A large error at the start of a motion, or of an attempt after another, is looked at again:
+ * it may be of parts that die out. */
+static int em_estimate_stages(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    double rate[w->width], shifted[2 * w->n + EM_PACK];
+    em_copy_state(w, rate, w->K[0]);
+    if (q->averaged && em_rate_of_stage(w, -1, w->t, w->y, w->y + w->n, rate)) return -1;
+    em_filtered_error(rk, w, rate, w->error);
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
+    if (w->error_norm < 1.0 || (q->accepted && !w->retries) || !isfinite(w->error_norm)) return 0;
+    for (int k = 0; k < 2 * w->n; ++k) shifted[k] = w->y[k] + w->error[k];
+    if (em_rate_of_stage(w, -1, w->t, shifted, shifted + w->n, rate)) return -1;
+    em_filtered_error(rk, w, rate, w->error);
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
+    return 0;
+}
+
+/* What the next step is chosen by: this error, also beside the one before; more where the iteration took long; and what
+ * leaves the size as it is where slopes and factors still serve. */
+static double em_size_by(const em_radau_iia *rk, const em_walk *w, double error) {
+    const em_implicit *q = &w->stages;
+    const double order = rk->stages + 1, most = em_most_iterations(rk);
+    double size = error * pow((2.0 * most + q->iterations) / (2.0 * most + 1.0), order);
+    if (error < 1.0 && q->accepted)
+        size = em_max(size, error * error / q->before_error * pow(q->before_h / w->h, order));
+    const double factor = EM_SAFE * pow(size, -1.0 / order);
+    return error < 1.0 && !q->outdated && !q->own && factor >= 1.0 && factor <= EM_STEADY ? pow(EM_SAFE, order) : size;
+}
+
+/* --- the step --- */
+
+/* The step before, once it has been accepted. */
+static void em_remember_stages(em_walk *w) {
+    em_implicit *q = &w->stages;
+    if (!q->known || q->t_new != w->t || w->retries) return;
+    q->before_h = q->h;
+    q->before_error = em_max(q->error, EM_LEAST_SEEN);
+    q->accepted = 1;
+    q->own -= q->own > 0;
+}
+
+/* An attempt whose stages are not found: the next one is shorter. */
+static int em_give_up(const em_radau_iia *rk, em_walk *w) {
+    em_copy_state(w, w->y_new, w->y);
+    w->error_norm = w->size_norm = pow(EM_SAFE / EM_NOT_SO_LONG, rk->stages + 1);
+    return 0;
+}
+
+/* y_new, the error and what the next size follows from. 0, or -1 and w->reason */
+static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    em_copy_state(w, w->y_new, w->y);
+    memcpy(w->y_new, q->X + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->X);
+    memcpy(w->y_new + w->n, q->V + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->V);
+    em_weigh_stages(rk, w);
+    if (em_estimate_stages(rk, w)) return -1;
+    q->outdated = q->contraction > EM_WELL || (w->error_norm >= 1.0 && !em_slopes_are_fresh(w));
+    w->size_norm = em_size_by(rk, w, em_max(w->error_norm, 1e-10));
+    em_copy_packs(EM_MOST_NODES * w->stride, q->last, q->a);
+    q->t = w->t, q->t_new = w->t_new, q->h = w->h;
+    q->error = w->error_norm;
+    q->known = 1;
+    return 0;
+}
+
+static int em_collocation_step(em_walk *w) {
+    const em_radau_iia *const rk = w->scheme.radau_iia;
+    em_remember_stages(w);
+    em_weigh_start(w);
+    em_average_signals(rk, w);
+    w->end_rate = NULL;
+    const int found = em_solve_stages(rk, w);
+    if (found == EM_NO_RATE) return -1;
+    return found == EM_SOLVED ? em_finish_stages(rk, w) : em_give_up(rk, w);
+}
+
+/* --- the states within --- */
+
+/* F <- the collocation polynomial's coefficients, by powers of theta. */
+static int em_collocation_interpolate(em_walk *w) {
+    const em_radau_iia *const rk = w->scheme.radau_iia;
+    const em_implicit *q = &w->stages;
+    em_clear_interpolant(w);
+    for (int j = 0; j < rk->stages; ++j)
+        for (int i = 0; i < rk->stages; ++i)
+            for (int k = 0; k < w->n; ++k) {
+                w->F[1 + j][k] += rk->powers[j][i] * (q->X[i * w->stride + k] - w->y[k]);
+                w->F[1 + j][w->n + k] += rk->powers[j][i] * (q->V[i * w->stride + k] - w->y[w->n + k]);
+            }
+    return 0;
+}
+
+static int em_collocation_sketch(em_walk *w) { return em_collocation_interpolate(w), w->scheme.terms; }
+
+static void em_collocation_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
+    memset(y, 0, (size_t)n_state * sizeof *y);
+    for (int j = terms; j >= 0; --j)
+        for (int k = 0; k < n_state; ++k) y[k] = y[k] * theta + F[j * n_state + k];
+}
+
+#endif

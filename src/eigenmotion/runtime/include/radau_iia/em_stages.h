@@ -1,0 +1,156 @@
+/* em_stages.h: the equations of an implicit step's stages, and the simplified Newton iteration that solves them.
+ *
+ * Unknown are the accelerations a_i at the stages; from them follow V = v + h A a and X = x + h A V. With slopes
+ * K = da/dx and D = da/dv that all stages share, an eigenvalue mu of A^-1 and sigma = mu / h, the equations fall apart
+ * into systems with sigma^2 - sigma D - K, n numbers square: one real, the others complex (em_simplified_newton.h). With slopes of
+ * their own they are one system of s n numbers (em_full_newton.h). */
+#ifndef EM_STAGES_H
+#define EM_STAGES_H
+
+#include "stepper/em_failure_location.h"
+#include "radau_iia/em_full_newton.h"
+#include "radau_iia/em_simplified_newton.h"
+
+#ifndef EM_NEAR_ENOUGH
+#define EM_NEAR_ENOUGH 0.01 /* of the tolerances, to the iteration; tests of the order ask for less */
+#endif
+#define EM_STAGNANT 0.5     /* the factor from which on changes no longer fall off */
+#define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
+#define EM_SHAKEN (1000.0 * DBL_EPSILON) /* the part of a motion that its rounding may be */
+
+enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* no rate: somewhere; w->reason says why */
+
+/* With three stages seven iterations; two and a half more for each further one (Hairer & Wanner, IV.8). */
+static int em_most_iterations(const em_radau_iia *rk) { return 7 + 5 * (rk->stages - 3) / 2; }
+
+/* X, V of the stages, from their accelerations. */
+static void em_stage_states(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    em_by_stages(rk, w->h, w->stride, w->y + w->n, q->a, q->V);
+    em_by_stages(rk, w->h, w->stride, w->y, q->V, q->X);
+}
+
+/* v^T M v */
+static double em_square_of_motion(int n, const double *M, const double *v) {
+    double sum = 0.0;
+    for (int k = 0; k < n * n; ++k) sum += M[k] * v[k / n] * v[k % n];
+    return em_max(sum, 0.0);
+}
+
+/* What counts in x and v, from the start of the step to its end. Where there is no absolute tolerance it is one of the
+ * rounding of the motion as a whole, in the mass metric: a solution of equations mixes what others leave of rounding into a
+ * coordinate that does not move. */
+static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
+    const em_implicit *q = &w->stages;
+    const double *const v = q->V + (rk->stages - 1) * w->stride, *const atol = w->run->atol;
+    double M[w->n * w->n], least[2 * w->n];
+    int relative = 0;
+    em_set_weights(w, w->y, w->K[0], q->X + (rk->stages - 1) * w->stride, v);
+    for (int k = 0; k < w->n; ++k) relative |= !(atol[k] > 0.0);
+    if (!relative) return;
+    em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
+    const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v)));
+    for (int k = 0; k < w->n; ++k) {
+        least[w->n + k] = EM_SHAKEN * speed / sqrt(M[k * w->n + k]);
+        least[k] = fabs(w->h) * least[w->n + k];
+    }
+    for (int k = 0; k < 2 * w->n; ++k)
+        if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
+        else if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
+}
+
+/* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h where the step
+ * crosses samples. 0, or -1 and w->reason */
+static int em_rate_of_stage(em_walk *w, int i, double t, const double *x, const double *v, double *dy) {
+    em_implicit *q = &w->stages;
+    em_copy_packs(w->n, w->argument, x);
+    em_copy_packs(w->n, w->argument + w->n, v); /* over what the last pack has left there */
+    if (w->n_positions > 0 && w->near && !q->averaged) return em_settled_rhs(w, t, w->argument, dy);
+    if (q->averaged) memcpy(w->u, q->u + (1 + i) * w->n_inputs, (size_t)w->n_inputs * sizeof *w->u);
+    else if (w->n_inputs > 0) em_signals(w, t);
+    return em_motion_rate_here(w, t, w->argument, dy);
+}
+
+/* r (n) of every stage <- its rate less its acceleration. 0, or -1 and w->reason */
+static int em_stage_residuals(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    double dy[w->width];
+    for (int i = 0; i < rk->stages; ++i) {
+        if (em_rate_of_stage(w, i, w->t + rk->c[i] * w->h, q->X + i * w->stride, q->V + i * w->stride, dy)) return -1;
+        for (int k = 0; k < w->n; ++k) q->r[i * w->stride + k] = dy[w->n + k] - q->a[i * w->stride + k];
+    }
+    return 0;
+}
+
+/* Takes over changes of the accelerations; X and V anew, for what a bad guess would leave in them of rounding. Returns how
+ * large the changes of x and v are, in tolerances. */
+static double em_take_changes(const em_radau_iia *rk, em_walk *w, const double *change) {
+    em_implicit *q = &w->stages;
+    const int n = w->n, stride = w->stride, last = (rk->stages - 1) * stride;
+    double faster[EM_MOST_NODES * stride], farther[EM_MOST_NODES * stride], sum = 0.0;
+    em_by_stages(rk, w->h, stride, NULL, change, faster);
+    em_by_stages(rk, w->h, stride, NULL, faster, farther);
+    for (int i = 0; i < rk->stages; ++i) {
+        double *const a = q->a + i * stride;
+        for (int k = 0; k < stride; k += EM_PACK) EM_PUT_PACK(a + k, EM_PACK_AT(a + k) + EM_PACK_AT(change + i * stride + k));
+        sum += em_weighted_squares(n, farther + i * stride, w->weight) + em_weighted_squares(n, faster + i * stride, w->weight + n);
+    }
+    em_stage_states(rk, w);
+    em_copy_packs(n, w->error, farther + last);
+    em_copy_packs(n, w->error + n, faster + last);
+    return sqrt(em_mean(sum, 2 * n * rk->stages));
+}
+
+/* What rounding of x and v may move the stages by, in tolerances. */
+static double em_stage_noise(const em_walk *w) {
+    double sum = em_weighted_squares(2 * w->n, w->y, w->weight);
+    for (int k = 0; k < w->n; ++k) {
+        const double shaken = w->y[k] / w->h * w->weight[w->n + k];
+        sum += shaken * shaken;
+    }
+    return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * w->n)));
+}
+
+/* What the residuals would make of the velocities if nothing were stiff, in tolerances. */
+static double em_size_of_residuals(const em_radau_iia *rk, const em_walk *w) {
+    double sum = 0.0;
+    for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n);
+    return fabs(w->h) * sqrt(em_mean(sum, 2 * w->n * rk->stages));
+}
+
+/* Whether slopes of an earlier state may be all that makes changes small: too stiff ones leave residuals as they are. */
+static int em_trusts_slopes(const em_walk *w, double residual, double before) {
+    return em_slopes_are_fresh(w) || residual <= EM_NEAR_ENOUGH || residual <= EM_STAGNANT * before;
+}
+
+/* Iterates until little is left; q->contraction <- how fast. */
+static int em_iterate_stages(const em_radau_iia *rk, em_walk *w) {
+    em_implicit *q = &w->stages;
+    const int most = em_most_iterations(rk);
+    double change[EM_MOST_NODES * w->stride], before = 0.0, left = 1.0, residual = 0.0;
+    q->contraction = 0.0;
+    for (q->iterations = 1; q->iterations <= most; ++q->iterations) {
+        const double last = residual;
+        if (em_stage_residuals(rk, w)) return EM_NO_RATE;
+        residual = em_size_of_residuals(rk, w);
+        if (q->own) em_coupled_changes(rk, w, change);
+        else em_shared_changes(rk, w, change);
+        const double size = em_take_changes(rk, w, change);
+        if (!isfinite(size)) return em_not_finite(w, w->argument, w->error), EM_NO_RATE;
+        if (q->iterations > 1) {
+            const double factor = before > 0.0 ? size / before : 0.0;
+            if (factor > EM_STAGNANT && size <= em_stage_noise(w)) return EM_SOLVED;
+            left = factor < 1.0 ? factor / (1.0 - factor) : INFINITY;
+            q->contraction = factor;
+            if (!(left * size * pow(factor, most - q->iterations) <= EM_NEAR_ENOUGH)) return EM_NOT_SOLVED;
+        }
+        if (left * size <= EM_NEAR_ENOUGH) {
+            if (q->own || em_trusts_slopes(w, residual, last)) return EM_SOLVED;
+            if (q->iterations > 1) return EM_NOT_SOLVED;
+        }
+        before = size;
+    }
+    return EM_NOT_SOLVED;
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* em_variation_control.h: steps of the equations of variation, each as long as their own error lets it be. */
+#ifndef EM_VARIATION_CONTROL_H
+#define EM_VARIATION_CONTROL_H
+
+#include "sensitivity/em_variation_rows.h"
+
+#define EM_LONGEST 2.0 /* times as many steps of the run as make one here at first: features that the run has seen count */
+#define EM_NEARLY 0.6  /* of the length of a step: what is given away for its end to be one of the run's */
+#define EM_MENDS 4     /* rounds of Newton's method for a motion of a step's own */
+#define EM_ROUGH 100.0 /* tolerances, by which accelerations of a smooth motion may seem to jump */
+
+#define EM_CRAWLS 1e7  /* so many steps to go are more than anybody waits for */
+
+enum { EM_MOST_LEAST = 200 /* steps of the least length one after the other */, EM_MOST_CRAWLING = 10000 };
+
+static int em_is_finite(size_t count, const double *a) {
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(a[i])) return 0;
+    return 1;
+}
+
+EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
+static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
+EM_WIDE static double em_error_wide(em_pass *p, double h, int within, const double *none) {
+    return em_step_error(p, h, within, none);
+}
+static double em_error_narrow(em_pass *p, double h, int within, const double *none) { return em_step_error(p, h, within, none); }
+EM_WIDE static void em_begin_wide(em_pass *p) {
+    em_rates_of(p, p->J0, p->S, p->K0);
+    em_sum_terms(p, p->J0, p->S, p->T0);
+}
+static void em_begin_narrow(em_pass *p) {
+    em_rates_of(p, p->J0, p->S, p->K0);
+    em_sum_terms(p, p->J0, p->S, p->T0);
+}
+
+/* What a step begins with: S0, K0, T0, where J0 is known. */
+static void em_begin_directions(em_pass *p) {
+    const int n = p->n, k = p->columns;
+    for (int i = 0; i < 2 * n; ++i) p->S[i * k + k - 1] = 0.0;
+    (p->wide ? em_begin_wide : em_begin_narrow)(p);
+    memcpy(p->S0, p->S, 2 * (size_t)n * k * sizeof *p->S0);
+}
+
+/* A span begins at t: where the motion is, a0, J0, and the rest. */
+static int em_begin_span(em_pass *p, double t) {
+    em_variations *const w = p->of;
+    if (em_motion_at(p, t, p->z)) return -1;
+    em_pass_inputs(p, t);
+    if (w->model->motion_derivatives(em_pass_clock(p, t), p->z, p->z + p->n, p->c, p->u, w->least_norm, p->a0, p->lambda, p->J0,
+                                     p->dlambda, &w->fault)) return -1;
+    em_begin_directions(p);
+    return 0;
+}
+
+/* K and S along the motion within a step, and where that is off, along one of the step's own. 1: there is none; -1: a fault. */
+static int em_solve_step(em_pass *p, double from, double to) {
+    const double h = to - from;
+    p->mended = 0;
+    for (int j = 0; j < EM_VARIATION_NODES; ++j)
+        if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * p->n)) return -1;
+    for (int round = 0;; ++round) {
+        if (em_motion_derivatives(p, from, to)) return round > 0 ? 1 : -1;
+        const double off = em_motion_off(p, h);
+        if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return 1;
+        if (off <= EM_MOTION_OFF) return 0;
+        if (round == EM_MENDS) return 1;
+        p->mended = 1;
+        em_mend_motion(p, h);
+        if (!em_is_finite(2 * (size_t)p->n * EM_VARIATION_NODES, p->Z)) return 1;
+    }
+}
+
+/* Whether a step of the run ends at t: nowhere is its motion more exact. */
+static int em_run_stood_at(const em_run *run, double t) {
+    return t == run->dense_steps[em_dense_at(run, t)].t || t == run->t_reached;
+}
+
+/* A step is taken: its rows, and what the next begins with. */
+static int em_keep_step(em_pass *p, double from, double to) {
+    em_variations *const w = p->of;
+    const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
+    const double *const z = p->Z + last * 2 * n;
+    em_step_rows(p, from, to);
+    w->n_mended += p->mended;
+    if (!em_is_finite(2 * (size_t)n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (w->stabilise && w->model->m &&
+        w->model->tangent(em_pass_clock(p, to), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
+    memcpy(p->J0, p->J + last * n * width, (size_t)n * width * sizeof *p->J0);
+    memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
+    memcpy(p->z, z, 2 * n * sizeof *z);
+    if (p->mended && em_run_stood_at(w->run, to) && em_motion_at(p, to, p->z)) return -1;
+    em_begin_directions(p);
+    w->t_reached = to;
+    return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
+}
+
+/* The end of the next step, in a span that ends at `last`: where a step of the run ends, if one does nearly as far. */
+static double em_next_end(const em_pass *p, double from, double last) {
+    const em_variations *const w = p->of;
+    const double most = fabs(em_dense_beyond(w->run, from, EM_LONGEST * w->together) - from), rest = fabs(last - from);
+    const double length = fmin(p->h, most);
+    if (length >= rest) return last;
+    const double to = from + w->direction * (length > rest / 2.0 ? rest / 2.0 : length);
+    const double before = w->run->dense_steps[em_dense_at(w->run, to)].t;
+    return w->direction * (before - from) > EM_NEARLY * fabs(to - from) ? before : to;
+}
+
+/* By how much a step may be longer than one whose error is this. */
+static double em_longer(double error) {
+    return fmin(4.0, fmax(0.1, 0.75 * pow(fmax(error, 1e-30), -1.0 / 14.0)));
+}
+
+/* The error of a step that is solved, in tolerances; where it is more than one, less what is rounding. */
+static double em_error_of(em_pass *p, double from, double to) {
+    double (*const error)(em_pass *, double, int, const double *) = p->wide ? em_error_wide : em_error_narrow;
+    const int within = em_has_rows(p, from, to);
+    const double found = error(p, to - from, within, NULL);
+    if (found <= 1.0 || em_rounding_of(p, to, p->none)) return found;
+    return error(p, to - from, within, p->none);
+}
+
+/* How rough accelerations are in a step, in what a smooth motion may seem to be; where that is more than one, less what is rounding. */
+static double em_rough_of(em_pass *p, double to) {
+    const double most = EM_ROUGH * p->of->tolerance;
+    memset(p->wobble, 0, p->n * sizeof *p->wobble);
+    const double found = em_force_rough(p) / most;
+    return found <= 1.0 || em_rounding_of(p, to, p->none) ? found : em_force_rough(p) / most;
+}
+
+/* One step from `from` on, as long as it can be, within a span that ends at `last`. Returns its end; NAN: none. */
+static double em_advance(em_pass *p, double from, double last) {
+    em_variations *const w = p->of;
+    const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
+    for (;;) {
+        const double to = em_next_end(p, from, last), length = fabs(to - from);
+        const int solved = em_solve_step(p, from, to), is_least = length <= 2.0 * least;
+        if (solved < 0) return NAN;
+        const double error = solved > 0 ? INFINITY : em_error_of(p, from, to);
+        const double rough = solved > 0 ? 0.0 : em_rough_of(p, to), off = fmax(error, rough);
+        p->n_least = is_least ? p->n_least + 1 : 0;
+        p->n_crawling += length * EM_CRAWLS < fabs(last - from) ? 1 : p->n_crawling > 0 ? -1 : 0;
+        if (is_least && rough > 1.0) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1), w->t_reached = to, NAN;
+        if (is_least && (solved > 0 || p->n_least > EM_MOST_LEAST)) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
+        if (p->n_crawling > EM_MOST_CRAWLING) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
+        if (off <= 1.0 || is_least) {
+            p->longest = fmax(p->longest, length);
+            if (length > 0.25 * p->longest) p->n_again = 0;
+            p->h = fmax(length < p->h ? p->h : 0.0, length * em_longer(off));
+            return em_keep_step(p, from, to) ? NAN : to;
+        }
+        ++w->n_refused, ++p->n_again;
+        p->h = fmax(length * fmin(0.7, em_longer(off)), least);
+    }
+}
+
+/* The directions at the end of a span. */
+static int em_cross_span(em_pass *p, size_t span) {
+    em_variations *const w = p->of;
+    const double last = w->to[span];
+    double t = w->from[span];
+    em_pass_pieces(p, t);
+    if (em_pass_breaks(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
+    p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->together) - t));
+    while (t != last)
+        if (isnan(t = em_advance(p, t, last))) return -1;
+    return 0;
+}
+
+#endif

@@ -1,0 +1,76 @@
+/* em_variation_error.h: how far a step of the equations of variation is off.
+ *
+ * Within a step K = S_v' is a polynomial of degree 7. What it is off the equations at the beginning of the step, where it was
+ * not asked to satisfy them, is twice the next coefficient of its series in Legendre's polynomials, k_8. So within the step
+ * S_v is off by about h k_8 / 32, S_x by less. At its end they are off by much less, since the nodes are those of
+ * Radau: by what k_8 and the seventh coefficient of S have in common, or by coefficients of twice the degree, which are
+ * taken to fall as those do that are known. All of that is relative to the size of directions and of the terms of their
+ * rates, number by number, so that no unit counts. What of it is rounding no shorter step makes less (em_variation_rounding.h). */
+#ifndef EM_VARIATION_ERROR_H
+#define EM_VARIATION_ERROR_H
+
+#include "sensitivity/em_variation_rounding.h"
+
+#define EM_WITHIN (1.0 / 32.0)
+#define EM_SAFELY 2.0
+
+/* The sizes of the coefficients of one direction that its error is made of, relative to its size. */
+typedef struct em_series_size {
+    double five, six, seven, eight;
+} em_series_size;
+
+/* How far a direction is off at the end of a step, or within it. */
+EM_INLINE double em_direction_error(const em_series_size *s, int within) {
+    const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
+    const double falls = before > after ? after / before : 1.0; /* by this every two terms */
+    const double off = EM_WITHIN * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
+    return within ? fmax(end, off * sqrt(falls)) : end;
+}
+
+/* The size of S_v[i] in a step: its own, and that of the terms that change it. */
+EM_INLINE double em_rate_size(const em_pass *p, double length, int at) {
+    const int v = at + p->n * p->columns;
+    return fmax(fmax(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * fmax(p->T0[at], p->T[at]));
+}
+
+/* One row of the series of K: its last coefficients without their signs, and the next one. part (4, columns). */
+EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int n = p->n, k = p->columns;
+    const double *const C = p->of->series;
+    memset(part, 0, 4 * (size_t)k * sizeof *part);
+    for (int q = 0; q < NODES; ++q) {
+        const double *const K = p->K + (q * n + i) * k;
+        const double five = C[5 * NODES + q], six = C[6 * NODES + q], seven = C[7 * NODES + q], at = p->origin[q];
+        for (int j = 0; j < k; ++j) {
+            part[j] += five * K[j], part[k + j] += six * K[j], part[2 * k + j] += seven * K[j];
+            part[3 * k + j] += at * K[j];
+        }
+    }
+    for (int j = 0; j < k; ++j) part[3 * k + j] = 0.5 * (p->K0[i * k + j] - part[3 * k + j]);
+}
+
+/* The largest error of a direction, relative to its size, in tolerances. `none` (n, columns) of K is rounding; NULL: unknown. */
+EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *none) {
+    const int n = p->n, k = p->columns;
+    const double tolerance = p->of->tolerance, length = fabs(h);
+    double part[4 * k], most = 0.0;
+    em_series_size sizes[k];
+    memset(sizes, 0, sizeof sizes);
+    if (!none) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
+    for (int i = 0; i < n; ++i) {
+        em_last_terms(p, i, part);
+        for (int j = 0; j < p->of->columns; ++j) {
+            const double rounding = none ? length * none[i * k + j] / tolerance : 0.0;
+            const double per = length / (em_rate_size(p, length, i * k + j) + rounding + DBL_MIN);
+            sizes[j].five = fmax(sizes[j].five, per * fabs(part[j]));
+            sizes[j].six = fmax(sizes[j].six, per * fabs(part[k + j]));
+            sizes[j].seven = fmax(sizes[j].seven, per * fabs(part[2 * k + j]));
+            sizes[j].eight = fmax(sizes[j].eight, per * fabs(part[3 * k + j]));
+        }
+    }
+    for (int j = 0; j < p->of->columns; ++j) most = fmax(most, em_direction_error(&sizes[j], within));
+    return most / tolerance;
+}
+
+#endif

@@ -1,0 +1,170 @@
+/* em_variation_events.h: what becomes of directions at events.
+ *
+ * The time of an event changes by dt = -dg / gdot. What happens there is then that much later, and the motion after it, too:
+ *
+ *     dz+ = D (dz- + f- dt) - f+ dt
+ *
+ * at fixed time, f the rates (v, a) before and after, D the derivative of what the events that act do to z (one where none
+ * does), by the state, what is given and the time (em_saltation.h). */
+#ifndef EM_VARIATION_EVENTS_H
+#define EM_VARIATION_EVENTS_H
+
+#include "sensitivity/em_variation_control.h"
+
+#define EM_BESIDE 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
+#define EM_SAME_RATE 1e-6 /* relative: rates on one side of a jump, at it and beside it */
+#define EM_SAME_STATE 1e-8 /* relative: what events made of a state in the run, and in the pass */
+
+/* Whether rates (v, a) are the same but for how they change beside an event. */
+static int em_is_same_rate(int n, const double *a, const double *b) {
+    double apart = 0.0, size = 0.0;
+    for (int i = n; i < 2 * n; ++i) {
+        apart = fmax(apart, fabs(a[i] - b[i]));
+        size = fmax(size, fmax(fabs(a[i]), fabs(b[i])));
+    }
+    return apart <= EM_SAME_RATE * size;
+}
+
+/* rate (2 n) <- (v, a) at z, or, where that is on the other side of a jump, beside it. */
+static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
+    const int n = p->n;
+    double there[2 * n], near[2 * n];
+    if (em_motion_rate(p, t, p->z, rate)) return -1;
+    for (int i = 0; i < 2 * n; ++i) there[i] = p->z[i] + ahead * rate[i];
+    if (em_motion_rate(p, t + ahead, there, near)) return -1;
+    if (!em_is_same_rate(n, rate, near)) memcpy(rate, near, 2 * n * sizeof *rate);
+    em_pass_inputs(p, t);
+    return 0;
+}
+
+/* S <- `ahead` of t, by their rates: beyond an event, or to it. */
+static int em_move_beside(em_pass *p, double t, double ahead) {
+    em_variations *const w = p->of;
+    const int n = p->n, block = n * p->columns;
+    em_pass_inputs(p, t);
+    if (w->model->motion_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, p->columns, p->S, p->P, p->a, p->lambda,
+                               p->W, &w->fault)) return -1;
+    em_add_to(block, ahead, p->S + block, p->S);
+    em_add_to(block, ahead, p->W, p->S + block);
+    return 0;
+}
+
+/* dt (columns) <- how the time of an event changes; that of the motion itself is -1. */
+static void em_event_shift(em_pass *p, double t, int event, const double *rate, double *dt) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    double G[width * p->of->model->n_events], gdot = 0.0;
+    p->of->model->event_partials(t, p->z, p->z + n, p->c, p->u, G);
+    const double *const g = G + event * width;
+    for (int i = 0; i < 2 * n; ++i) gdot += g[i] * rate[i];
+    for (int i = 0; i < p->of->n_given; ++i) gdot += g[2 * n + i] * p->P[i * k + k - 1];
+    for (int column = 0; column < k; ++column) {
+        double change = 0.0;
+        for (int i = 0; i < 2 * n; ++i) change += g[i] * p->S[i * k + column];
+        for (int i = 0; i < p->of->n_given; ++i) change += g[2 * n + i] * p->P[i * k + column];
+        dt[column] = -change / gdot;
+    }
+}
+
+/* Whether two events, or an event and a break, happen together however what is given changes, relative to the larger change. */
+static int em_go_together(const em_pass *p, const double *one, const double *other) {
+    for (int column = 0; column + 1 < p->columns; ++column)
+        if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
+    return 1;
+}
+
+/* Whether the run says z, too, where velocities v, and lengths of time, say how large x and v are. */
+static int em_is_same_state(int n, const double *y, const double *z, const double *v, double length) {
+    double apart[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
+    for (int i = 0; i < n; ++i) {
+        apart[0] = fmax(apart[0], fabs(y[i] - z[i])), size[0] = fmax(size[0], fmax(fabs(z[i]), length * fabs(v[i])));
+        apart[1] = fmax(apart[1], fabs(y[n + i] - z[n + i])), size[1] = fmax(size[1], fmax(fabs(z[n + i]), fabs(v[i])));
+    }
+    return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
+}
+
+/* At a stop events act: z and the mode after them, of which the run says it is `next`, and the directions. */
+static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double beside) {
+    em_variations *const w = p->of;
+    const int n = p->n, k = p->columns;
+    const double t = w->t[stop], near = fabs(beside), *const next = w->z + (stop + 1) * 2 * n;
+    double P[w->n_given * k], after[2 * n], v[n], of_break[k], by_break[2 * n];
+    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks < 0) return -1;
+    if (breaks && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
+    memcpy(v, p->z + n, sizeof v);
+    for (int i = 0; i < w->n_given; ++i)
+        for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
+    for (int i = 0; i < 2 * n; ++i)
+        for (int j = 0; j < k; ++j) p->S[i * k + j] += before[i] * dt[j];
+    if (w->model->act_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, fired, p->pile, k, p->S, P, &w->fault))
+        return -1;
+    if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_BESIDE)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
+    memcpy(p->z, next, 2 * n * sizeof *next);
+    const int breaks_then = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks_then < 0) return -1;
+    if (breaks_then && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
+    if (em_rate_on_side(p, t, beside, after)) return -1;
+    for (int i = 0; i < 2 * n; ++i)
+        for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
+    return 0;
+}
+
+/* What happens at a stop: of events that act, or of others, the first, how its time changes, and whether all do so as one. */
+typedef struct em_happening {
+    int acting, event, apart;
+    double *dt;
+} em_happening;
+
+static void em_happens(const em_pass *p, em_happening *h, int event, const double *dt) {
+    if (h->event >= 0 && !em_go_together(p, h->dt, dt)) h->apart = event;
+    if (h->event < 0) h->event = event, memcpy(h->dt, dt, p->columns * sizeof *dt);
+    ++h->acting;
+}
+
+/* Where accelerations jump, directions do: with a break, or with the events that happen there. */
+static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events, const double *before, double beside) {
+    const int n = p->n, k = p->columns;
+    const double t = p->of->t[stop], near = fabs(beside);
+    double after[2 * n], of_break[k], by_break[2 * n], rest[2 * n];
+    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks < 0 || em_rate_on_side(p, t, beside, after)) return -1;
+    if (em_is_same_rate(n, before, after)) return 0;
+    for (int i = 0; breaks && i < 2 * n; ++i) rest[i] = before[i] - by_break[i];
+    const int alone = breaks && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
+    if (both && events->apart >= 0) return em_end_pass(p->of, EM_JUMPS_MEET, events->event, events->apart);
+    if (both && breaks && !em_go_together(p, of_break, events->dt)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    if (!breaks && !both) return 0;
+    const double *const dt = breaks ? of_break : events->dt;
+    for (int column = 0; column + 1 < k; ++column)
+        for (int i = n; i < 2 * n; ++i) p->S[i * k + column] += (before[i] - after[i]) * dt[column];
+    return 0;
+}
+
+/* The marks from `mark` on that are at a stop: dt, directions and, where some act, z and the mode of the next stop.
+ * Returns how many events act, or -1. */
+static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double beside) {
+    em_variations *const w = p->of;
+    const int k = p->columns;
+    const double t = w->t[stop];
+    double dt[k], of_act[k], of_pass[k], before[2 * p->n];
+    int fired[w->model->n_events + 1];
+    em_happening act = {0, -1, -1, of_act}, pass = {0, -1, -1, of_pass};
+    memset(fired, 0, sizeof fired);
+    em_pass_side(p, t, fabs(beside), 0);
+    if (em_rate_on_side(p, t, -beside, before)) return -1;
+    em_set_last(p, before);
+    for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
+        const int event = w->mark_event[*mark], acts = w->model->deeds && w->model->deeds[event].acts;
+        em_event_shift(p, t, event, before, dt);
+        memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
+        for (int j = 0; acts && j < k; ++j)
+            if (!isfinite(dt[j])) return em_end_pass(w, EM_EVENT_GRAZES, event, -1);
+        if (acts) em_happens(p, &act, event, dt), fired[event] = 1;
+        else if (isfinite(dt[k - 1])) em_happens(p, &pass, event, dt);
+    }
+    if (act.apart >= 0) return em_end_pass(w, EM_EVENTS_MEET, act.event, act.apart);
+    if (act.acting) return em_variation_act(p, stop, fired, before, of_act, beside) ? -1 : act.acting;
+    return stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, beside) ? -1 : 0;
+}
+
+#endif

@@ -1,0 +1,120 @@
+/* em_variation_pass.h: what a pass of the equations of variation is asked, and works with (em_variations.h). */
+#ifndef EM_VARIATION_PASS_H
+#define EM_VARIATION_PASS_H
+
+#include <stdlib.h>
+
+#include "stepper/em_time_events.h"
+#include "numeric/em_elimination.h"
+#include "stepper/em_signals.h"
+
+#define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
+
+/* What ends a pass but faults of the model. */
+enum {
+    EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_BREAKS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET,
+    EM_FORCE_JUMPS, EM_UNRESOLVED
+};
+
+enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
+
+/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v; where what happens at one acts, the next is what
+ * comes of it. Between two of them lie `spans`, each from `from` to `to`, in which no signal has a kink and no condition
+ * in the time changes. Marks are events, in the order of their stops. P (n_given, columns). */
+typedef struct em_variations {
+    const em_model *model;
+    const em_run *run;       /* what it keeps is the motion between stops */
+    const double *c;         /* of the first stop */
+    const em_signal *inputs;
+    int columns, least_norm, stabilise, n_given;
+    double direction, tolerance, together; /* together: how many steps of the run make one here, at first */
+    size_t n_stops, n_marks, n_spans, n_rows;
+    const double *t, *z, *P;
+    const long *spans, *mark_stop;
+    const int *mark_event;
+    const double *from, *to;               /* (n_spans) */
+    const double *place, *A, *A2, *series; /* of the nodes in a step; A, and its square; values to Legendre's series */
+    const double *t_rows;                  /* (n_rows), in the direction of time */
+    double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
+    double *rows;                          /* (n_rows, 2 n, columns), at t_rows, where these lie within steps */
+    size_t n_steps, n_refused, n_mended;   /* <- of steps: made, made shorter, with a motion of their own */
+    int (*poll)(void *);
+    void *poll_argument;
+    em_fault fault;
+    int why;
+    double t_reached;
+} em_variations;
+
+/* What a pass works with. Directions are rows of `columns` numbers, the last of them for what is asked beside (how a motion
+ * itself goes on, or is mended), and zeros before it that make them a multiple of four: S (2 n, columns) and P (n_given,
+ * columns), zero but at `places`, (row, column). z is where the motion is; L the linear system with its right-hand sides,
+ * in `rows`; `inside`: between which times the model is asked (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J
+ * (n, n_arguments), K = S_v' and G, what of it does not hang on K (n, columns). Where the step begins: S0, K0, J0, a0, and
+ * T0, the sum of the terms of K without their signs; T, where it ends. none (n, columns), wobble (n): what of K and a is
+ * rounding. */
+typedef struct em_pass {
+    em_variations *of;
+    int n, m, columns, wide, n_places, (*places)[2];
+    double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *wobble, *y;
+    double origin[EM_VARIATION_NODES]; /* of a series at its beginning, by values at nodes */
+    double inside[2], h;               /* h: the length of the next step, as far as the last one tells */
+    size_t row;
+    double longest;                         /* of the steps that were made */
+    int n_least, n_crawling, n_again, mended; /* n_again: refused since one was about as long; mended: has a motion of its own */
+    em_pile *pile;
+    long *piece;
+} em_pass;
+
+static int em_end_pass(em_variations *w, int why, int first, int second) {
+    w->why = why;
+    return em_fail(&w->fault, EM_NON_FINITE_STATE, first, second, NAN);
+}
+
+static double em_signal_rate(const em_signal *u, long piece, double t) {
+    const long last = (long)u->count - 1;
+    if (u->kind == EM_LINEAR && piece >= 0 && piece < last)
+        return (u->values[piece + 1] - u->values[piece]) / (u->times[piece + 1] - u->times[piece]);
+    if (u->kind != EM_CUBIC || t < u->times[0] || t > u->times[last]) return 0.0;
+    long at = em_signal_piece(u, t, 1.0);
+    if (at > last - 1) at = last - 1;
+    const double *b = u->values + 4 * at, x = t - u->times[at];
+    return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
+}
+
+/* The inputs at t, and their rates, with which the motion itself goes. */
+static void em_pass_inputs(em_pass *p, double t) {
+    for (int i = 0; i < p->of->model->n_inputs; ++i) {
+        p->u[i] = em_signal_at(&p->of->inputs[i], p->piece[i], t);
+        p->P[i * p->columns + p->columns - 1] = em_signal_rate(&p->of->inputs[i], p->piece[i], t);
+    }
+}
+
+/* The pieces of inputs that hold after t. Returns whether others did before. */
+static int em_pass_pieces(em_pass *p, double t) {
+    int other = 0;
+    for (int i = 0; i < p->of->model->n_inputs; ++i) {
+        const long piece = em_signal_piece(&p->of->inputs[i], t, p->of->direction);
+        other |= piece != p->piece[i];
+        p->piece[i] = piece;
+    }
+    return other;
+}
+
+/* The time at which the model is asked for what holds at t. */
+static double em_pass_clock(const em_pass *p, double t) { return fmin(fmax(t, p->inside[0]), p->inside[1]); }
+
+/* rate (2 n) <- (v, a) at z. */
+static int em_motion_rate(em_pass *p, double t, const double *z, double *rate) {
+    em_variations *const w = p->of;
+    em_pass_inputs(p, t);
+    memcpy(rate, z + p->n, p->n * sizeof *rate);
+    return w->model->acceleration(em_pass_clock(p, t), z, z + p->n, p->c, p->u, w->least_norm, rate + p->n, p->lambda, &w->fault);
+}
+
+/* The last direction <- how the motion itself goes on, at rates (2 n). */
+static void em_set_last(em_pass *p, const double *rate) {
+    for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
+}
+
+#endif

@@ -1,0 +1,132 @@
+/* em_variation_rounding.h: what of the rates of directions, and of accelerations, is rounding.
+ *
+ * A second look at the same place with other last digits tells, where numbers of the state are what is rounded. What rows hold
+ * back cancels against their multipliers, and nothing but rounding is left of it, wherever one looks: of a coordinate that does
+ * not move at all, of what a common factor of all forces changes, of a heading that a bicycle at rest does not know. It is
+ * known to the last digits of what cancels there, |M^-1| |A|^T |dlambda|: of the largest such term of a row, by any number of
+ * the state, in units of M. Where steps made shorter do not have less of an error, neither is more known of what a parameter
+ * changes than the last digits of all that balances. */
+#ifndef EM_VARIATION_ROUNDING_H
+#define EM_VARIATION_ROUNDING_H
+
+#include "numeric/em_linear.h"
+#include "sensitivity/em_variation_steps.h"
+
+#define EM_ROUNDINGS 32.0 /* times what one look at rounding shows */
+#define EM_HELD_BACK (8.0 * DBL_EPSILON) /* of what cancels */
+
+/* Times that steps were made as short as their error asked for, and had one again: an error that falls with the length would not. */
+enum { EM_AGAIN = 2 };
+
+/* T (n, columns) <- the sum of the terms of K without their signs. */
+EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, double *T) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    memset(T, 0, (size_t)n * k * sizeof *T);
+    for (int i = 0; i < n; ++i) {
+        double *const row = T + i * k;
+        for (int q = 0; q < 2 * n; ++q) {
+            const double part = fabs(J[i * width + q]), *const s = S + q * k;
+            for (int j = 0; j < k; ++j) row[j] += part * fabs(s[j]);
+        }
+        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
+            row[(*at)[1]] += fabs(J[i * width + 2 * n + (*at)[0]] * p->P[(*at)[0] * k + (*at)[1]]);
+    }
+}
+
+/* R (n, m) <- the sizes of what multipliers do to accelerations, |M^-1| |A|^T; w (n) the units in which coordinates can be
+ * compared, square roots of the diagonal of M. 0, or -1: M has no inverse. */
+static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *R, double *w) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, m = p->m;
+    double M[n * n], L[n * n], r[n], A[m * n], b[m], column[n];
+    if (!model->mass_matrix) return -1;
+    (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, z, p->c, M);
+    for (int i = 0; i < n; ++i) w[i] = sqrt(M[i * n + i]);
+    if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) >= 0) return -1;
+    memset(R, 0, (size_t)n * m * sizeof *R);
+    model->pfaffian(t, z, p->c, A, b);
+    for (int k = 0; k < n; ++k) {
+        for (int i = 0; i < n; ++i) column[i] = i == k;
+        em_forward(n, L, r, column);
+        em_backward(n, L, r, column);
+        for (int i = 0; i < n; ++i)
+            for (int row = 0; row < m; ++row) R[i * m + row] += fabs(column[i]) * fabs(A[row * n + k]);
+    }
+    return 0;
+}
+
+/* length (columns) <- the lengths of n rows of directions in units w. */
+static void em_lengths(int n, int columns, const double *w, const double *S, double *length) {
+    memset(length, 0, columns * sizeof *length);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < columns; ++j) length[j] += w[i] * S[i * columns + j] * (w[i] * S[i * columns + j]);
+    for (int j = 0; j < columns; ++j) length[j] = sqrt(length[j]);
+}
+
+/* none (n, columns) and wobble (n) += the last digits of what rows hold back. */
+static void em_add_held_back(em_pass *p, double t, const double *z, double *none) {
+    const int n = p->n, m = p->m, k = p->columns, width = p->of->model->n_arguments;
+    double R[n * m + 1], w[n], length[2][k], term[width];
+    if (m == 0 || em_reaction_sizes(p, t, z, R, w)) return;
+    for (int half = 0; half < 2; ++half) em_lengths(n, k, w, p->S + half * n * k, length[half]);
+    for (int i = 0; i < n; ++i) {
+        memset(term, 0, sizeof term);
+        for (int row = 0; row < m; ++row) {
+            const double held = EM_HELD_BACK * R[i * m + row];
+            for (int q = 0; q < width; ++q) term[q] += held * fabs(p->dlambda[row * width + q]);
+            p->wobble[i] += held * fabs(p->lambda[row]);
+        }
+        for (int half = 0; half < 2; ++half) {
+            double most = 0.0;
+            for (int q = 0; q < n; ++q) most = fmax(most, term[half * n + q] / w[q]);
+            em_add_to(k, most, length[half], none + i * k);
+        }
+        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
+            none[i * k + (*at)[1]] += term[2 * n + (*at)[0]] * fabs(p->P[(*at)[0] * k + (*at)[1]]);
+    }
+}
+
+/* none (n, columns) += the last digits of all that balances in an acceleration, as far as a parameter has part in it. Terms
+ * go with parameters, so that their sizes are |da/dp| |p|, and dlambda/dp in the same way. */
+static void em_add_balanced(em_pass *p, double t, const double *z, double *none) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
+    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
+    double R[n * m + 1], w[n];
+    if (m == 0 || em_reaction_sizes(p, t, z, R, w)) memset(R, 0, sizeof R);
+    for (int i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (int row = 0; row < m; ++row) sum += R[i * m + row] * fabs(p->lambda[row]);
+        for (int g = 0; g < model->n_parameters; ++g) {
+            double term = fabs(J[i * width + first + g]);
+            for (int row = 0; row < m; ++row) term += R[i * m + row] * fabs(p->dlambda[row * width + first + g]);
+            sum += term * fabs(p->c[g]);
+        }
+        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
+            const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
+            if (g < 0 || g >= model->n_parameters || p->c[g] == 0.0) continue;
+            none[i * p->columns + j] += EM_HELD_BACK * sum * fabs(p->P[(*at)[0] * p->columns + j] / p->c[g]);
+        }
+    }
+}
+
+/* none (n, columns), and wobble (n) <- what of K, and of accelerations, is rounding, where a step ends at t. 0, or -1. */
+static int em_rounding_of(em_pass *p, double t, double *none) {
+    enum { LAST = EM_VARIATION_NODES - 1 };
+    em_variations *const w = p->of;
+    const int n = p->n, width = w->model->n_arguments;
+    const double *const J = p->J + LAST * n * width;
+    double z[2 * n], a[n], D[n * width];
+    for (int i = 0; i < 2 * n; ++i) z[i] = p->Z[LAST * 2 * n + i] * (1.0 + (i % 2 ? -4.0 : 4.0) * DBL_EPSILON);
+    em_pass_inputs(p, t);
+    if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, a, p->lambda, D, p->dlambda,
+                                     &w->fault)) return -1;
+    for (int i = 0; i < n * width; ++i) D[i] = EM_ROUNDINGS * (D[i] - J[i]);
+    em_sum_terms(p, D, p->S, none);
+    for (int i = 0; i < n; ++i) p->wobble[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
+    em_add_held_back(p, em_pass_clock(p, t), z, none);
+    if (p->n_again >= EM_AGAIN) em_add_balanced(p, em_pass_clock(p, t), z, none);
+    return 0;
+}
+
+#endif

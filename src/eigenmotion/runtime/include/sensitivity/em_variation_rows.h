@@ -1,0 +1,74 @@
+/* em_variation_rows.h: directions within a step, by the polynomial of their rates and what is known where these begin. */
+#ifndef EM_VARIATION_ROWS_H
+#define EM_VARIATION_ROWS_H
+
+#include "sensitivity/em_variation_error.h"
+
+/* once, twice (nodes + 1) <- integrals from 0 to x of Legendre's polynomials on [0, 1]; the last are those of P_8 - P_7,
+ * which vanishes at the nodes. */
+static void em_integrals(double x, double *once, double *twice) {
+    enum { NODES = EM_VARIATION_NODES };
+    const double u = 2.0 * x - 1.0;
+    double P[NODES + 3] = {1.0, u}, I[NODES + 2] = {x};
+    for (int d = 1; d < NODES + 2; ++d) P[d + 1] = ((2 * d + 1) * u * P[d] - d * P[d - 1]) / (d + 1);
+    for (int d = 1; d < NODES + 2; ++d) I[d] = (P[d + 1] - P[d - 1]) / (2.0 * (2 * d + 1));
+    for (int d = 0; d <= NODES; ++d) {
+        once[d] = I[d];
+        twice[d] = d == 0 ? 0.5 * x * x : (I[d + 1] - I[d - 1]) / (2.0 * (2 * d + 1));
+    }
+    once[NODES] -= once[NODES - 1], twice[NODES] -= twice[NODES - 1];
+}
+
+/* weight (nodes + 1) of K at the nodes and where the step begins, of integrals of the terms of a series. */
+static void em_row_weights(const em_pass *p, const double *integral, double *weight) {
+    enum { NODES = EM_VARIATION_NODES };
+    weight[NODES] = 0.5 * integral[NODES];
+    for (int j = 0; j < NODES; ++j) {
+        weight[j] = -weight[NODES] * p->origin[j];
+        for (int d = 0; d < NODES; ++d) weight[j] += p->of->series[d * NODES + j] * integral[d];
+    }
+}
+
+/* Y <- directions in a step from `from` on, of length h, at t. */
+static void em_directions_within(em_pass *p, double from, double h, double t) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int block = p->n * p->columns;
+    const double x = fmin(fmax((t - from) / h, 0.0), 1.0);
+    double once[NODES + 1], twice[NODES + 1], by_once[NODES + 1], by_twice[NODES + 1];
+    em_integrals(x, once, twice);
+    em_row_weights(p, once, by_once), em_row_weights(p, twice, by_twice);
+    memcpy(p->Y, p->S0, 2 * (size_t)block * sizeof *p->Y);
+    em_add_to(block, x * h, p->S0 + block, p->Y);
+    for (int j = 0; j <= NODES; ++j) {
+        const double *const K = j < NODES ? p->K + j * block : p->K0;
+        em_add_to(block, h * h * by_twice[j], K, p->Y);
+        em_add_to(block, h * by_once[j], K, p->Y + block);
+    }
+}
+
+/* to (count, asked columns) <- rows of directions. */
+static void em_keep_directions(const em_pass *p, const double *from, int count, double *to) {
+    const int asked = p->of->columns;
+    for (int i = 0; i < count; ++i) memcpy(to + i * asked, from + i * p->columns, asked * sizeof *to);
+}
+
+/* The rows that lie within a step. */
+static void em_step_rows(em_pass *p, double from, double to) {
+    em_variations *const w = p->of;
+    for (; p->row < w->n_rows && w->direction * w->t_rows[p->row] <= w->direction * to; ++p->row) {
+        em_directions_within(p, from, to - from, w->t_rows[p->row]);
+        em_keep_directions(p, p->Y, 2 * p->n, w->rows + p->row * 2 * p->n * w->columns);
+    }
+}
+
+/* Whether rows are asked for between the ends of a step. */
+static int em_has_rows(const em_pass *p, double from, double to) {
+    const em_variations *const w = p->of;
+    for (size_t row = p->row; row < w->n_rows; ++row) {
+        const double x = (w->t_rows[row] - from) / (to - from);
+        if (x > 1e-6) return x < 1.0 - 1e-6;
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,125 @@
+/* em_variation_steps.h: a step of the equations of variation, along a motion that is known within it.
+ *
+ * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a step is
+ * one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x + c h S_v) +
+ * J_v S_v + F: by elimination, or by iteration where it is large and that converges. The last direction begins with zero, and
+ * has -J off in place of F: its K is what Newton's method makes of the motion's own accelerations. */
+#ifndef EM_VARIATION_STEPS_H
+#define EM_VARIATION_STEPS_H
+
+#include "sensitivity/em_variation_motion.h"
+
+/* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
+EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
+    for (int i = 0; i < rows; ++i) {
+        int k = 0;
+        for (; k + 4 <= inner; k += 4)
+            em_add_four(columns, D + i * width + k, S + k * columns, columns, W + i * columns);
+        for (; k < inner; ++k) em_add_to(columns, D[i * width + k], S + k * columns, W + i * columns);
+    }
+}
+
+/* to (n, columns) <- J S + F, but for the last direction, which has no F. */
+EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, double *to) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    memset(to, 0, (size_t)n * k * sizeof *to);
+    em_add_product(n, 2 * n, width, k, J, S, to);
+    for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
+        const double given = p->P[(*at)[0] * k + (*at)[1]];
+        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
+    }
+}
+
+/* G at the nodes: what does not hang on K. */
+EM_INLINE void em_node_directions(em_pass *p, double h) {
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
+    for (int j = 0; j < EM_VARIATION_NODES; ++j) {
+        memcpy(p->Y, p->S0, 2 * (size_t)block * sizeof *p->Y);
+        em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
+        for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
+        em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
+    }
+}
+
+/* K <- by elimination, of unknowns and equations in the order of coordinates, and then nodes. 0, or -1: singular. */
+EM_INLINE int em_solve_nodes(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;
+    for (int row = 0; row < n; ++row)
+        for (int i = 0; i < NODES; ++i) {
+            const double *const J = p->J + (i * n + row) * width;
+            const double *const A = p->of->A + i * NODES, *const A2 = p->of->A2 + i * NODES;
+            double *const at = p->rows[row * NODES + i] = p->L + (row * NODES + i) * (size + k);
+            for (int q = 0; q < n; ++q) {
+                const double by_x = -h * h * J[q], by_v = -h * J[n + q];
+                for (int j = 0; j < NODES; ++j) at[q * NODES + j] = by_x * A2[j] + by_v * A[j];
+            }
+            at[row * NODES + i] += 1.0;
+            memcpy(at + size, p->G + (i * n + row) * k, k * sizeof *at);
+        }
+    if (em_eliminate(size, k, p->rows)) return -1;
+    for (int i = 0; i < size; ++i)
+        memcpy(p->K + (i % NODES * n + i / NODES) * k, p->rows[i] + size, k * sizeof *p->K);
+    return 0;
+}
+
+/* The largest change from K to W of a direction, relative to its size; K <- W. */
+EM_INLINE double em_largest_change(em_pass *p, int rows) {
+    const int k = p->columns;
+    double change[k], size[k], most = 0.0;
+    memset(change, 0, sizeof change), memset(size, 0, sizeof size);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < k; ++j) {
+            const double now = p->W[i * k + j];
+            change[j] = fmax(change[j], fabs(now - p->K[i * k + j])), size[j] = fmax(size[j], fabs(now));
+            p->K[i * k + j] = now;
+        }
+    for (int j = 0; j < p->of->columns; ++j)
+        if (change[j] > 0.0) most = fmax(most, change[j] / size[j]);
+    return most;
+}
+
+/* K <- by iteration from G. 0, or -1: does not converge. */
+EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES, MOST = 25 };
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
+    double before = INFINITY;
+    memcpy(p->K, p->G, (size_t)NODES * block * sizeof *p->K);
+    for (int round = 0; round < MOST; ++round) {
+        memcpy(p->W, p->G, (size_t)NODES * block * sizeof *p->W);
+        for (int i = 0; i < NODES; ++i) {
+            memset(p->Y, 0, 2 * (size_t)block * sizeof *p->Y);
+            for (int j = 0; j < NODES; ++j) {
+                em_add_to(block, h * h * p->of->A2[i * NODES + j], p->K + j * block, p->Y);
+                em_add_to(block, h * p->of->A[i * NODES + j], p->K + j * block, p->Y + block);
+            }
+            em_add_product(n, 2 * n, width, k, p->J + i * n * width, p->Y, p->W + i * block);
+        }
+        const double change = em_largest_change(p, NODES * n);
+        if (change <= 1e-15) return 0;
+        if (!(change < 0.5 * before) && round > 1) return change <= 1e-13 ? 0 : -1;
+        before = change;
+    }
+    return -1;
+}
+
+/* K, of a step that begins with S0, and S at its end. 0, or -1: singular. */
+EM_INLINE int em_step_directions(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int block = p->n * p->columns;
+    const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
+    em_node_directions(p, h);
+    const int iterated = NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
+    if (!iterated && em_solve_nodes(p, h)) return -1;
+    memcpy(p->S, p->S0, 2 * (size_t)block * sizeof *p->S);
+    em_add_to(block, h, p->S + block, p->S);
+    for (int j = 0; j < NODES; j += 4) {
+        const double once[4] = {h * A[j], h * A[j + 1], h * A[j + 2], h * A[j + 3]};
+        const double twice[4] = {h * h * A2[j], h * h * A2[j + 1], h * h * A2[j + 2], h * h * A2[j + 3]};
+        em_add_four(block, twice, p->K + j * block, block, p->S);
+        em_add_four(block, once, p->K + j * block, block, p->S + block);
+    }
+    return 0;
+}
+
+#endif

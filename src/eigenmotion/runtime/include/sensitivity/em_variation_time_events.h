@@ -1,0 +1,126 @@
+/* em_variation_time_events.h: what becomes of directions at breaks (em_time_events.h).
+ *
+ * A break that is dtau later lets the motion go on as before for that long: dz+ = dz- + (f- - f+) dtau, f the rates (v, a) on
+ * both sides. That is of forces that jump; where constraint rows do, or times meet that change apart, directions end. */
+#ifndef EM_VARIATION_TIME_EVENTS_H
+#define EM_VARIATION_TIME_EVENTS_H
+
+#include "sensitivity/em_variation_pass.h"
+
+#define EM_TOGETHER_IN_TIME 1e-9 /* relative: changes of times that go together */
+#define EM_ROWS_JUMP 1e-9        /* the part of its terms by which an entry of a constraint row jumps */
+
+/* dtau (columns) <- how the times of all breaks at t, or so near, change, of which `at` says when they are. 0, or -1: not all as one. */
+static int em_break_shift(const em_pass *p, const double *at, double t, double near, double *dtau) {
+    const em_model *const model = p->of->model;
+    const int width = model->n_arguments, k = p->columns;
+    double D[model->n_breaks * 2 * width];
+    int found = 0;
+    model->break_partials(p->c, D);
+    for (int i = 0; i < model->n_breaks; ++i) {
+        const double *const b = at + 3 * i, *const by = D + 2 * i * width + 2 * p->n;
+        if (!(em_break_reach_near(1, b, t, near) > 0.0)) continue;
+        const double turns = b[1] != 0.0 ? round((t - b[0]) / b[1]) : 0.0;
+        for (int j = 0; j + 1 < k; ++j) {
+            double change = 0.0;
+            for (int g = 0; g < p->of->n_given; ++g)
+                if (p->P[g * k + j] != 0.0) change += (by[g] + turns * by[width + g]) * p->P[g * k + j];
+            if (found && !(fabs(change - dtau[j]) <= EM_TOGETHER_IN_TIME * fmax(fabs(change), fabs(dtau[j])))) return -1;
+            dtau[j] = change;
+        }
+        found = 1;
+    }
+    return 0;
+}
+
+/* Whether an entry of A or b jumps: what varies without changes by more further away. */
+static int em_rows_jump(const em_pass *p, double t, double reach) {
+    const int size = p->m * p->n + p->m;
+    const double times[4] = {t - 100.0 * reach, t - reach, t + reach, t + 100.0 * reach};
+    double rows[4][size];
+    for (int side = 0; side < 4; ++side)
+        p->of->model->pfaffian(times[side], p->z, p->c, rows[side], rows[side] + p->m * p->n);
+    for (int i = 0; i < size; ++i) {
+        const double near = fabs(rows[2][i] - rows[1][i]), terms = fabs(rows[1][i]) + fabs(rows[2][i]);
+        if (near > EM_ROWS_JUMP * terms && near > 0.1 * fabs(rows[3][i] - rows[0][i])) return 1;
+    }
+    return 0;
+}
+
+/* Directions beyond a break at t, of rates (2 n) before and after. `first`: nothing comes before. */
+static int em_cross_directions(em_pass *p, const double *at, double t, int first, const double *before, const double *after) {
+    const int n = p->n, k = p->columns;
+    double dtau[k];
+    int jumps = 0;
+    memset(dtau, 0, sizeof dtau);
+    for (int i = n; i < 2 * n; ++i) jumps |= fabs(after[i] - before[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
+    if (em_break_shift(p, at, t, 0.0, dtau)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    for (int j = 0; jumps && j + 1 < k; ++j) {
+        if (dtau[j] == 0.0) continue;
+        if (first || !isfinite(dtau[j])) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+        for (int i = n; i < 2 * n; ++i) p->S[i * k + j] += (before[i] - after[i]) * dtau[j];
+    }
+    return 0;
+}
+
+/* The model is asked on one side of t alone, where t is a break or so near to one. Returns how far that reaches, 0: it is none. */
+static double em_pass_side(em_pass *p, double t, double near, int after) {
+    const em_model *const model = p->of->model;
+    p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
+    if (model->n_breaks == 0) return 0.0;
+    double at[3 * model->n_breaks];
+    model->breaks(p->c, at);
+    const double reach = em_break_reach_near(model->n_breaks, at, t, near), way = after ? p->of->direction : -p->of->direction;
+    if (reach > 0.0) p->inside[way > 0.0 ? 0 : 1] = t + way * reach;
+    return reach;
+}
+
+/* Whether another stop is as near to a break as this one. */
+static int em_is_crowded(const em_variations *w, size_t stop, double reach) {
+    const double before = stop > 0 ? fabs(w->t[stop] - w->t[stop - 1]) : 0.0;
+    const double after = stop + 1 < w->n_stops ? fabs(w->t[stop + 1] - w->t[stop]) : 0.0;
+    return (before > 0.0 && before <= reach) || (after > 0.0 && after <= reach);
+}
+
+/* dtau (columns) <- how a break at a stop moves, jump (2 n) <- by how much rates at z change there, and there alone. 1, 0: there
+ * is none that counts, or -1. Leaves the pass on the side after. */
+static int em_break_at(em_pass *p, size_t stop, double near, double *dtau, double *jump) {
+    const em_model *const model = p->of->model;
+    const double t = p->of->t[stop], reach = em_pass_side(p, t, near, 0);
+    double at[3 * model->n_breaks + 1], before[2 * p->n], after[2 * p->n];
+    int jumps = 0;
+    if (!(reach > 0.0)) return 0;
+    if (em_motion_rate(p, t, p->z, before)) return -1;
+    em_pass_side(p, t, near, 1);
+    if (em_motion_rate(p, t, p->z, after)) return -1;
+    for (int i = 0; i < 2 * p->n; ++i) {
+        jump[i] = before[i] - after[i];
+        jumps |= i >= p->n && fabs(jump[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
+    }
+    if (p->m > 0 && em_rows_jump(p, t, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
+    memset(dtau, 0, p->columns * sizeof *dtau);
+    model->breaks(p->c, at);
+    if (jumps && (em_is_crowded(p->of, stop, reach) || em_break_shift(p, at, t, near, dtau)))
+        return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    return jumps;
+}
+
+/* The conditions that hold in a step. Where its start is a break: directions beyond it. 0, or -1. */
+static int em_pass_breaks(em_pass *p, double from, double to, int first) {
+    const em_model *const model = p->of->model;
+    const double direction = p->of->direction;
+    if (model->n_breaks == 0) return 0;
+    double at[3 * model->n_breaks], before[2 * p->n], after[2 * p->n];
+    model->breaks(p->c, at);
+    const double reach = em_break_reach(model->n_breaks, at, from);
+    p->inside[0] = p->inside[1] = from - direction * reach;
+    if (reach > 0.0 && em_motion_rate(p, from, p->z, before)) return -1;
+    em_break_sides(model->n_breaks, at, from, to, direction, p->inside);
+    if (!(reach > 0.0)) return 0;
+    if (em_motion_rate(p, from, p->z, after)) return -1;
+    if (p->m > 0 && !first && em_rows_jump(p, from, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
+    if (em_cross_directions(p, at, from, first, before, after)) return -1;
+    return 0;
+}
+
+#endif

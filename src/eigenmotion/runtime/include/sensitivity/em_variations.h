@@ -1,0 +1,126 @@
+/* em_variations.h: how a motion changes with what it starts from and what it is given.
+ *
+ *     d/dt dx = dv,   d/dt dv = a_x dx + a_v dv + a_p dp
+ *
+ * along a run, of any em_model, that keeps what is between its rows. Steps are those of these equations, as long as their own
+ * error lets them be (em_variation_error.h): a motion that rests says nothing of how fast others leave it. After a step the
+ * directions are put back to where the constraints stay satisfied. Where a force jumps an event must say where: then
+ * directions jump with it. */
+#ifndef EM_VARIATIONS_H
+#define EM_VARIATIONS_H
+
+#include "sensitivity/em_variation_events.h"
+
+/* The spans between two stops, which keep `beside` of them if events happen there. */
+static int em_variation_leg(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double beside) {
+    em_variations *const w = p->of;
+    em_pass_pieces(p, w->t[stop]);
+    em_pass_side(p, w->t[stop], fabs(beside), 1);
+    if (leaves && em_move_beside(p, w->t[stop], beside)) return -1;
+    for (long i = 0; i < w->spans[stop]; ++i, ++*span)
+        if (em_cross_span(p, *span)) return -1;
+    memcpy(p->z, w->z + (stop + 1) * 2 * p->n, 2 * p->n * sizeof *p->z);
+    return meets ? em_move_beside(p, w->t[stop + 1] - beside, beside) : 0;
+}
+
+static int em_is_marked(const em_variations *w, size_t mark, size_t stop) {
+    return mark < w->n_marks && w->mark_stop[mark] == (long)stop;
+}
+
+static int em_variation_stops(em_pass *p) {
+    em_variations *const w = p->of;
+    size_t mark = 0, span = 0;
+    double beside = 0.0;
+    int leaves = 0;
+    for (size_t stop = 0; stop < w->n_stops; ++stop) {
+        const int more = stop + 1 < w->n_stops, meets = em_is_marked(w, mark, stop);
+        const double length = more ? w->t[stop + 1] - w->t[stop] : 0.0;
+        em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+        const int acted = meets ? em_variation_marks(p, stop, &mark, beside != 0.0 ? beside : EM_BESIDE * length) : 0;
+        if (acted < 0) return -1;
+        leaves |= meets;
+        if (acted || !more) continue; /* the next stop is what has come of this one */
+        if (meets) em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+        beside = EM_BESIDE * length;
+        if (em_variation_leg(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), beside)) return -1;
+        leaves = 0;
+    }
+    return 0;
+}
+
+/* The memory of a pass, and where its parts are. 0, or -1. */
+static int em_pass_open(em_pass *p, em_variations *w) {
+    enum { NODES = EM_VARIATION_NODES };
+    const em_model *const model = w->model;
+    const int n = model->n, m = model->m, k = w->columns / 4 * 4 + 4, size = NODES * n;
+    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k, .wide = EM_IS_WIDE,
+                   .inside = {-INFINITY, INFINITY}};
+    const struct {
+        double **part;
+        size_t count;
+    } parts[] = {
+        {&p->S, 2 * n * k}, {&p->z, 2 * n}, {&p->P, w->n_given * k}, {&p->u, model->n_inputs}, {&p->a, size}, {&p->lambda, m},
+        {&p->dlambda, m * model->n_arguments}, {&p->c, model->n_prepared}, {&p->J, size * model->n_arguments},
+        {&p->L, (size_t)size * (size + k)}, {&p->K, size * k}, {&p->G, size * k}, {&p->Y, 2 * n * k},
+        {&p->W, (size + m) * k}, {&p->Z, 2 * size}, {&p->off, 2 * size}, {&p->S0, 2 * n * k}, {&p->K0, n * k},
+        {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k}, {&p->none, n * k}, {&p->wobble, n}, {&p->y, model->n_state},
+    };
+    enum { PARTS = sizeof parts / sizeof *parts };
+    size_t numbers = 1;
+    for (int i = 0; i < PARTS; ++i) numbers += parts[i].count;
+    double *next = calloc(numbers, sizeof *next);
+    p->piece = calloc(model->n_inputs + 1, sizeof *p->piece);
+    p->pile = calloc(model->n_events + 1, sizeof *p->pile);
+    p->rows = calloc(size, sizeof *p->rows);
+    p->places = calloc(w->n_given * k, sizeof *p->places);
+    p->S = next;
+    if (!next || !p->piece || !p->pile || !p->rows || !p->places) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    for (int i = 0; i < PARTS; ++i) *parts[i].part = next, next += parts[i].count;
+    return 0;
+}
+
+static void em_pass_close(em_pass *p) {
+    free(p->S);
+    free(p->piece);
+    free(p->pile);
+    free(p->rows);
+    free(p->places);
+}
+
+/* Where directions of what is given are not zero. */
+static void em_find_places(em_pass *p) {
+    for (int i = 0; i < p->of->n_given; ++i)
+        for (int j = 0; j < p->of->columns; ++j)
+            if (p->P[i * p->columns + j] != 0.0) p->places[p->n_places][0] = i, p->places[p->n_places++][1] = j;
+}
+
+/* The weights of a series where it begins. */
+static void em_find_origin(em_pass *p) {
+    enum { NODES = EM_VARIATION_NODES };
+    for (int d = 0; d < NODES; ++d)
+        for (int j = 0; j < NODES; ++j) p->origin[j] += (d % 2 ? -1.0 : 1.0) * p->of->series[d * NODES + j];
+}
+
+/* S <- at all stops and rows. 0, or -1 and w->fault, w->why; what was not reached is untouched. */
+static int em_vary(em_variations *w) {
+    em_pass pass;
+    w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    w->why = EM_BY_FAULT;
+    int status = em_pass_open(&pass, w);
+    if (status == 0) {
+        const int n = pass.n, k = pass.columns, asked = w->columns;
+        memcpy(pass.c, w->c, w->model->n_prepared * sizeof *w->c);
+        memcpy(pass.z, w->z, 2 * n * sizeof *w->z);
+        for (int i = 0; i < w->n_given; ++i) memcpy(pass.P + i * k, w->P + i * asked, asked * sizeof *w->P);
+        pass.P[(w->n_given - 1) * k + k - 1] = 1.0; 
+        em_find_places(&pass);
+        em_find_origin(&pass);
+        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * asked, asked * sizeof *w->S);
+        em_pass_pieces(&pass, w->t[0]);
+        status = em_variation_stops(&pass);
+    }
+    em_pass_close(&pass);
+    return status;
+}
+
+#endif

@@ -1,0 +1,48 @@
+/* em_failure_location.h: which coordinate or constraint row is to blame where a step is not what it should be. */
+#ifndef EM_FAILURE_LOCATION_H
+#define EM_FAILURE_LOCATION_H
+
+#include "stepper/em_error_norm.h"
+
+/* The first coordinate of which x, v or their rates are not finite, -1 where all are. */
+static int em_non_finite_coordinate(int n, const double *y) {
+    for (int k = 0; k < 2 * n; ++k)
+        if (!isfinite(y[k])) return k % n;
+    return -1;
+}
+
+/* -1 and w->reason: a state or its rate (n_state) is not finite, which names the coordinate. */
+EM_RARE EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
+    int first = em_non_finite_coordinate(w->n, y);
+    if (first < 0) first = em_non_finite_coordinate(w->n, rate);
+    return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
+}
+
+/* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
+ * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
+EM_RARE EM_COLD int em_blame(em_walk *w, double t, const double *y) {
+    const int first = em_non_finite_coordinate(w->n, y);
+    if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
+    if (w->bare) return -1;
+    const int n = w->n;
+    double M[n * n], before[n * n];
+    w->of->factored(t, y, w->run->prepared, M);
+    w->of->factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    for (int k = 0; k < n * n; ++k)
+        if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % n, -1, NAN);
+    if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
+    for (int k = 0; k < n * n; k += n + 1)
+        if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))
+            return em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, k / (n + 1), -1, M[k]);
+    return -1;
+}
+
+/* The coordinate with the largest part of the last error estimate. */
+EM_UNUSED static int em_worst_coordinate(const em_walk *w) {
+    int worst = 0;
+    for (int k = 1; k < 2 * w->n; ++k)
+        if (fabs(w->error[k] * w->weight[k]) > fabs(w->error[worst] * w->weight[worst])) worst = k;
+    return worst % w->n;
+}
+
+#endif

@@ -1,0 +1,61 @@
+/* em_motion.h: the motion itself, x and v, whatever the formulation carries: the mode of methods that solve for it. There
+ * y[n .. 2 n) is v, and eigenfactors are those of M(x): found anew after every accepted step and where a row is published.
+ *
+ * A model written by hand that states no terms of its equations carries v in its mode 0. */
+#ifndef EM_MOTION_H
+#define EM_MOTION_H
+
+#include "constraints/em_rank.h"
+
+EM_INLINE int em_is_bare(const em_model *model) { return model->dynamics->factored == NULL; }
+
+/* Whether the state is that of the motion anyway. */
+EM_INLINE int em_carries_motion(const em_model *model) { return model->dynamics->second_order && !em_is_bare(model); }
+
+/* dy <- (v, a, 0). 0, or -1 and *fault */
+EM_COLD int em_motion_rhs(const em_model *model, double t, const double *y, const double *c, const double *u,
+                          double *memory, int flags, double *dy, em_fault *fault) {
+    const int n = model->n;
+    double lambda[model->m + 1];
+    if (em_carries_motion(model) || em_is_bare(model))
+        return model->dynamics->rhs(0, t, y, c, u, memory, flags, dy, fault);
+    memcpy(dy, y + n, (size_t)n * sizeof *dy);
+    memset(dy + 2 * n, 0, (size_t)(model->n_state - 2 * n) * sizeof *dy);
+    return model->dynamics->acceleration(t, y, y + n, c, u, flags, dy + n, lambda, fault);
+}
+
+/* As em_dynamics.settle: constraints where they are to be kept, and eigenfactors, but for a state within a step. */
+EM_COLD int em_motion_settle(const em_model *model, int flags, double t, double *y, const double *c, double *memory,
+                             double pace, em_fault *fault) {
+    const em_dynamics *const of = model->dynamics;
+    const int n = model->n;
+    int mode = 0;
+    double found[model->n_state];
+    if (em_carries_motion(model)) return of->settle(&mode, flags, t, y, c, memory, pace, fault);
+    if (em_is_bare(model)) return of->settle(&mode, flags | EM_KEEP_MODE, t, y, c, memory, pace, fault);
+    if (model->m > 0 && (flags & EM_STABILISE) && of->settle_motion(t, y, y + n, c, flags & EM_ABOUT_ROWS, fault)) return -1;
+    if (model->n_state == 2 * n || flags & EM_KEEP_MODE) return model->m > 0;
+    memcpy(found, y, sizeof found);
+    if (model->state(t, y, y + n, c, found, fault)) return -1;
+    memcpy(y + 2 * n, found + 2 * n, (size_t)(model->n_state - 2 * n) * sizeof *y);
+    return model->m > 0;
+}
+
+/* row <- y in the published meaning */
+EM_COLD int em_motion_publish(const em_model *model, double t, const double *y, const double *c, double *row, em_fault *fault) {
+    if (em_is_bare(model)) return model->dynamics->publish(0, t, y, c, NULL, row, fault);
+    memcpy(row, y, (size_t)model->n_state * sizeof *row);
+    return em_carries_motion(model) ? 0 : model->state(t, y, y + model->n, c, row, fault);
+}
+
+/* M (n, n), or what is factored in its place; where nothing is stated, 1 */
+EM_COLD void em_mass_at(const em_model *model, double t, const double *x, const double *c, double *M) {
+    const int n = model->n;
+    if (!em_is_bare(model)) {
+        model->dynamics->factored(t, x, c, M);
+        return;
+    }
+    for (int k = 0; k < n * n; ++k) M[k] = k % (n + 1) == 0;
+}
+
+#endif

@@ -1,0 +1,152 @@
+/* em_run_memory.h: the memory of a walk, one block that is taken as it opens, and which of it is saved. */
+#ifndef EM_RUN_MEMORY_H
+#define EM_RUN_MEMORY_H
+
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "stepper/em_model_calls.h"
+
+enum { EM_LINE = 64 }; /* bytes of a line of the cache, on which every table begins */
+
+/* Tables one after the other; without a place they are counted alone. */
+typedef struct em_layout {
+    char *place;
+    size_t used;
+} em_layout;
+
+static void *em_take_bytes(em_layout *at, size_t bytes) {
+    char *const table = at->place ? at->place + at->used : NULL;
+    at->used += (bytes + EM_LINE - 1) / EM_LINE * EM_LINE;
+    return table;
+}
+
+static double *em_take_numbers(em_layout *at, size_t count) { return em_take_bytes(at, count * sizeof(double)); }
+static int *em_take_ints(em_layout *at, size_t count) { return em_take_bytes(at, count * sizeof(int)); }
+
+/* rows (count) <- tables of `width` numbers, without gaps */
+static void em_take_rows(em_layout *at, double **rows, int count, size_t width) {
+    double *const first = em_take_numbers(at, (size_t)count * width);
+    for (int i = 0; i < count; ++i) rows[i] = first ? first + (size_t)i * width : NULL;
+}
+
+static void em_take_bundles(em_layout *at, em_bundle **rows, size_t width) {
+    for (int b = 0; b < EM_BUNDLES; ++b) rows[b] = em_take_bytes(at, width * sizeof(em_bundle));
+}
+
+static void em_lay_out_nodes(em_walk *w, em_layout *at) {
+    em_nodes *const q = &w->nodes;
+    const size_t states = (size_t)w->n_state;
+    em_take_bundles(at, q->Y, states), em_take_bundles(at, q->F, states), em_take_bundles(at, q->a, states);
+    em_take_bundles(at, q->series, states), em_take_bundles(at, q->before, states);
+    em_take_bundles(at, q->u, (size_t)w->n_inputs);
+    q->times = em_take_bytes(at, EM_BUNDLES * sizeof(em_bundle));
+    q->weight = em_take_numbers(at, states + EM_PACK), q->miss = em_take_numbers(at, states);
+}
+
+static void em_lay_out_stages(em_walk *w, em_layout *at) {
+    em_implicit *const q = &w->stages;
+    const size_t n = (size_t)w->n, all = EM_MOST_NODES * n, rows = EM_MOST_NODES * (size_t)w->stride;
+    q->K = em_take_numbers(at, n * n), q->D = em_take_numbers(at, n * n);
+    em_take_rows(at, q->G, 1 + EM_MOST_PAIRS, n * n), em_take_rows(at, q->H, 1 + EM_MOST_PAIRS, n * n);
+    for (int p = 0; p <= EM_MOST_PAIRS; ++p) q->pivot[p] = em_take_ints(at, n);
+    q->coupled = em_take_numbers(at, all * all), q->coupled_pivot = em_take_ints(at, all);
+    q->a = em_take_numbers(at, rows), q->V = em_take_numbers(at, rows), q->X = em_take_numbers(at, rows);
+    q->r = em_take_numbers(at, rows), q->last = em_take_numbers(at, rows);
+    q->u = em_take_numbers(at, (1 + EM_MOST_NODES) * (size_t)w->n_inputs);
+}
+
+static void em_lay_out_events(em_walk *w, em_layout *at) {
+    const size_t events = (size_t)w->n_events;
+    double **const numbers[] = {&w->g, &w->g_new, &w->noise, &w->zero, &w->rounding, &w->quiet};
+    int **const whole[] = {&w->side, &w->side_new, &w->fired, &w->struck};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) *numbers[i] = em_take_numbers(at, events);
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; ++i) *whole[i] = em_take_ints(at, events);
+    w->found = em_take_bytes(at, EM_MOST_FOUND * events * sizeof *w->found);
+    w->pile = em_take_bytes(at, events * sizeof *w->pile);
+}
+
+static void em_lay_out(em_walk *w, em_layout *at) {
+    const size_t width = (size_t)w->width, rows = (size_t)w->n_rows, n = (size_t)w->n;
+    double **const states[] = {&w->y, &w->y_new, &w->f_new, &w->y_raw, &w->argument, &w->error, &w->weight, &w->spare};
+    em_take_rows(at, w->K, EM_STAGES, width);
+    for (size_t i = 0; i < sizeof states / sizeof *states; ++i) *states[i] = em_take_numbers(at, width + EM_PACK);
+    w->atol = em_take_numbers(at, n + EM_PACK);
+    em_take_rows(at, w->F, EM_DENSE_COEFFICIENTS, (size_t)w->n_state);
+    w->memory = em_take_numbers(at, (size_t)em_padded(w->n_memory)), w->memory_new = em_take_numbers(at, (size_t)em_padded(w->n_memory));
+    w->u = em_take_numbers(at, (size_t)w->n_inputs);
+    w->piece = em_take_bytes(at, (size_t)w->n_inputs * sizeof *w->piece);
+    w->longest = em_take_numbers(at, rows), w->row_rate = em_take_numbers(at, rows), w->row_tolerance = em_take_numbers(at, rows);
+    w->stirred = em_take_numbers(at, rows);
+    w->seen_x = em_take_numbers(at, n), w->seen_pivots = em_take_numbers(at, n);
+    em_lay_out_events(w, at);
+    const size_t before = at->used;
+    em_lay_out_nodes(w, at);
+    w->node_tables = at->place ? at->place + before : NULL, w->node_tables_size = at->used - before;
+    em_lay_out_stages(w, at);
+    w->tables = at->place, w->tables_size = at->used;
+    w->c = em_take_bytes(at, (size_t)w->lanes->n_prepared * sizeof *w->c);
+}
+
+/* What a walk knows of its model. */
+static void em_walk_sizes(em_walk *w, const em_model *model) {
+    static const em_lanes none = {0};
+    w->model = model;
+    w->of = model->dynamics;
+    w->lanes = model->lanes ? model->lanes : &none;
+    w->n = model->n, w->n_rows = model->m, w->n_positions = model->h, w->n_state = model->n_state;
+    w->width = (model->n_state + EM_PACK - 1) / EM_PACK * EM_PACK;
+    w->stride = em_padded(model->n);
+    w->n_inputs = model->n_inputs, w->n_events = model->n_events, w->n_memory = w->of->n_memory;
+    w->second_order = w->of->second_order, w->bare = em_is_bare(model), w->first_rate = w->second_order ? w->n : 0;
+}
+
+/* A walk of zeros, with its tables, on lines of its own; or NULL. */
+static em_walk *em_walk_take(const em_model *model) {
+    const size_t own = (sizeof(em_walk) + EM_LINE - 1) / EM_LINE * EM_LINE;
+    em_walk counted = {0};
+    em_layout at = {NULL, 0};
+    em_walk_sizes(&counted, model);
+    em_lay_out(&counted, &at);
+    void *const block = calloc(1, own + at.used + EM_LINE);
+    if (block == NULL) return NULL;
+    char *const place = (char *)(((uintptr_t)block + EM_LINE - 1) / EM_LINE * EM_LINE);
+    em_walk *const w = (em_walk *)place;
+    at = (em_layout){place + own, 0};
+    em_walk_sizes(w, model);
+    em_lay_out(w, &at);
+    w->block = block;
+    return w;
+}
+
+/* What is saved, four pieces one after the other, which hold no pointers. */
+typedef struct em_piece {
+    void *at;
+    size_t size;
+} em_piece;
+enum { EM_PIECES = 4 };
+
+EM_COLD void em_saved_pieces(em_walk *w, em_piece *piece) {
+    piece[0] = (em_piece){w, offsetof(em_walk, run)};
+    piece[1] = (em_piece){&w->nodes, offsetof(em_nodes, Y)};
+    piece[2] = (em_piece){&w->stages, offsetof(em_implicit, K)};
+    piece[3] = (em_piece){w->tables, w->tables_size};
+}
+
+/* How many bytes they have. */
+EM_COLD size_t em_saved_size(const em_model *model) {
+    em_walk counted = {0};
+    em_layout at = {NULL, 0};
+    em_walk_sizes(&counted, model);
+    em_lay_out(&counted, &at);
+    return offsetof(em_walk, run) + offsetof(em_nodes, Y) + offsetof(em_implicit, K) + counted.tables_size;
+}
+
+/* As it was when it was taken. */
+EM_COLD void em_walk_clear(em_walk *w) {
+    em_piece piece[EM_PIECES];
+    em_saved_pieces(w, piece);
+    for (int i = 0; i < EM_PIECES; ++i) memset(piece[i].at, 0, piece[i].size);
+}
+
+#endif
