@@ -6,8 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from ..support.by_day import FORMULATION
-
 ROOT = Path(__file__).parents[2]
 FILE = "tests/dynamics/test_eigenfactor_invariants.py"
 
