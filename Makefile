@@ -32,11 +32,11 @@ demo: $(READY)
 QUICK := graph rules model/test_model.py equations/test_derive.py equations/test_specialise.py simulation/test_simulate.py accuracy/test_paper_scene.py
 
 quick: $(READY)
-	$(BIN)/pytest -n auto $(addprefix tests/,$(QUICK)) $(PYTEST_ARGS)
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto $(addprefix tests/,$(QUICK)) $(PYTEST_ARGS)
 
-# PYTEST_ARGS="-k name" runs a part
+# PYTEST_ARGS="-k name" runs a part. Bytecode is kept: pytest takes 6 seconds a process to rewrite assertions anew
 test: $(READY)
-	$(BIN)/pytest -n auto $(PYTEST_ARGS)
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto $(PYTEST_ARGS)
 
 # Random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
 fuzz: $(READY)

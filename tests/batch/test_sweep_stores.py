@@ -70,8 +70,8 @@ class Trial:
 
 
 def test_a_sweep_killed_at_a_change_of_a_file_ends_with_the_same_bytes(scene):
-    """At every third, and all of those with which it ends."""
-    at_changes("csv", lambda change, count: change % 4 == 0 or change > count - 6)
+    """At every eighth, and all of those with which it ends."""
+    at_changes("csv", lambda change, count: change % 8 == 0 or change > count - 6)
 
 
 @pytest.mark.nightly

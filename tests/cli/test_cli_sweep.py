@@ -82,7 +82,9 @@ def test_a_sweep_stores_what_simulate_finds(scene, capsys):
             assert np.allclose(found["energy"][k], alone.energy, rtol=1e-12)
 
 
-@pytest.mark.parametrize("ending", ["npz", "csv", "nc", "zarr"])
+@pytest.mark.parametrize(
+    "ending", ["csv", "nc", *(pytest.param(one, marks=pytest.mark.nightly) for one in ("npz", "zarr"))]
+)
 def test_a_sweep_that_was_killed_ends_with_the_same_bytes(scene, capsys, monkeypatch, ending):
     if ending in ("nc", "zarr"):
         pytest.importorskip("xarray")

@@ -24,7 +24,7 @@ class Context(ctypes.Structure):
     )
 
 
-@pytest.fixture(scope="module", **each((1, 2, 5)))
+@pytest.fixture(scope="module", **each((1, 2, 5), by_night=()))
 def compiled(request, tmp_path_factory):
     run, n = kernels_of("blocks", *request.param, tmp_path_factory.mktemp("kernels"))
     return run, n

@@ -18,10 +18,16 @@ HERE = Path(__file__).parent
 SIZES = range(1, 9)
 
 
-def each(sizes=SIZES):
-    """Parameters of a fixture: (compiler, n); by day in turn, the even sizes, those of whole vectors, by GCC."""
+def each(sizes=SIZES, by_night=(5, 7)):
+    """Parameters of a fixture: (compiler, n); by day in turn, the even sizes, those of whole vectors, by GCC.
+
+    What is left of a vector is one, two or three numbers: by day at sizes below 5, and at 6.
+    """
     params = [
-        pytest.param((compiler, n), marks=() if COMPILERS[n % len(COMPILERS)] == compiler else pytest.mark.nightly)
+        pytest.param(
+            (compiler, n),
+            marks=() if COMPILERS[n % len(COMPILERS)] == compiler and n not in by_night else pytest.mark.nightly,
+        )
         for compiler in COMPILERS
         for n in sizes
     ]
