@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:e460bf22017193fb0d0d527753ce8bf7c783d4dca4408e9e02f77b6b0b627251 */
+/* body sha256:f9755c9749959d0aaf061bb50e8220ff185f8a02a460463a815b7e5722825319 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -162,7 +162,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
                         real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -200,7 +200,7 @@ em_lanes bouncing_ball_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
 /* --- what no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
@@ -211,7 +211,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
     const double m = c[0];
@@ -226,14 +226,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+EM_EXPORT void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
                        const double *restrict lambda, const double *restrict c, const double *restrict u,
                        double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[6] = x_;
@@ -247,7 +247,7 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ACROSS void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                        const double *restrict u, double *restrict struck)
 {
     struck[0] = 0.0;
@@ -258,13 +258,13 @@ EM_ACROSS void impacts(double t, const double *restrict x, const double *restric
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ACROSS void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict after)
 {
 }
 
 /* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
-EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
@@ -277,16 +277,16 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
 /* --- partial derivatives --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+EM_COLD_PATH /* no step calls it */
+EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -294,8 +294,8 @@ EM_ACROSS void state_partials(double t, const double *restrict x, const double *
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -313,8 +313,8 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -328,8 +328,8 @@ EM_ACROSS void constraint_partials(double t, const double *restrict x, const dou
 }
 
 /* D (n_events, n_arguments) */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void event_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void event_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
@@ -337,8 +337,8 @@ EM_ACROSS void event_partials(double t, const double *restrict x, const double *
 }
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void blow_partials(double t, const double *restrict x, const double *restrict a,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void blow_partials(double t, const double *restrict x, const double *restrict a,
                              const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
@@ -352,8 +352,8 @@ EM_ACROSS void blow_partials(double t, const double *restrict x, const double *r
 }
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void impact_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void impact_partials(double t, const double *restrict x, const double *restrict v,
                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_IMPACTS * (N + 2) * N_ARGUMENTS);
@@ -361,15 +361,15 @@ EM_ACROSS void impact_partials(double t, const double *restrict x, const double 
 }
 
 /* D (n_resets 2 n, n_arguments) */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void reset_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void reset_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
 }
 
 /* D (n_switches 2, n_arguments) */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void level_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void level_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
@@ -387,12 +387,12 @@ EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
-EM_ACROSS const double scales[N] = { 1.0, 1.0 };
+EM_EXPORT const double scales[N] = { 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 10, 11, 12, 13 };
-EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
+EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -420,7 +420,7 @@ static const em_declared declared[] = {
 };
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
+EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -432,7 +432,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -441,13 +441,13 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
     A[0] = 0.0;
@@ -457,7 +457,7 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
     const double floor_held = c[4];
@@ -468,7 +468,7 @@ EM_ACROSS void position(double t, const double *restrict x, const double *restri
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double z = x[1];
@@ -477,11 +477,11 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 /* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
  * acts. */
-EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
-EM_ACROSS const int resets_quasi[] = { 0 };
+EM_EXPORT const em_event_action deeds[] = { {0, -1, 0, 1, 1} };
+EM_EXPORT const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
  * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
-EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
+EM_EXPORT const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
@@ -503,7 +503,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 
 /* After an accepted step, and at the start: constraints on positions, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
     const int changed = flags & EM_STABILISE;
@@ -533,7 +533,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 }
 
 /* v (n): xdot from a state. */
-EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
@@ -541,7 +541,7 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
@@ -549,7 +549,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 }
 
 /* row (n_state): a state, as a row of the solution. */
-EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                             em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
@@ -557,7 +557,7 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 }
 
 /* y (n_state) from x, v (n) */
-EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:55a16ed7e7291adcc127869033e5dfc97e15ced74865ed2ba66f40d43f770a26 */
+/* body sha256:eadf781979c2a64b88c7c6f1c804a25b8b45609187c62de1e18f1d524c897a27 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -355,7 +355,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
                         real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
@@ -387,7 +387,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
 enum { EM_REMEMBERED = 0 };
-#define em_flock_run NULL
+#define em_group_run NULL
 #else
 #include "batch/em_lane_factors.h"
 
@@ -410,7 +410,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #endif
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
+em_lanes four_bar_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_group_run, EM_REMEMBERED, 2, N_PREPARED };
 #endif
 
 #else
@@ -419,7 +419,7 @@ em_lanes four_bar_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_
 /* --- what no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
@@ -457,7 +457,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
     const double q1_dot = v[0];
@@ -489,14 +489,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+EM_EXPORT void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
                        const double *restrict lambda, const double *restrict c, const double *restrict u,
                        double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double b = c[1];
     const double q2 = x[1];
@@ -536,8 +536,8 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 /* --- partial derivatives --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+EM_COLD_PATH /* no step calls it */
+EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -557,8 +557,8 @@ EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const do
 }
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -636,8 +636,8 @@ EM_ACROSS void state_partials(double t, const double *restrict x, const double *
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -721,8 +721,8 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -789,12 +789,12 @@ EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1 };
-EM_ACROSS const double scales[N] = { 1.0, 1.0, 1.0 };
+EM_EXPORT const double scales[N] = { 1.0, 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 6, 10, 0, 4 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
-EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
+EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -851,7 +851,7 @@ static const em_declared declared[] = {
 };
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
+EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -862,7 +862,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_0 = c[10];
     M[0] = c_0;
@@ -883,13 +883,13 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
     const double a_ = c[0];
@@ -915,7 +915,7 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
     const double a_ = c[0];
@@ -944,7 +944,7 @@ EM_ACROSS void position(double t, const double *restrict x, const double *restri
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
@@ -1015,7 +1015,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
@@ -1071,7 +1071,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
-EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     double M[N*N];
     factored(t, y, c, M);
@@ -1081,7 +1081,7 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
@@ -1089,7 +1089,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 }
 
 /* row (n_state): a state in the published meaning. */
-EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                             em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
@@ -1101,7 +1101,7 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 }
 
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
-EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 6, C);
@@ -1269,8 +1269,8 @@ const em_model four_bar_model = {
     .event = model_events,
     .lanes = &four_bar_lanes,
     .enter = enter,
-    .board = em_member_board,
-    .look = em_member_look,
+    .board = em_member_load,
+    .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:1601e0e1cd5b0e6a918162e8214b8204b051ea2e96dd8ba483bbb54c837f89b4 */
+/* body sha256:fe908d88cadfdd091cf5386a7b4a507dde339a5b3c387b0b1ec44c229df698c4 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -112,7 +112,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
                         real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -146,7 +146,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
 enum { EM_REMEMBERED = 0 };
-#define em_flock_run NULL
+#define em_group_run NULL
 #else
 #include "batch/em_lane_factors.h"
 
@@ -164,7 +164,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #endif
 
 extern em_lanes pendulum_lanes;
-em_lanes pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1, N_PREPARED };
+em_lanes pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_group_run, EM_REMEMBERED, 1, N_PREPARED };
 #endif
 
 #else
@@ -173,7 +173,7 @@ em_lanes pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_
 /* --- what no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
@@ -184,7 +184,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
     const double c_2 = c[9];
@@ -199,14 +199,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+EM_EXPORT void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
                        const double *restrict lambda, const double *restrict c, const double *restrict u,
                        double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double l = c[1];
     const double theta = x[0];
@@ -225,16 +225,16 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 /* --- partial derivatives --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+EM_COLD_PATH /* no step calls it */
+EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -248,8 +248,8 @@ EM_ACROSS void state_partials(double t, const double *restrict x, const double *
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -279,11 +279,11 @@ EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
-EM_ACROSS const double scales[N] = { 1.0 };
+EM_EXPORT const double scales[N] = { 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 3, 4, 5, 6 };
-EM_ACROSS const em_block *const blocks[] = { &block1, NULL };
+EM_EXPORT const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
@@ -309,7 +309,7 @@ static const em_declared declared[] = {
 };
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
+EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -320,32 +320,32 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_1 = c[8];
     M[0] = c_1;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
@@ -361,28 +361,28 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
     return 0;
 }
 
 /* v (n): xdot from a state. */
-EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */
-EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                             em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
@@ -390,7 +390,7 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 }
 
 /* y (n_state) from x, v (n) */
-EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -544,8 +544,8 @@ const em_model pendulum_model = {
     .event = model_events,
     .lanes = &pendulum_lanes,
     .enter = enter,
-    .board = em_member_board,
-    .look = em_member_look,
+    .board = em_member_load,
+    .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -257,10 +257,10 @@ def _kernel(scope: _Scope, handed: int, cost: Cost, long: bool) -> Kernel:
     read = [name for name in (*INPUTS, SHARED) if name in scope.read]
     names = [*read, *(array.name for array in results)]
     actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
-    linkage = "EM_INLINE" if len(statements) < LONG else "EM_BY_ITSELF"
+    linkage = "EM_INLINE" if len(statements) < LONG else "EM_NOINLINE_KERNEL"
     across = draft.across and long
     if across:
-        linkage = "EM_BY_ITSELF_ACROSS"
+        linkage = "EM_NOINLINE_KERNEL_EXPORT"
     return Kernel(
         head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
         declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
@@ -277,7 +277,7 @@ def _targets(entry: Entry) -> str:
 
 def _head(draft: Draft) -> str:
     """Of a function that others call: its arguments are given, whether it uses them or not."""
-    return folded(f"EM_ACROSS void {draft.name}(", _given(draft), ")")
+    return folded(f"EM_EXPORT void {draft.name}(", _given(draft), ")")
 
 
 def _given(draft: Draft) -> list[str]:

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:aefcd97c496375b9c655a033a800b182eb26ee7d177a99711fe29fe601eb6c96 */
+/* body sha256:7502e1b7fad9f668c8c8d04f5d3bee50a478a86861edc683c840ab481ada7ed1 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -197,7 +197,7 @@ static int rhs_inverse(real t, const real *restrict y, const real *restrict c, c
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
                         real *dy, em_fault *fault)
 {
     return rhs_inverse(t, y, c, u, flags, dy, fault);
@@ -250,7 +250,7 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
 
 #ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
 enum { EM_REMEMBERED = 0 };
-#define em_flock_run NULL
+#define em_group_run NULL
 #else
 #include "batch/em_lane_factors.h"
 
@@ -308,7 +308,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 #endif
 
 extern em_lanes dual_link_lanes;
-em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, NULL, em_flock_run, EM_REMEMBERED, 1, N_PREPARED };
+em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, NULL, em_group_run, EM_REMEMBERED, 1, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -316,7 +316,7 @@ em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, NULL, em_flock_run, EM_REME
 /* --- what no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
@@ -368,7 +368,7 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
 {
     const double c_9 = c[22];
@@ -408,14 +408,14 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+EM_EXPORT void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
                        const double *restrict lambda, const double *restrict c, const double *restrict u,
                        double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double theta3 = x[2];
     const double l1 = c[3];
@@ -451,8 +451,8 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 /* --- partial derivatives --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+EM_COLD_PATH /* no step calls it */
+EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -480,8 +480,8 @@ EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const do
 }
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -586,8 +586,8 @@ EM_ACROSS void state_partials(double t, const double *restrict x, const double *
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
@@ -684,8 +684,8 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
 }
 
 /* D (h + m, n_arguments), of phi and A v + b */
-EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+EM_COLD_PATH /* no explicit step calls it */
+EM_EXPORT void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -724,12 +724,12 @@ EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
-EM_ACROSS const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+EM_EXPORT const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, NULL, EM_IN_MEMORY, 0, 0, 0, 9 };
 static const em_block block2 = { N, N2, coordinate2, NULL, EM_PREPARED_ROOT, 9, 10, 11, 12 };
-EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
+EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -784,7 +784,7 @@ static const em_declared declared[] = {
 };
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
+EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -795,7 +795,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_0 = c[13];
     const double theta3 = x[2];
@@ -823,13 +823,13 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                         double *restrict b)
 {
     const double theta3 = x[2];
@@ -848,13 +848,13 @@ EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restri
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
@@ -867,7 +867,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "dynamics/em_tangent.h"
 
 /* J (n_state, n_state) = d rhs / d y */
-EM_ACROSS int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+EM_EXPORT int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
     return em_motion_jacobian(t, y, c, u, 0, J, fault);
 }
@@ -876,7 +876,7 @@ EM_ACROSS int jacobian(double t, const double *y, const double *c, const double 
 
 /* After an accepted step, and at the start: constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS];
@@ -906,21 +906,21 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 }
 
 /* v (n): xdot from a state. */
-EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     memcpy(v, y + N, N * sizeof *v);
     return 0;
 }
 
 /* ev (n): the error of xdot that an error e (n) of v makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
     memcpy(ev, e, N * sizeof *ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */
-EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                             em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
@@ -928,7 +928,7 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 }
 
 /* y (n_state) from x, v (n) */
-EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     memcpy(y + N, v, N * sizeof *y);
     memcpy(y, x, N * sizeof *y);
@@ -1090,8 +1090,8 @@ const em_model dual_link_model = {
     .event = model_events,
     .lanes = &dual_link_lanes,
     .enter = enter,
-    .board = em_member_board,
-    .look = em_member_look,
+    .board = em_member_load,
+    .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

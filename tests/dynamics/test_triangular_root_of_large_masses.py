@@ -62,7 +62,7 @@ def test_rates_are_of_their_own_where_those_of_the_root_read_inputs():
 @pytest.mark.parametrize("name", ["four_bar", "pendulum", "governor"])
 def test_others_keep_theirs(name):
     """Rows want A and b with M; what is fixed or single has no such root."""
-    assert "EM_BY_ITSELF_ACROSS" not in written(name).files[1].text
+    assert "EM_NOINLINE_KERNEL_EXPORT" not in written(name).files[1].text
 
 
 @pytest.mark.parametrize("one", COMPILERS)

@@ -70,7 +70,7 @@ def test_every_function_says_what_it_is(systems):
     heads = [
         k
         for k, line in enumerate(lines)
-        if re.match(r"(static int|static void|EM_ACROSS int|EM_ACROSS void|EM_INLINE void) \w+\(", line)
+        if re.match(r"(static int|static void|EM_EXPORT int|EM_EXPORT void|EM_INLINE void) \w+\(", line)
     ]
     assert len(heads) > 15
     bare = [lines[k] for k in heads if not lines[k - 1].rstrip().endswith("*/")]
@@ -230,7 +230,7 @@ def test_any_word_of_the_file_is_a_name_to_have(formulation, tmp_path):
 def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
     text = c_text(oddly_named("eigenfactor"))
     kernels = re.findall(
-        r"^(?:static|EM_ACROSS|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL
+        r"^(?:static|EM_EXPORT|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL
     )
     assert len(kernels) > 10
     for head, inside in kernels:
@@ -240,7 +240,7 @@ def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
 
 
 def test_no_symbol_gets_the_name_of_a_macro_or_function_of_the_runtime():
-    declared = re.compile(r"#define\s+(\w+)|^(?:EM_INLINE|EM_COLD|EM_ACROSS|static)[\w\s*]*?(\w+)\(", re.MULTILINE)
+    declared = re.compile(r"#define\s+(\w+)|^(?:EM_INLINE|EM_NOINLINE|EM_EXPORT|static)[\w\s*]*?(\w+)\(", re.MULTILINE)
     found = {a or b for path in INCLUDE.rglob("*.h") for a, b in declared.findall(path.read_text())}
     assert len(found) > 50
     assert sorted(word for word in found if c_identifier(word) in found) == []

@@ -52,7 +52,7 @@ cdef extern from "eigenmotion.h" nogil:
         double t
         double h
 
-    ctypedef struct em_deed:
+    ctypedef struct em_event_action:
         int keeps_apart
         int acts
 
@@ -113,12 +113,12 @@ cdef extern from "eigenmotion.h" nogil:
         double t_reached
         const em_model *model
 
-    ctypedef struct em_flock:
+    ctypedef struct em_lane_group:
         int n_live
 
     ctypedef struct em_lanes:
         int width
-        void (*run)(em_flock *) noexcept nogil
+        void (*run)(em_lane_group *) noexcept nogil
 
     ctypedef struct em_declared:
         int bits
@@ -187,7 +187,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
-        const em_deed *deeds
+        const em_event_action *deeds
         const char *const *rows
         int n_switches
         const em_switch *switches

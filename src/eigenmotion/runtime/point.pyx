@@ -11,7 +11,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, em_fault, em_model
 from .arrays cimport Numbers, constants, given, takes, texts, zeros
-from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_break, em_start
+from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_start
 
 import numpy as np
 
@@ -230,8 +230,8 @@ cdef class PointModel:
             return direction * INFINITY, -INFINITY, INFINITY
         at = zeros((n, 3))
         self.model.breaks(c.c, at.data)
-        cdef double end = em_next_break(n, at.data, t, direction)
-        em_break_sides(n, at.data, t, end, direction, inside)
+        cdef double end = em_next_time_event(n, at.data, t, direction)
+        em_time_event_sides(n, at.data, t, end, direction, inside)
         return end, inside[0], inside[1]
 
     def mass_matrix(self, double t, x, Prepared c not None):

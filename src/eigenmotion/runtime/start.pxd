@@ -4,8 +4,8 @@ from .abi cimport em_model
 
 
 cdef extern from "loop/em_start_check.h" nogil:
-    double em_next_break(int, const double *, double, double)
-    int em_break_sides(int, const double *, double, double, double, double *)
+    double em_next_time_event(int, const double *, double, double)
+    int em_time_event_sides(int, const double *, double, double, double, double *)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
     int em_inside_contact(const em_model *, double, const double *, const double *, const double *, double,

@@ -1,4 +1,4 @@
-/* eigenmotion.h: the one contract between generated code, its steppers and whoever calls them.
+/* eigenmotion.h: the ABI between generated code, its steppers and their callers.
  *
  * A generated NAME.c defines one constant, `const em_model NAME_model`. Everything a caller needs hangs on it:
  * dimensions, names, defaults and functions. No function keeps state between calls; all memory is the caller's or
@@ -29,9 +29,9 @@ typedef struct em_shape {
 
 /* What an event does: which of the model's impacts and resets, which contact it closes or opens; -1: none. keeps_apart:
  * it happens at zero, too, where the motion is about to leave that in its direction, 1 downwards, -1 upwards; else 0. */
-typedef struct em_deed {
+typedef struct em_event_action {
     int impact, reset, held, keeps_apart, acts;
-} em_deed;
+} em_event_action;
 
 /* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
  * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
@@ -125,7 +125,7 @@ typedef struct em_model {
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
-    const em_deed *deeds;          /* (n_events), or NULL: events change nothing */
+    const em_event_action *deeds;          /* (n_events), or NULL: events change nothing */
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
 
@@ -133,9 +133,9 @@ typedef struct em_model {
     /* A run whose steps are to be made in lanes, at its start, and its mode. NULL: it cannot, and run is as it was but for
      * its fault. */
     void *(*enter)(em_run *run, int *mode);
-    void (*board)(void *walk, em_flock *f, int lane); /* goes on in this lane, of a flock of its mode */
+    void (*board)(void *walk, em_lane_group *f, int lane); /* goes on in this lane, of a flock of its mode */
     /* At a step. 0: goes on; 1: has ended; 2: goes on in the other mode; -1: begin anew, number by number */
-    int (*look)(void *walk, em_flock *f, int lane, em_landing landing);
+    int (*look)(void *walk, em_lane_group *f, int lane, em_landing landing);
 
     /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
     void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */

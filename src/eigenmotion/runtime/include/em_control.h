@@ -1,4 +1,4 @@
-/* em_control.h: a mechanism under control, step by step, in plain C: em_stepper_open, _advance, _save, _restore, _close.
+/* em_control.h: the C stepper for control loops: em_stepper_open, _advance, _save, _restore, _close.
  *
  *     em_stepper *s = em_stepper_open(&NAME_model, &task, u);
  *     while (!em_stepper_advance(s, s->t + 0.001, u)) u[0] = controller(s->t, s->x, s->v);

@@ -1,4 +1,4 @@
-/* em_lanes.h: what a model offers to runs side by side, one in each lane of a vector.
+/* em_lanes.h: the functions a model offers on lanes, one run in each lane of a vector.
  *
  * Included by eigenmotion.h alone, whose words and version hold here.
  */
@@ -15,7 +15,7 @@ typedef enum em_landing {
     EM_UNSETTLED, /* that is to be done number by number; */
     EM_LOST       /* so are all of the run's steps, from its start */
 } em_landing;
-typedef struct em_flock {
+typedef struct em_lane_group {
     const em_run *task;   /* what is asked of all */
     int mode;             /* of all */
     double rtol, direction, stretch; /* as a walk has them (em_run_state.h) */
@@ -32,10 +32,10 @@ typedef struct em_flock {
     int always;           /* every step is looked at */
     int pauses;           /* another flock is to go on first */
     /* Looks at the step that a lane has taken. 0: goes on; else the lane has another run now, or none. */
-    int (*look)(struct em_flock *f, int lane, em_landing landing);
-    int (*stopped)(struct em_flock *f); /* whether all are to end */
+    int (*look)(struct em_lane_group *f, int lane, em_landing landing);
+    int (*stopped)(struct em_lane_group *f); /* whether all are to end */
     void *with;           /* whose they are */
-} em_flock;
+} em_lane_group;
 
 /* The right-hand side of `width` states side by side, number by number: y[k width + lane], and so t, c, u, dy. Where a
  * lane is singular its dy is NaN. width 0: there is none. */
@@ -44,7 +44,7 @@ typedef struct em_lanes {
     void (*rhs)(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy);
     /* v (n): xdot alone, of states in mode 0, where it costs little; or NULL */
     void (*velocity)(const double *t, const double *y, const double *c, double *v);
-    void (*run)(em_flock *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
+    void (*run)(em_lane_group *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
     int remembered, modes;    /* numbers that a run keeps of its last step; modes of runs, each in flocks of its own */
     int n_prepared;
 } em_lanes;

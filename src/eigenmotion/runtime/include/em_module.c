@@ -1,4 +1,4 @@
-/* em_module.c: the Python module of a model, whose `system` is its System: what NAME.pyx says, in C.
+/* em_module.c: the Python module of a model, whose `system` is its System: NAME.pyx, written in C.
  *
  * Compiled with -DEM_MODEL=NAME_model -DEM_INIT=PyInit_NAME (joined outside, where NAME may be a macro here) and linked
  * beside NAME.c: the same text for every model, and a tenth of a second where translating NAME.pyx and compiling what

@@ -1,4 +1,4 @@
-/* em_run.h: what a run is asked to do, what came of it, and how it ended.
+/* em_run.h: a run: its task, its results, and the status it ended with.
  *
  * Included by eigenmotion.h alone, whose words and version hold here.
  */

@@ -1,4 +1,5 @@
-/* em_state_functions.h: what a stepper asks of a model on the way: states in the meaning of their mode (docs/architecture.md).
+/* em_state_functions.h: functions of a state that a stepper calls: rates, velocities, errors, each according to the
+ * state's mode (docs/architecture.md).
  *
  * Included by eigenmotion.h alone, whose words hold here. `mode` 0 is the published system, 1 the triangular root. */
 #ifndef EM_STATE_FUNCTIONS_H

@@ -1,4 +1,4 @@
-/* em_fixed_steps.h: steps of fixed size, of as many motions as the machine has lanes: one in each.
+/* em_fixed_steps.h: Runge-Kutta steps of fixed size on lanes, one motion in each lane.
  *
  * For the runtime, not for generated code; of models whose state is x, xdot and that hold no constraints. A motion's numbers
  * follow from its own alone, never from who is beside it. Where a lane finds no number, its step is made again by numbers,
@@ -17,22 +17,22 @@
 enum { EM_LOCKSTEP_STAGES = 4 };
 
 /* What a step works with, for one thread: tables (..., EM_MOST_LANES), on addresses that are multiples of 64. */
-typedef struct em_lockstep {
+typedef struct em_fixed_steps {
     const em_model *model;
     const em_tableau *rk;
     double size; /* no step is longer */
     double *t_stage, *t_new, *h, *sound; /* sound: 0 where y_new is finite, else NaN */
     double *y_new, *argument, *K;        /* (n_state, ...), (n_state, ...), (4, n_state, ...) */
-} em_lockstep;
+} em_fixed_steps;
 
 /* How many numbers a lockstep's tables are. */
-static size_t em_lockstep_numbers(const em_model *model) {
+static size_t em_fixed_numbers(const em_model *model) {
     return (4 + (2 + EM_LOCKSTEP_STAGES) * (size_t)model->n_state) * EM_MOST_LANES;
 }
 
-static em_lockstep em_lockstep_at(const em_model *model, const em_tableau *rk, double size, double *place) {
+static em_fixed_steps em_fixed_at(const em_model *model, const em_tableau *rk, double size, double *place) {
     const size_t states = (size_t)model->n_state * EM_MOST_LANES;
-    em_lockstep w = {.model = model, .rk = rk, .size = size, .t_stage = place, .t_new = place + EM_MOST_LANES};
+    em_fixed_steps w = {.model = model, .rk = rk, .size = size, .t_stage = place, .t_new = place + EM_MOST_LANES};
     w.h = place + 2 * EM_MOST_LANES;
     w.sound = place + 3 * EM_MOST_LANES;
     w.y_new = place + 4 * EM_MOST_LANES;
@@ -42,22 +42,22 @@ static em_lockstep em_lockstep_at(const em_model *model, const em_tableau *rk, d
 }
 
 /* ceil, without a call of C's library. */
-EM_INLINE double em_lockstep_ceil(double a) {
+EM_INLINE double em_fixed_ceil(double a) {
     if (!(fabs(a) < 0x1p52)) return a;
     const double whole = (double)(long long)a;
     return whole < a ? whole + 1.0 : whole;
 }
 
 /* t_new and h of one motion's next step towards t_goal: of equal parts of the way (em_step.h). */
-static void em_lockstep_aim(const em_lockstep *w, int lane, double t, double t_goal) {
-    const double direction = t_goal < t ? -1.0 : 1.0, way = fabs(t_goal - t), count = em_lockstep_ceil(way / w->size - 1e-6);
+static void em_fixed_aim(const em_fixed_steps *w, int lane, double t, double t_goal) {
+    const double direction = t_goal < t ? -1.0 : 1.0, way = fabs(t_goal - t), count = em_fixed_ceil(way / w->size - 1e-6);
     const double t_new = t + direction * (count > 1.0 ? way / count : 2.0 * way);
     w->t_new[lane] = direction * (t_new - t_goal) > 0.0 ? t_goal : t_new;
     w->h[lane] = w->t_new[lane] - t;
 }
 
 /* out <- y + h sum_j a_j K_j over j < stages */
-EM_INLINE void em_lockstep_combine(const int width, const em_lockstep *w, const double *a, int stages, const double *y,
+EM_INLINE void em_fixed_combine(const int width, const em_fixed_steps *w, const double *a, int stages, const double *y,
                                    double *out) {
     const int n = w->model->n_state;
     for (int k = 0; k < n; ++k) {
@@ -72,26 +72,26 @@ EM_INLINE void em_lockstep_combine(const int width, const em_lockstep *w, const 
 }
 
 /* y_new <- a step from y at t; NaN in lanes that have none. */
-EM_INLINE void em_lockstep_step(const int width, const em_lockstep *w, const double *t, const double *y, const double *c,
+EM_INLINE void em_fixed_step(const int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
                                 const double *u) {
     const em_tableau *const rk = w->rk;
     for (int stage = 0; stage < rk->stages; ++stage) {
         double *const K = w->K + stage * w->model->n_state * width;
         for (int lane = 0; lane < width; ++lane) w->t_stage[lane] = t[lane] + rk->c[stage] * w->h[lane];
-        if (stage > 0) em_lockstep_combine(width, w, rk->a[stage], stage, y, w->argument);
+        if (stage > 0) em_fixed_combine(width, w, rk->a[stage], stage, y, w->argument);
         w->model->lanes->rhs(0, w->t_stage, stage > 0 ? w->argument : y, c, u, 0, K);
     }
-    em_lockstep_combine(width, w, rk->a[rk->stages], rk->stages, y, w->y_new);
+    em_fixed_combine(width, w, rk->a[rk->stages], rk->stages, y, w->y_new);
     for (int lane = 0; lane < width; ++lane) w->sound[lane] = 0.0;
     for (int k = 0; k < w->model->n_state; ++k) /* NaN and infinity survive a product with zero */
         for (int lane = 0; lane < width; ++lane) w->sound[lane] += 0.0 * w->y_new[k * width + lane];
 }
 
-static void em_lockstep_any(int width, const em_lockstep *w, const double *t, const double *y, const double *c,
+static void em_fixed_any(int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
                             const double *u) {
-    if (width == 8) em_lockstep_step(8, w, t, y, c, u);
-    else if (width == 4) em_lockstep_step(4, w, t, y, c, u);
-    else em_lockstep_step(2, w, t, y, c, u);
+    if (width == 8) em_fixed_step(8, w, t, y, c, u);
+    else if (width == 4) em_fixed_step(4, w, t, y, c, u);
+    else em_fixed_step(2, w, t, y, c, u);
 }
 
 /* Numbers of one lane, out of a table (count, width). */
@@ -104,7 +104,7 @@ static void em_lane_in(int width, int lane, int count, const double *numbers, do
 }
 
 /* One lane's step by numbers, into y_new. 0, or -1 and *fault. */
-EM_COLD int em_lockstep_alone(int width, int lane, const em_lockstep *w, double t, const double *y, const double *c,
+EM_NOINLINE int em_fixed_alone(int width, int lane, const em_fixed_steps *w, double t, const double *y, const double *c,
                               const double *u, em_fault *fault) {
     const em_model *const model = w->model;
     const int n = model->n_state;

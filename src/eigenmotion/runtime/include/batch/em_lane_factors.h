@@ -1,5 +1,5 @@
-/* em_lane_factors.h: C and s of runs side by side: after a step that all lanes have taken. Where one needs another root of
- * M, this says so: that lane's run is settled number by number (em_blocks.h). */
+/* em_lane_factors.h: refresh of C and s on lanes, after a step that all lanes have taken. Where a lane needs another
+ * root of M, this says so: that lane is then settled by the scalar code (em_blocks.h). */
 #ifndef EM_LANE_FACTORS_H
 #define EM_LANE_FACTORS_H
 
@@ -11,11 +11,11 @@ EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
 EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
 
 /* Small enough for what is left of all rotations, squared, that em_refine goes on. */
-#define EM_TURNED 1e-6
+#define EM_LANE_CONVERGED 1e-6
 
 /* C turned to where em_refine finds the eigenfactors of M (n, n), by Jacobi sweeps in the lanes that are `far` from there,
  * as where C has rested during a step. Each lane makes as many as it would alone. */
-EM_COLD void em_turn_near(int n, em_truth far, const real *restrict M, real *restrict C) {
+EM_NOINLINE void em_turn_near(int n, em_truth far, const real *restrict M, real *restrict C) {
     real Lambda[n * n];
     em_congruence(n, C, M, Lambda);
     for (int sweep = 0; em_any(far) && sweep < 6; ++sweep) {
@@ -25,7 +25,7 @@ EM_COLD void em_turn_near(int n, em_truth far, const real *restrict M, real *res
         for (int p = 0; p < n; ++p)
             for (int q = p + 1; q < n; ++q) {
                 const real off = Lambda[p * n + q], apart = Lambda[p * n + p] - Lambda[q * n + q];
-                turned &= off * off <= EM_TURNED * apart * apart;
+                turned &= off * off <= EM_LANE_CONVERGED * apart * apart;
             }
         far &= ~turned;
     }

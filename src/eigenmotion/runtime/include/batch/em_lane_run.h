@@ -1,5 +1,5 @@
-/* em_lane_run.h: a run whose steps are made in a lane (em_lane_runge_kutta.h): its start, and what is done number by number about some
- * of its steps. What a lane cannot do begins anew, by em_simulate. */
+/* em_lane_run.h: the scalar part of a run in a lane (em_lane_runge_kutta.h): its start, and the steps that need more
+ * than the lanes do. A run that a lane cannot continue starts again by em_simulate. */
 #ifndef EM_LANE_RUN_H
 #define EM_LANE_RUN_H
 
@@ -9,33 +9,33 @@
 
 /* Numbers that its lane keeps of a run's last step: asked of the lanes that it is in, for those that this object is linked
  * with may be for nodes alone, and keep none. */
-static int em_member_remembers(const em_walk *w) { return w->run->model->lanes->remembered; }
+static int em_member_remembers(const em_run_state *w) { return w->run->model->lanes->remembered; }
 
 /* When the lane's steps are looked at next. */
-static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
+static void em_member_plan(const em_run_state *w, em_lane_group *f, int lane) {
     const em_run *run = w->run;
     f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_witness;
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
 /* Whether a step would end at a break, which lanes do not know of. */
-static int em_breaks_on_the_way(const em_walk *w) {
+static int em_time_events_ahead(const em_run_state *w) {
     return w->model->n_breaks > 0 &&
            (isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0);
 }
 
 /* em_model.enter */
-EM_ACROSS void *em_member_enter(const em_model *model, em_run *run, int *mode) {
-    em_walk *const w = em_open(model, run);
+EM_EXPORT void *em_member_enter(const em_model *model, em_run *run, int *mode) {
+    em_run_state *const w = em_open(model, run);
     if (w == NULL) return NULL;
-    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
+    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_time_events_ahead(w)) return em_close(w), NULL;
     *mode = w->mode;
     return w;
 }
 
 /* em_model.board */
-EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
-    const em_walk *const w = walk;
+EM_COLD_PATH EM_EXPORT void em_member_load(void *walk, em_lane_group *f, int lane) {
+    const em_run_state *const w = walk;
     const em_run *const run = w->run;
     const int width = w->lanes->width;
     const double steps = (double)run->n_steps;
@@ -61,7 +61,7 @@ EM_RARE EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
 }
 
 /* The stages of the step under way, from the lane, and what the last was made at. */
-EM_RARE static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
+EM_COLD_PATH static void em_member_read_stages(em_run_state *w, const em_lane_group *f, int lane) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     const int width = w->lanes->width, last = rk->stages - 1;
     for (int stage = 1; stage < rk->stages; ++stage)
@@ -70,7 +70,7 @@ EM_RARE static void em_member_read_stages(em_walk *w, const em_flock *f, int lan
 }
 
 /* Its ends, and what the run has done so far. */
-EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+EM_COLD_PATH static void em_member_read(em_run_state *w, const em_lane_group *f, int lane) {
     em_run *const run = w->run;
     const int width = w->lanes->width;
     const long steps = (long)f->n_steps[lane];
@@ -104,18 +104,18 @@ EM_RARE static void em_member_read(em_walk *w, const em_flock *f, int lane) {
 }
 
 /* What em_land does about a step that was settled. 0, or -1 */
-EM_RARE static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
+EM_COLD_PATH static int em_member_trusts(em_run_state *w, const em_lane_group *f, int lane) {
     if (w->n_events > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
         em_member_read_stages(w, f, lane);
         em_combine(w, rk->a[rk->solution], rk->stages, 0, w->h, 0, w->y, w->y_raw);
     }
-    if ((!w->bare && em_check_chart(w)) || em_check_witness(w) || (w->n_events > 0 && em_watch(w))) return -1;
+    if ((!w->bare && em_check_singularity(w)) || em_check_energy(w) || (w->n_events > 0 && em_detect_events(w))) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
 /* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
-EM_RARE static int em_member_lands(em_walk *w, em_flock *f, int lane) {
+EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int lane) {
     const int width = w->lanes->width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
     if (w->n_events > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
@@ -131,12 +131,12 @@ EM_RARE static int em_member_lands(em_walk *w, em_flock *f, int lane) {
 }
 
 /* em_model.look: what em_land and em_advance do about an accepted step. */
-EM_RARE EM_ACROSS int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
-    em_walk *const w = walk;
+EM_COLD_PATH EM_EXPORT int em_member_check(void *walk, em_lane_group *f, int lane, em_landing landing) {
+    em_run_state *const w = walk;
     int terminal = 0;
     em_member_read(w, f, lane);
     double t_stop = w->t_new;
-    if (landing == EM_UNSETTLED ? em_member_lands(w, f, lane) : em_member_trusts(w, f, lane)) return -1;
+    if (landing == EM_UNSETTLED ? em_member_accepts(w, f, lane) : em_member_trusts(w, f, lane)) return -1;
     if (em_record(w, &t_stop, &terminal)) return -1;
     em_commit(w);
     w->run->t_reached = t_stop;

@@ -1,4 +1,4 @@
-/* em_lane_runge_kutta.h: runs side by side, one in each lane, by dop853: what is done for all lanes at once.
+/* em_lane_runge_kutta.h: dop853 on lanes: one run of an ensemble in each lane of a vector.
  *
  * Included by NAME.c where that is compiled for lanes. Each lane has its own time, step size and error, and none looks at
  * another: a member's numbers are the same in whatever lane and company. Most steps need no more than this; at others
@@ -32,12 +32,12 @@ typedef struct em_lane_state {
 #endif
 
 /* How much of a state changes within a step: in mode 1 C and s rest. */
-EM_INLINE int em_flock_moving(const em_flock *f) {
+EM_INLINE int em_group_moving(const em_lane_group *f) {
     return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_FLOCK_STATE;
 }
 
 /* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, of the states from k on */
-EM_INLINE void em_flock_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], int k, real *sum) {
+EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], int k, real *sum) {
     for (int i = 0; i < EM_TOGETHER; ++i) sum[i] = a[0] * K[0][k + i];
     EM_UNROLL
     for (int j = 1; j < n; ++j) {
@@ -47,20 +47,20 @@ EM_INLINE void em_flock_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], i
 }
 
 /* out <- y + h sum_j a_j K_j over j < n */
-EM_INLINE void em_flock_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
+EM_INLINE void em_group_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
     for (int k = 0; k < moving; k += EM_TOGETHER) {
         real sum[EM_TOGETHER];
-        em_flock_sum(a, n, K, k, sum);
+        em_group_sum(a, n, K, k, sum);
         for (int i = 0; i < EM_TOGETHER; ++i) out[k + i] = y[k + i] + h * sum[i];
     }
 }
 
 /* The part of a lane's time that is no step: the spacing of numbers there, times ten. */
-EM_INLINE real em_flock_least(real t) { return 10.0 * DBL_EPSILON * em_lane_max(fabs(t), em_real(DBL_MIN / DBL_EPSILON)); }
+EM_INLINE real em_group_least(real t) { return 10.0 * DBL_EPSILON * em_lane_max(fabs(t), em_real(DBL_MIN / DBL_EPSILON)); }
 
 /* t_new and h of the step under way: of the size that was chosen, no further than t_end. */
-EM_INLINE void em_flock_aim(const em_flock *f, em_lane_state *w) {
-    const real end = em_real(f->task->t_end), least = em_flock_least(*w->t);
+EM_INLINE void em_group_aim(const em_lane_group *f, em_lane_state *w) {
+    const real end = em_real(f->task->t_end), least = em_group_least(*w->t);
     const real first = em_lane_max(least, em_lane_min(*w->h_next, em_real(f->task->max_step)));
     const real size = em_where(*w->retries > 0.0, *w->h_next, first);
     const real aimed = *w->t + f->direction * size;
@@ -69,17 +69,17 @@ EM_INLINE void em_flock_aim(const em_flock *f, em_lane_state *w) {
 }
 
 /* Errors of eigenfactors count where they are integrated (em_error_norm.h). */
-EM_INLINE int em_flock_counted(const em_flock *f) { return f->mode == 0 ? N_STATE : 2 * N; }
+EM_INLINE int em_group_counted(const em_lane_group *f) { return f->mode == 0 ? N_STATE : 2 * N; }
 
 /* What errors of the state count, those of eta by what they are of v. */
-EM_INLINE void em_flock_weigh(const em_flock *f, const em_lane_state *w, real *weight) {
+EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, real *weight) {
     const real *const v_new = w->K[EM_DOP853_TABLEAU.velocity_stage];
     for (int k = 0; k < N; ++k) {
         const real x = em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])), v = em_lane_max(fabs(w->K[0][k]), fabs(v_new[k]));
         weight[k] = 1.0 / (f->task->atol[k] + f->rtol * x + DBL_MIN);
         weight[N + k] = 1.0 / (f->task->atol[k] + f->rtol * v + DBL_MIN);
     }
-    for (int k = 2 * N; k < em_flock_counted(f); ++k) {
+    for (int k = 2 * N; k < em_group_counted(f); ++k) {
         const int scales = (k >= 2 * N + N_C && k < 2 * N + N_C + N_S) || k >= N_STATE - N_SD;
         const real size = scales ? em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])) : em_real(1.0);
         weight[k] = 1.0 / (f->rtol * size + DBL_MIN);
@@ -87,7 +87,7 @@ EM_INLINE void em_flock_weigh(const em_flock *f, const em_lane_state *w, real *w
 }
 
 /* Both errors (EM_TOGETHER) of the states from k on: what is read is read once. */
-EM_INLINE void em_flock_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, real *third) {
+EM_INLINE void em_group_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, real *third) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     for (int i = 0; i < EM_TOGETHER; ++i) {
         fifth[i] = rk->e[0][0] * K[0][k + i];
@@ -104,30 +104,30 @@ EM_INLINE void em_flock_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, re
 }
 
 /* Sums in EM_TOGETHER parts, which do not wait for each other. */
-EM_INLINE real em_flock_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
+EM_INLINE real em_group_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
 
 /* sum_k (a_k b_k)^2 */
-EM_INLINE real em_flock_squares(int n, const real *a, const real *b) {
+EM_INLINE real em_group_squares(int n, const real *a, const real *b) {
     real part[EM_TOGETHER] = {{0.0}};
     for (int k = 0; k < n; ++k) part[k % EM_TOGETHER] += (a[k] * b[k]) * (a[k] * b[k]);
-    return em_flock_whole(part);
+    return em_group_whole(part);
 }
 
 /* The norm of the error (em_runge_kutta.h). */
-EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, const real *weight) {
+EM_INLINE void em_group_norm(const em_lane_group *f, em_lane_state *w, const real *weight) {
     real sum[2], error[2][EM_FLOCK_STATE], v[N];
-    for (int k = 0; k < em_flock_moving(f); k += EM_TOGETHER) em_flock_errors(w->K, k, error[0] + k, error[1] + k);
+    for (int k = 0; k < em_group_moving(f); k += EM_TOGETHER) em_group_errors(w->K, k, error[0] + k, error[1] + k);
     for (int e = 0; e < 2; ++e) {
         EM_VELOCITY(f->mode, w->y, w->c, w->memory, error[e] + N, v);
         em_copy(N, v, error[e] + N);
-        sum[e] = em_flock_squares(em_flock_counted(f), error[e], weight);
+        sum[e] = em_group_squares(em_group_counted(f), error[e], weight);
     }
     const real under = sum[0] + 0.01 * sum[1];
     *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
 }
 
 /* y_new put right in lanes that *done keeps; v (n) <- the velocities before. */
-EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED real *v, EM_UNUSED em_truth *done) {
+EM_INLINE void em_group_settle(const em_lane_group *f, em_lane_state *w, EM_UNUSED real *v, EM_UNUSED em_truth *done) {
 #ifdef EM_SETTLE
     real raw[N_STATE];
     if (EM_SECOND_ORDER) { /* settling moves v alone, in all lanes */
@@ -146,7 +146,7 @@ EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED re
 }
 
 /* How far settling moved v, in tolerances (em_monitors.h). */
-EM_INLINE real em_flock_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const real *v, EM_UNUSED const real *weight) {
+EM_INLINE real em_group_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const real *v, EM_UNUSED const real *weight) {
     real sum = em_real(0.0);
 #ifdef EM_SETTLE
     for (int k = 0; k < N; ++k) {
@@ -158,18 +158,18 @@ EM_INLINE real em_flock_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const 
 }
 
 /* NaN and infinity survive a product with zero. */
-EM_INLINE em_truth em_flock_finite(const real *a) {
+EM_INLINE em_truth em_group_finite(const real *a) {
     real part[EM_TOGETHER] = {{0.0}};
     for (int k = 0; k < N_STATE; ++k) part[k % EM_TOGETHER] += 0.0 * a[k];
-    return em_flock_whole(part) == 0.0;
+    return em_group_whole(part) == 0.0;
 }
 
-EM_INLINE void em_flock_rate(const em_flock *f, const em_lane_state *w, const real *t, const real *y, real *dy) {
+EM_INLINE void em_group_rate(const em_lane_group *f, const em_lane_state *w, const real *t, const real *y, real *dy) {
     rhs_on_lanes(f->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
 }
 
 /* Whether stability keeps steps short, of lanes of which that is judged now (em_rk_judge); argument: of the last stage. */
-EM_INLINE void em_flock_judge(em_lane_state *w, const real *argument, const real *weight) {
+EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real *weight) {
     const int last = EM_DOP853_TABLEAU.stages - 1;
     const em_truth judged = *w->n_steps >= *w->next_judge;
     real apart = em_real(0.0), driven = em_real(0.0);
@@ -190,7 +190,7 @@ typedef struct em_attempts {
 } em_attempts;
 
 /* error and factor, as in em_step_size.h */
-EM_INLINE void em_flock_control(const em_lane_state *w, em_attempts *found) {
+EM_INLINE void em_group_control(const em_lane_state *w, em_attempts *found) {
     enum { ORDER = 8 };
     const real error = log(em_lane_max(*w->error, em_real(1e-300)));
     const real wanted = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
@@ -200,32 +200,32 @@ EM_INLINE void em_flock_control(const em_lane_state *w, em_attempts *found) {
 }
 
 /* An attempt at a step in every lane. */
-static em_attempts em_flock_attempt(const em_flock *f, em_lane_state *w) {
+static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     em_attempts found = {.settled = ~(em_truth){0}};
     real argument[EM_FLOCK_STATE], weight[N_STATE], v[N];
-    for (int k = em_flock_moving(f); k < EM_FLOCK_STATE; ++k) w->y_new[k] = w->y[k];
+    for (int k = em_group_moving(f); k < EM_FLOCK_STATE; ++k) w->y_new[k] = w->y[k];
     EM_UNROLL
     for (int stage = 1; stage < rk->stages; ++stage) {
         const real t = *w->t + rk->c[stage] * *w->h;
-        em_flock_combine(em_flock_moving(f), rk->a[stage], stage, *w->h, w->y, w->K, argument);
-        em_flock_rate(f, w, &t, argument, w->K[stage]);
+        em_group_combine(em_group_moving(f), rk->a[stage], stage, *w->h, w->y, w->K, argument);
+        em_group_rate(f, w, &t, argument, w->K[stage]);
     }
-    em_flock_combine(em_flock_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
-    em_flock_weigh(f, w, weight);
-    em_flock_norm(f, w, weight);
-    em_flock_control(w, &found); /* here, where it waits for itself while steps are settled */
-    em_flock_settle(f, w, v, &found.settled);
-    em_flock_rate(f, w, w->t_new, w->y_new, w->f_new);
-    em_flock_judge(w, argument, weight);
-    found.moved = em_flock_moved(w, v, weight);
-    found.sound = em_flock_finite(w->y_new) & (em_flock_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
+    em_group_combine(em_group_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
+    em_group_weigh(f, w, weight);
+    em_group_norm(f, w, weight);
+    em_group_control(w, &found); /* here, where it waits for itself while steps are settled */
+    em_group_settle(f, w, v, &found.settled);
+    em_group_rate(f, w, w->t_new, w->y_new, w->f_new);
+    em_group_judge(w, argument, weight);
+    found.moved = em_group_moved(w, v, weight);
+    found.sound = em_group_finite(w->y_new) & (em_group_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
     return found;
 }
 
 /* -1 in lanes whose `accepted` step is looked at number by number: the first, short ones at which a singularity may be near
  * (em_singularity_monitor.h), and those at which the energy, a row or the end is due. */
-EM_INLINE em_truth em_flock_due(const em_flock *f, const em_lane_state *w, em_truth accepted) {
+EM_INLINE em_truth em_group_due(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
     em_truth brief = accepted & ((fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
     if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
@@ -236,13 +236,13 @@ EM_INLINE em_truth em_flock_due(const em_flock *f, const em_lane_state *w, em_tr
 
 /* -1 in lanes whose run goes on number by number, from its start: what a step made is not sound, or was moved far
  * (em_monitors.h), or steps become too short, or too many. */
-EM_INLINE em_truth em_flock_lost(const em_flock *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
-    return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_flock_least(*w->t))) |
+EM_INLINE em_truth em_group_lost(const em_lane_group *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
+    return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_group_least(*w->t))) |
            (small & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
 }
 
 /* The end of a step becomes the start of the next, in lanes that took it. */
-static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
+static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     const real none = em_real(0.0), one = em_real(1.0);
     for (int k = 0; k < N_STATE; ++k) {
         w->y[k] = em_where(took, w->y_new[k], w->y[k]);
@@ -260,31 +260,31 @@ static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
 }
 
 /* -1 in lanes with a run. */
-EM_INLINE em_truth em_flock_live(const em_flock *f) {
+EM_INLINE em_truth em_group_live(const em_lane_group *f) {
     em_truth live;
     for (int lane = 0; lane < EM_LANES; ++lane) live[lane] = -f->live[lane];
     return live;
 }
 
 /* One attempt at a step in every lane, and what follows from it. */
-static void em_flock_step(em_flock *f, em_lane_state *w) {
-    em_flock_aim(f, w);
-    const em_attempts found = em_flock_attempt(f, w);
-    const em_truth small = found.sound & (*w->error < 1.0), live = em_flock_live(f);
-    const em_truth due = f->always ? small : small & (em_flock_due(f, w, small) | ~found.settled);
+static void em_group_step(em_lane_group *f, em_lane_state *w) {
+    em_group_aim(f, w);
+    const em_attempts found = em_group_attempt(f, w);
+    const em_truth small = found.sound & (*w->error < 1.0), live = em_group_live(f);
+    const em_truth due = f->always ? small : small & (em_group_due(f, w, small) | ~found.settled);
     *w->h_next = fabs(*w->h) * found.factor;
     *w->last_error = em_where(small, em_lane_max(found.error, em_real(-9.2)), *w->last_error);
-    const em_truth lost = em_flock_lost(f, w, &found, small), looks = live & (lost | due);
+    const em_truth lost = em_group_lost(f, w, &found, small), looks = live & (lost | due);
     em_truth stays = live & ~looks;
     for (int lane = 0; lane < EM_LANES && em_any(looks); ++lane) {
         const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
         if (looks[lane] && f->look(f, lane, landing) == 0) stays[lane] = -1;
     } /* where it does not stay, there is another member now, or none */
-    em_flock_commit(w, stays, stays & small);
+    em_group_commit(w, stays, stays & small);
 }
 
 /* As long as there are members, and no other flock is to go on first: f->look puts them into lanes. */
-static void em_flock_run(em_flock *f) {
+static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_FLOCK_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
@@ -292,7 +292,7 @@ static void em_flock_run(em_flock *f) {
         (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look,
         (real *)f->memory, (real *)f->memory_new};
     for (unsigned attempt = 1; f->n_live > 0 && !f->pauses; ++attempt) {
-        em_flock_step(f, &w);
+        em_group_step(f, &w);
         if (attempt % EM_FLOCK_LOOKS == 0 && f->stopped(f)) return;
     }
 }

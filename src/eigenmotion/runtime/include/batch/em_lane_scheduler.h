@@ -1,4 +1,4 @@
-/* em_lane_scheduler.h: members of an ensemble side by side (em_lane_runge_kutta.h): who goes into which lane.
+/* em_lane_scheduler.h: the lane scheduler: puts the members of an ensemble into lanes (em_lane_runge_kutta.h).
  *
  * All runs of a flock are in one mode. One whose mode changes leaves its lane and waits for one in the other flock. A flock
  * goes on as long as it has no empty lane, so that few wait, and all lanes are in use until few members are left. */
@@ -12,22 +12,22 @@
 enum { EM_MOST_MODES = 2, EM_SEATS = EM_MOST_MODES * EM_MOST_LANES };
 
 /* A run under way: of which member, and what it works with. */
-typedef struct em_seat {
+typedef struct em_slot {
     em_run run;
     void *walk;
     size_t member;
     double *c, *y;
     int taken;
-} em_seat;
+} em_slot;
 
-typedef struct em_flocks {
+typedef struct em_lane_scheduler {
     em_ensemble *e;
-    em_flock flock[EM_MOST_MODES];
-    em_seat seats[EM_SEATS];
-    em_seat *in_lane[EM_MOST_MODES][EM_MOST_LANES], *waiting[EM_MOST_MODES][EM_SEATS];
+    em_lane_group flock[EM_MOST_MODES];
+    em_slot seats[EM_SEATS];
+    em_slot *in_lane[EM_MOST_MODES][EM_MOST_LANES], *waiting[EM_MOST_MODES][EM_SEATS];
     int n_waiting[EM_MOST_MODES], modes, width, stopped;
     size_t next;
-} em_flocks;
+} em_lane_scheduler;
 
 /* Whether runs of this task are made in lanes, but for members with redundant rows. That follows from the task and the
  * model, so that all others' are. */
@@ -47,7 +47,7 @@ static int em_ensemble_rests(const em_ensemble *e, size_t member) {
 }
 
 /* A run has ended: its seat is free. kept: what came of it; else the member is run anew, number by number. */
-static void em_leave(em_flocks *w, em_seat *seat, int kept) {
+static void em_leave(em_lane_scheduler *w, em_slot *seat, int kept) {
     em_ensemble *const e = w->e;
     if (seat->walk != NULL) e->model->close(seat->walk);
     if (kept) em_ensemble_keep(e, seat->member, &seat->run);
@@ -56,16 +56,16 @@ static void em_leave(em_flocks *w, em_seat *seat, int kept) {
     seat->taken = 0;
 }
 
-static em_seat *em_free_seat(em_flocks *w) {
-    em_seat *seat = w->seats;
+static em_slot *em_free_slot(em_lane_scheduler *w) {
+    em_slot *seat = w->seats;
     while (seat->taken) ++seat;
     return seat;
 }
 
 /* The next member takes a seat and waits for a lane of its mode; or all that came of it is kept already. */
-static void em_arrive(em_flocks *w) {
+static void em_arrive(em_lane_scheduler *w) {
     em_ensemble *const e = w->e;
-    em_seat *const seat = em_free_seat(w);
+    em_slot *const seat = em_free_slot(w);
     em_run *const run = &seat->run;
     int mode = 0;
     seat->member = w->next++;
@@ -84,27 +84,27 @@ static void em_arrive(em_flocks *w) {
 }
 
 /* How many lanes of a flock could be in use; new members count as of mode 0. */
-static size_t em_ready(const em_flocks *w, int mode) {
+static size_t em_ready(const em_lane_scheduler *w, int mode) {
     const size_t here = (size_t)(w->flock[mode].n_live + w->n_waiting[mode]);
     const size_t more = mode == 0 ? w->e->count - w->next : 0;
     return here + more < (size_t)w->width ? here + more : (size_t)w->width;
 }
 
 /* Whether the other flock is to go on first. */
-static int em_gives_way(const em_flocks *w, int mode) {
+static int em_yields_lane(const em_lane_scheduler *w, int mode) {
     if (w->modes == 1) return 0;
     const size_t other = em_ready(w, !mode);
     return other > em_ready(w, mode) || (mode == 0 && other == (size_t)w->width);
 }
 
 /* Somebody into an empty lane, unless the other flock is to go on first; where nobody is left it stands still. */
-static void em_fill_lane(em_flocks *w, int mode, int lane) {
-    em_flock *const f = &w->flock[mode];
-    while (!(f->pauses = em_gives_way(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
+static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
+    em_lane_group *const f = &w->flock[mode];
+    while (!(f->pauses = em_yields_lane(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
     f->live[lane] = !f->pauses && w->n_waiting[mode] > 0;
     f->n_live += f->live[lane];
     if (f->live[lane]) {
-        em_seat *const seat = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
+        em_slot *const seat = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
         w->e->model->board(seat->walk, f, lane);
         return;
     }
@@ -112,11 +112,11 @@ static void em_fill_lane(em_flocks *w, int mode, int lane) {
     f->h_next[lane] = 0.0;
 }
 
-/* em_flock.look */
-static int em_ensemble_look(em_flock *f, int lane, em_landing landing) {
+/* em_lane_group.look */
+static int em_ensemble_look(em_lane_group *f, int lane, em_landing landing) {
     enum { ANEW = -1, GOES_ON, ENDED, CHANGES };
-    em_flocks *const w = f->with;
-    em_seat *const seat = w->in_lane[f->mode][lane];
+    em_lane_scheduler *const w = f->with;
+    em_slot *const seat = w->in_lane[f->mode][lane];
     const int came = landing == EM_LOST ? ANEW : w->e->model->look(seat->walk, f, lane, landing);
     if (came == GOES_ON) return 0;
     f->live[lane] = 0;
@@ -127,15 +127,15 @@ static int em_ensemble_look(em_flock *f, int lane, em_landing landing) {
     return 1;
 }
 
-/* em_flock.stopped */
-static int em_ensemble_all_stop(em_flock *f) {
-    em_flocks *const w = f->with;
+/* em_lane_group.stopped */
+static int em_ensemble_all_stop(em_lane_group *f) {
+    em_lane_scheduler *const w = f->with;
     return w->stopped = em_ensemble_stopped(w->e);
 }
 
 /* Runs that were on their way when an end was asked for. */
-static void em_ensemble_give_up(em_flocks *w) {
-    for (em_seat *seat = w->seats; seat < w->seats + EM_SEATS; ++seat) {
+static void em_ensemble_give_up(em_lane_scheduler *w) {
+    for (em_slot *seat = w->seats; seat < w->seats + EM_SEATS; ++seat) {
         if (!seat->taken) continue;
         seat->run.fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
         for (int mode = 0; mode < w->modes; ++mode)
@@ -156,14 +156,14 @@ static double *em_cut_off(double **place, size_t size) {
 enum { EM_FLOCK_STEPS = 12, EM_FLOCK_NUMBERS = 16 };
 
 /* Numbers of all tables of a flock. */
-static size_t em_flock_size(const em_model *model) {
+static size_t em_group_size(const em_model *model) {
     const size_t states = ((size_t)model->n_state + 3) / 4 * 4, memory = 2 * (size_t)model->lanes->remembered;
     const size_t rows = (EM_FLOCK_STEPS + 3) * states + memory + (size_t)model->n_prepared + (size_t)model->n_inputs;
     return (rows + EM_FLOCK_NUMBERS) * (size_t)model->lanes->width;
 }
 
 /* The tables of a flock, one after the other. */
-static void em_flock_tables(em_flock *f, const em_model *model, double *place) {
+static void em_group_tables(em_lane_group *f, const em_model *model, double *place) {
     const size_t width = (size_t)model->lanes->width, states = ((size_t)model->n_state + 3) / 4 * 4;
     const size_t memory = (size_t)model->lanes->remembered;
     double **const tables[] = {&f->K, &f->y, &f->y_new, &f->f_new, &f->memory, &f->memory_new, &f->c, &f->u};
@@ -176,26 +176,26 @@ static void em_flock_tables(em_flock *f, const em_model *model, double *place) {
     for (int k = 0; k < EM_FLOCK_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
 }
 
-static void em_flock_begin(em_flocks *w, int mode, double *place) {
+static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
     const em_run *const task = &w->e->task;
-    em_flock *const f = &w->flock[mode];
-    *f = (em_flock){.task = task, .mode = mode, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = w};
+    em_lane_group *const f = &w->flock[mode];
+    *f = (em_lane_group){.task = task, .mode = mode, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = w};
     f->rtol = task->rtol > 100.0 * DBL_EPSILON ? task->rtol : 100.0 * DBL_EPSILON;
     f->direction = task->t_end < task->t_start ? -1.0 : 1.0;
     f->stretch = pow(f->rtol, -1.0 / 8.0);
     f->always = w->e->model->n_events > 0 || f->rtol > 1e-5; /* EM_LOOSE of em_singularity_monitor.h */
-    em_flock_tables(f, w->e->model, place);
+    em_group_tables(f, w->e->model, place);
 }
 
 /* Memory for all of it in one block, which is returned, or NULL. */
-static double *em_flocks_open(em_flocks *w) {
+static double *em_lane_scheduler_open(em_lane_scheduler *w) {
     enum { LINE = 8 };
     const em_model *model = w->e->model;
-    const size_t c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state, flock = em_flock_size(model);
+    const size_t c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state, flock = em_group_size(model);
     double *const block = calloc((size_t)w->modes * flock + LINE + EM_SEATS * (c + n), sizeof *block);
     if (block == NULL) return NULL;
     double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
-    for (int mode = 0; mode < w->modes; ++mode) em_flock_begin(w, mode, em_cut_off(&place, flock));
+    for (int mode = 0; mode < w->modes; ++mode) em_group_begin(w, mode, em_cut_off(&place, flock));
     for (int k = 0; k < EM_SEATS; ++k) {
         w->seats[k].c = em_cut_off(&place, c);
         w->seats[k].y = em_cut_off(&place, n);
@@ -204,8 +204,8 @@ static double *em_flocks_open(em_flocks *w) {
 }
 
 /* Lanes that are empty are filled, and the flock goes on until it gives way to the other. */
-static void em_flock_go_on(em_flocks *w, int mode) {
-    em_flock *const f = &w->flock[mode];
+static void em_group_go_on(em_lane_scheduler *w, int mode) {
+    em_lane_group *const f = &w->flock[mode];
     for (int lane = 0; lane < w->width; ++lane)
         if (!f->live[lane]) em_fill_lane(w, mode, lane);
     if (f->n_live > 0 && !f->pauses) w->e->model->lanes->run(f);
@@ -213,11 +213,11 @@ static void em_flock_go_on(em_flocks *w, int mode) {
 
 /* All members in lanes, as far as they can. 0, or -1 without memory. */
 static int em_ensemble_in_lanes(em_ensemble *e) {
-    em_flocks w = {.e = e, .modes = e->model->lanes->modes, .width = e->model->lanes->width};
-    double *const block = em_flocks_open(&w);
+    em_lane_scheduler w = {.e = e, .modes = e->model->lanes->modes, .width = e->model->lanes->width};
+    double *const block = em_lane_scheduler_open(&w);
     if (block == NULL) return -1;
-    for (int mode = 0; em_ready(&w, mode) > 0 && !w.stopped; mode = em_gives_way(&w, mode) ? !mode : mode)
-        em_flock_go_on(&w, mode);
+    for (int mode = 0; em_ready(&w, mode) > 0 && !w.stopped; mode = em_yields_lane(&w, mode) ? !mode : mode)
+        em_group_go_on(&w, mode);
     em_ensemble_give_up(&w);
     free(block);
     return 0;

@@ -1,5 +1,5 @@
-/* em_lane_singularity.h: em_look_at_chart of em_singularity_monitor.h on lanes. The model defines N_PIVOTS, those of M that vary, and
- * EM_PIVOTS(t, x, c, pivots, diagonal). */
+/* em_lane_singularity.h: the singularity monitor on lanes (em_measure_pivots of em_singularity_monitor.h). The model
+ * defines N_PIVOTS, the number of pivots of M that vary, and EM_PIVOTS(t, x, c, pivots, diagonal). */
 #ifndef EM_LANE_SINGULARITY_H
 #define EM_LANE_SINGULARITY_H
 
@@ -14,7 +14,7 @@ EM_INLINE em_truth em_pivot_stays(real before, real after) {
 #ifdef EM_PIVOTS
 
 /* -1 in lanes whose step sees M between x and x_new (n); others are looked at by numbers, which say why. */
-EM_COLD em_truth em_resolved(real t, const real *x, real t_new, const real *x_new, const real *c, double rtol) {
+EM_NOINLINE em_truth em_resolved(real t, const real *x, real t_new, const real *x_new, const real *c, double rtol) {
     em_truth resolved = ~(em_truth){0};
     real middle[N], pivots[3][N_PIVOTS], diagonal[N_PIVOTS];
     for (int k = 0; k < N; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);

@@ -1,4 +1,4 @@
-/* em_members.h: what is asked of many runs of one em_model, and what comes of them; one after the other. */
+/* em_members.h: tasks and results of many runs of one em_model, and a driver that runs one after the other. */
 #ifndef EM_MEMBERS_H
 #define EM_MEMBERS_H
 

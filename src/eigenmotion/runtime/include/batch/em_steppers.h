@@ -1,4 +1,4 @@
-/* em_steppers.h: K steppers of one em_model, advanced as one.
+/* em_steppers.h: K steppers of one em_model, advanced together.
  *
  * For the runtime, not for generated code. In lanes (em_fixed_steps.h) where the method has steps of fixed size and the model
  * allows it, which all members share; else each is an em_stepper (em_control.h). Members know nothing of each other: what
@@ -42,7 +42,7 @@ static int em_steppers_width(const em_model *model, const em_run *task) {
 }
 
 static size_t em_steppers_scratch(const em_steppers *s) {
-    const size_t numbers = em_lockstep_numbers(s->model);
+    const size_t numbers = em_fixed_numbers(s->model);
     return (numbers + 7) / 8 * 8;
 }
 
@@ -109,12 +109,12 @@ static void em_steppers_put(em_steppers *s, size_t member, double t, const doubl
 }
 
 /* What a step made of one lane: taken, or the member has ended. Returns whether it is under way still. */
-static int em_steppers_land(em_steppers *s, const em_lockstep *w, size_t member, double t_goal, const double *y,
+static int em_steppers_land(em_steppers *s, const em_fixed_steps *w, size_t member, double t_goal, const double *y,
                             const double *c, const double *u) {
     const int lane = (int)(member % (size_t)s->width), n = s->model->n_state;
     s->n_rhs[member] += w->rk->stages;
     if (w->sound[lane] != 0.0 &&
-        em_lockstep_alone(s->width, lane, w, s->t[member], y, c, u, &s->fault[member])) {
+        em_fixed_alone(s->width, lane, w, s->t[member], y, c, u, &s->fault[member])) {
         s->ended[member] = 1;
         return 0;
     }
@@ -148,7 +148,7 @@ static int em_steppers_leave(em_steppers *s, size_t first, int *live, em_status 
 }
 
 /* One group to its members' times. */
-static void em_steppers_group(em_steppers *s, const em_lockstep *w, size_t first, const double *t_goal,
+static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t first, const double *t_goal,
                               struct timespec *polled) {
     enum { LOOKS = 256 };
     const em_model *const model = s->model;
@@ -168,9 +168,9 @@ static void em_steppers_group(em_steppers *s, const em_lockstep *w, size_t first
         for (int lane = 0; lane < width; ++lane) {
             t[lane] = first + (size_t)lane < s->count ? s->t[first + (size_t)lane] : 0.0;
             w->h[lane] = 0.0;
-            if (live[lane]) em_lockstep_aim(w, lane, t[lane], t_goal[first + (size_t)lane]);
+            if (live[lane]) em_fixed_aim(w, lane, t[lane], t_goal[first + (size_t)lane]);
         }
-        em_lockstep_any(width, w, t, y, c, u);
+        em_fixed_any(width, w, t, y, c, u);
         for (int lane = 0; lane < width; ++lane)
             if (live[lane] && !em_steppers_land(s, w, first + (size_t)lane, t_goal[first + (size_t)lane], y, c, u))
                 live[lane] = 0, --n_live;
@@ -268,7 +268,7 @@ static void em_steppers_advance(em_steppers *s, size_t first, size_t last, int w
     }
     const em_tableau *const rk = s->task.method == EM_RK4 ? &EM_RK4_TABLEAU : &EM_MIDPOINT_TABLEAU;
     double *const place = s->scratch + em_steppers_scratch(s) * (size_t)worker;
-    const em_lockstep w = em_lockstep_at(s->model, rk, s->task.first_step, place);
+    const em_fixed_steps w = em_fixed_at(s->model, rk, s->task.first_step, place);
     for (size_t member = first; member < last && !em_steppers_stopped(s, &polled); member += (size_t)s->width)
         em_steppers_group(s, &w, member, t_goal, &polled);
 }

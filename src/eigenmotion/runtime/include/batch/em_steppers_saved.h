@@ -1,4 +1,4 @@
-/* em_steppers_saved.h: all members of em_steppers as bytes, member by member, and back to the last bit. */
+/* em_steppers_saved.h: save and restore of em_steppers: bytes, member by member, exact to the last bit. */
 #ifndef EM_STEPPERS_SAVED_H
 #define EM_STEPPERS_SAVED_H
 

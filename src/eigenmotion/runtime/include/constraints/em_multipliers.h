@@ -1,4 +1,4 @@
-/* em_multipliers.h: Delta = B B^T and the multipliers, block by block of M; and the eigenfactors of Delta. */
+/* em_multipliers.h: Delta = B B^T and the multipliers, block by block of M; the eigenfactors of Delta. */
 #ifndef EM_MULTIPLIERS_H
 #define EM_MULTIPLIERS_H
 
@@ -140,7 +140,7 @@ EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
 #endif
 
 #ifndef EM_ON_LANES
-EM_COLD void em_swap_rows(int m, double *Delta, double *rhs, double *unit, int k, int row) {
+EM_NOINLINE void em_swap_rows(int m, double *Delta, double *rhs, double *unit, int k, int row) {
     for (int j = 0; j < m; ++j) {
         const double kept = Delta[k * m + j];
         Delta[k * m + j] = Delta[row * m + j], Delta[row * m + j] = kept;
@@ -150,7 +150,7 @@ EM_COLD void em_swap_rows(int m, double *Delta, double *rhs, double *unit, int k
 }
 
 /* rhs (m) <- Delta^-1 right, with the largest pivot of what is left, of the rows that are kept. 0, or -1 and *fault. */
-EM_COLD int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
+EM_NOINLINE int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
     double unit[m], y[m];
     int column[m];
     em_rest_rows(m, Delta);

@@ -1,4 +1,4 @@
-/* em_norm_multipliers.h: multipliers where friction is in proportion to norms of them, as in a bearing.
+/* em_norm_multipliers.h: multipliers under friction in proportion to norms of them, as in a bearing.
  *
  *     Delta lambda + sum_f g_f rho_f = load,   rho_f = sqrt(sum of lambda_k^2 over the rows of f)
  *
@@ -18,7 +18,7 @@ enum { EM_STEPS_MORE = 1 }; /* derivatives are one step behind */
 enum { EM_STEPS_MORE = 0 };
 #endif
 
-#define EM_TURNED 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
+#define EM_NORM_CONVERGED 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
 
 /* rho (r) of lambda (m), toward (r, m) its gradients, 0 where it vanishes. Returns the largest change of these. */
 EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, const real *lambda, real *rho, real *toward) {
@@ -75,7 +75,7 @@ EM_INLINE int em_solve_signed(int m, real *A, const double *unit, real *x) {
 }
 
 /* The same of the rows that are kept or of all; rows that do not hold are zero. */
-EM_INLINE int em_solve_leaning(int m, real *A, const double *unit, real *x, int flags) {
+EM_INLINE int em_solve_norm_friction(int m, real *A, const double *unit, real *x, int flags) {
     em_rest_rows(m, A);
     for (int i = 0; i < m && flags >= EM_FIRST_KEPT && i < EM_MOST_ROWS; ++i) {
         if (flags & EM_FIRST_KEPT << i) continue;
@@ -120,11 +120,11 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
     const int rests = 0;
 #endif
     em_units_of_rows(m, own, unit);
-    const int first = rests ? 1 : em_solve_leaning(m, A, unit, lambda, flags); /* contacts that slide may turn the sign, too */
+    const int first = rests ? 1 : em_solve_norm_friction(m, A, unit, lambda, flags); /* contacts that slide may turn the sign, too */
     if (first == 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     for (int step = 0; step < STEPS; ++step) {
         const double change = em_normal_forces(m, r, among, lambda, lambda + m, toward);
-        if (!slides || (change <= EM_TURNED && more-- == 0)) return 0;
+        if (!slides || (change <= EM_NORM_CONVERGED && more-- == 0)) return 0;
         for (int i = 0; i < m; ++i) {
             lambda[i] = load[i];
             for (int j = 0; j < m; ++j) {
@@ -132,7 +132,7 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
                 for (int f = 0; f < r; ++f) A[i * m + j] += Delta[i * (m + r) + m + f] * toward[f * m + j];
             }
         }
-        if (em_solve_leaning(m, A, unit, lambda, flags) * first <= 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
+        if (em_solve_norm_friction(m, A, unit, lambda, flags) * first <= 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     }
     return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_NORMALS_NOT_FOUND, NAN);
 }

@@ -1,4 +1,4 @@
-/* em_rank.h: which constraint rows are independent of each other, and multipliers where some are not.
+/* em_rank.h: independent constraint rows, and multipliers of least norm where rows depend on each other.
  *
  * Rows that depend on each other on the constraints are independent beside them, by the square of the distance: what is
  * asked of Delta there is noise. A run therefore keeps the rows that were independent at its last accepted step (bits
@@ -17,7 +17,7 @@
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
 
 /* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
-EM_COLD void em_row_units(int m, const double *Delta, double *unit) {
+EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {
     double largest = 0.0;
     for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
     for (int i = 0; i < m; ++i) {
@@ -29,7 +29,7 @@ EM_COLD void em_row_units(int m, const double *Delta, double *unit) {
 /* Delta = L D L^T by its lower triangle, in the order `row` (m) in which rows add most to those before: L (m, m) by the
  * rows' own numbers, ones not stored; D (m) the squares of what they add, 0 behind the last that is above `tolerance`.
  * Returns how many are. */
-EM_COLD int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
+EM_NOINLINE int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
     double left[m];
     for (int i = 0; i < m; ++i) left[i] = Delta[i * m + i], row[i] = i, D[i] = 0.0;
     for (int k = 0; k < m; ++k) {
@@ -51,7 +51,7 @@ EM_COLD int em_pivoted(int m, const double *Delta, double tolerance, double *L, 
 }
 
 /* The same with all rows at length one, in the units given. */
-EM_COLD int em_pivoted_units(int m, const double *Delta, const double *unit, double tolerance, double *L, double *D,
+EM_NOINLINE int em_pivoted_units(int m, const double *Delta, const double *unit, double tolerance, double *L, double *D,
                              int *row) {
     double scaled[m * m];
     for (int i = 0; i < m; ++i)
@@ -60,13 +60,13 @@ EM_COLD int em_pivoted_units(int m, const double *Delta, const double *unit, dou
 }
 
 /* pivot, row (m) <- the rows in the order in which they add most to those before, and the squares of what they add. */
-EM_COLD void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
+EM_NOINLINE void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
     double L[m * m];
     em_pivoted(m, Delta, 0.0, L, pivot, row);
 }
 
 /* How many rows are independent, judged with all rows at length one. *kept <- their bits, 0 where they are too many. */
-EM_COLD int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
+EM_NOINLINE int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
     double unit[m], L[m * m], D[m];
     int row[m];
     em_row_units(m, Delta, unit);
@@ -76,19 +76,19 @@ EM_COLD int em_independent_rows(int m, const double *Delta, double tolerance, in
     return rank;
 }
 
-EM_COLD int em_rank(int m, const double *Delta) {
+EM_NOINLINE int em_rank(int m, const double *Delta) {
     int kept;
     return em_independent_rows(m, Delta, EM_DEPENDENT, &kept);
 }
 
 /* z <- L^-T z, for the first `rank` rows in that order; z by the rows' own numbers. */
-EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *row, double *z) {
+EM_NOINLINE void em_pivoted_backward(int m, int rank, const double *L, const int *row, double *z) {
     for (int k = rank - 1; k >= 0; --k)
         for (int i = k + 1; i < rank; ++i) z[row[k]] -= L[row[i] * m + k] * z[row[i]];
 }
 
 /* z (m) <- the combination that vanishes of row number `dependent` of the order, behind the first `rank`, and of these. */
-EM_COLD void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
+EM_NOINLINE void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
     for (int j = 0; j < m; ++j) z[j] = 0.0;
     for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[dependent] * m + j];
     z[row[dependent]] = 1.0;
@@ -96,7 +96,7 @@ EM_COLD void em_vanishing_combination(int m, int rank, const double *L, const in
 }
 
 /* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
-EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
+EM_NOINLINE void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
         const double *const q = Q + pass % count * n;
         double along = 0.0;
@@ -106,7 +106,7 @@ EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
 }
 
 /* How many rows depend on others; rows (m) <- 1 for those that take part in a combination that vanishes, else 0. */
-EM_COLD int em_rows_in_doubt(int m, const double *Delta, int *rows) {
+EM_NOINLINE int em_rows_in_doubt(int m, const double *Delta, int *rows) {
     double unit[m], L[m * m], D[m], z[m];
     int order[m];
     memset(L, 0, sizeof L);
@@ -120,14 +120,14 @@ EM_COLD int em_rows_in_doubt(int m, const double *Delta, int *rows) {
     return m - rank;
 }
 
-EM_COLD double em_length(int n, const double *r) {
+EM_NOINLINE double em_length(int n, const double *r) {
     double square = 0.0;
     for (int k = 0; k < n; ++k) square += r[k] * r[k];
     return sqrt(square);
 }
 
 /* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
-EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
+EM_NOINLINE void em_remove_parts(int m, int count, double *null, double *x) {
     for (int k = 0; k < count; ++k) {
         double *const row = null + k * m;
         em_remove_rows(m, k, null, row);
@@ -140,7 +140,7 @@ EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
 /* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
  * given. Which rows depend on others is judged with all rows at length one. Returns -1, or a row that contradicts those
  * it depends on, by more than rounding of `terms` (m), the sizes of what cancels in rhs (NULL: that is not asked). */
-EM_RARE EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
+EM_COLD_PATH EM_NOINLINE int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
     double unit[m], L[m * m], D[m], null[m * m], largest = EM_NOTHING;
     int row[m], worst = -1;
     memset(L, 0, sizeof L);
@@ -167,7 +167,7 @@ EM_RARE EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const
 }
 
 /* rhs (m) <- least-norm solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
-EM_RARE EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
+EM_COLD_PATH EM_NOINLINE int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
                                em_fault *fault) {
     for (int i = 0; i < m; ++i)
         if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);

@@ -1,9 +1,10 @@
-/* em_row_forces.h: multipliers where they push by other rows than those that hold, since friction takes part of them. */
+/* em_row_forces.h: multipliers where friction takes a part of them, so that rows push in other directions than they
+ * hold. */
 #ifndef EM_ROW_FORCES_H
 #define EM_ROW_FORCES_H
 
 /* Q = P L^-T and B Q^T of a root */
-EM_COLD void em_push(double t, const double *x, const double *v, const double *c, const double *u, em_root *root) {
+EM_NOINLINE void em_push(double t, const double *x, const double *v, const double *c, const double *u, em_root *root) {
     double *const Q = root->Q;
     pushes(t, x, v, c, u, Q);
     for (int row = 0; row < EM_PUSHED; ++row) em_forward(N, root->L, root->r, Q + row * N);
@@ -17,7 +18,7 @@ EM_COLD void em_push(double t, const double *x, const double *v, const double *c
 #ifdef EM_NORMALS
 /* lambda (m) <- (B Q^T)^-1 lambda with Q at the direction of the multipliers found, where norms of them push, too. 0, or -1 and
  * *fault. */
-EM_COLD int em_solve_push_anew(em_root *root, double *lambda, int flags, em_fault *fault) {
+EM_NOINLINE int em_solve_push_anew(em_root *root, double *lambda, int flags, em_fault *fault) {
     double all[EM_PUSHED], toward[N_NORMALS * N_ROWS];
     memcpy(all, lambda, N_ROWS * sizeof *lambda);
     if (em_solve_normed(N_ROWS, N_NORMALS, normals[0], root->pushed, all, toward, flags, fault)) return -1;
@@ -34,7 +35,7 @@ EM_COLD int em_solve_push_anew(em_root *root, double *lambda, int flags, em_faul
 #endif
 
 /* lambda (m) <- (B Q^T)^-1 lambda. 0, or -1 and *fault. */
-EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_solve_push(const em_root *root, double *lambda, int least_norm, em_fault *fault) {
     const int flags = em_flags_at(root, least_norm);
     double pushed[N_ROWS * N_ROWS];
     for (int i = 0; i < N_ROWS * N_ROWS; ++i) pushed[i] = root->pushed[i / N_ROWS * EM_PUSHED + i % N_ROWS];
@@ -42,7 +43,7 @@ EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, e
     double unit[N_ROWS];
     if (!em_is_square_of_rows(N_ROWS, pushed)) {
         em_units_of_rows(N_ROWS, root->Delta, unit);
-        if (em_solve_leaning(N_ROWS, pushed, unit, lambda, flags)) return 0;
+        if (em_solve_norm_friction(N_ROWS, pushed, unit, lambda, flags)) return 0;
         return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     }
 #endif

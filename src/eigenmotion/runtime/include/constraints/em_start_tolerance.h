@@ -1,4 +1,4 @@
-/* em_start_tolerance.h: how far off its constraints and contacts a start may be. */
+/* em_start_tolerance.h: tolerances of a start: how far off its constraints and contacts it may be. */
 #ifndef EM_START_TOLERANCE_H
 #define EM_START_TOLERANCE_H
 

@@ -1,4 +1,5 @@
-/* em_active_set.h: the mode: which contacts are closed, which frictions stick or slide; and what tells that it ends.
+/* em_active_set.h: the active set (mode): which contacts are closed, which frictions stick or slide, and the
+ * conditions that end it.
  *
  * A mode is the set of constraint rows that hold. It is in the prepared parameters: a switched row has its parameter in
  * front, 1 or 0, and a row that is 0 has no multiplier (em_rest_rows). A contact holds until it would pull, a friction
@@ -11,17 +12,17 @@
 
 #include "dynamics/em_mechanics.h"
 
-enum { EM_STRUCK_ROWS = N_ROWS + 1, EM_STRUCK = N + 2 /* numbers an impact is stated by: N (n), rate, e */ };
+enum { EM_IMPACT_ROWS = N_ROWS + 1, EM_IMPACT_SIZE = N + 2 /* numbers an impact is stated by: N (n), rate, e */ };
 
 /* N v + rate */
-EM_COLD double em_approach(const double *struck, const double *v) {
+EM_NOINLINE double em_approach(const double *struck, const double *v) {
     double speed = struck[N];
     for (int k = 0; k < N; ++k) speed += struck[k] * v[k];
     return speed;
 }
 
 /* The fastest that anything of this kinetic energy approaches along N, sqrt(N M^-1 N^T v^T M v), and what phi changes by. */
-EM_COLD double em_fastest(const em_root *root, const double *struck, const double *v) {
+EM_NOINLINE double em_fastest(const em_root *root, const double *struck, const double *v) {
     double along[N], p[N];
     memcpy(along, struck, sizeof along);
     memcpy(p, v, sizeof p);
@@ -34,25 +35,25 @@ EM_COLD double em_fastest(const em_root *root, const double *struck, const doubl
 
 enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 2 /* limit of sliding, limit at rest */ };
 
-EM_COLD int em_is_contact(const em_switch *s) { return s->slides < 0; }
+EM_NOINLINE int em_is_contact(const em_switch *s) { return s->slides < 0; }
 
-EM_COLD int em_holds(const em_switch *s, const double *c) { return c[s->holds] != 0.0; }
+EM_NOINLINE int em_holds(const em_switch *s, const double *c) { return c[s->holds] != 0.0; }
 
-EM_COLD int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] > 0.0; }
+EM_NOINLINE int em_is_idle(const em_switch *s, const double *c) { return c[s->idles] > 0.0; }
 
 #ifdef EM_CONES
-EM_COLD int em_is_cone(const em_switch *s) { return s->shift >= 0; }
+EM_NOINLINE int em_is_cone(const em_switch *s) { return s->shift >= 0; }
 #else /* known to compilers, which leave out what cones need */
 EM_INLINE int em_is_cone(const em_switch *s) { return (void)s, 0; }
 #endif
 
 /* The size of what a friction's row has, or the two rows of a cone. */
-EM_COLD double em_along_switch(const em_switch *s, const double *of_rows) {
+EM_NOINLINE double em_along_switch(const em_switch *s, const double *of_rows) {
     return em_is_cone(s) ? hypot(of_rows[s->row], of_rows[s->row + 1]) : fabs(of_rows[s->row]);
 }
 
 /* Up to which force a friction sticks. */
-EM_COLD double em_limit(const em_switch *s, double level, const double *lambda) {
+EM_NOINLINE double em_limit(const em_switch *s, double level, const double *lambda) {
     if (em_norm_of(s) >= 0) return level * em_norm_of_multipliers(em_norm_of(s), lambda);
     return s->over < 0 ? level : level * fmax(0.0, -lambda[switches[s->over].row]);
 }
@@ -65,7 +66,7 @@ typedef struct em_state_of_switch {
 } em_state_of_switch;
 
 /* c <- prepared anew in this mode (n_switches). 0, or -1 and *fault. */
-EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fault) {
+EM_NOINLINE int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fault) {
     double parameters[N_PARAMETERS + 1];
     int same = 1;
     memcpy(parameters, c, N_PARAMETERS * sizeof *parameters);
@@ -84,7 +85,7 @@ EM_COLD int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fau
     return same ? 0 : prepare(parameters, c, fault);
 }
 
-EM_COLD void em_mode_of(const double *c, em_state_of_switch *mode) {
+EM_NOINLINE void em_mode_of(const double *c, em_state_of_switch *mode) {
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
         mode[k] = (em_state_of_switch){em_holds(s, c), em_is_contact(s) ? 0 : (int)c[s->slides], c[s->idles], {0.0, 0.0}};
@@ -93,7 +94,7 @@ EM_COLD void em_mode_of(const double *c, em_state_of_switch *mode) {
 }
 
 /* g (n_events) <- with what modes watch: how far a multiplier is from letting go, an idle row from moving. 0, or -1 and *fault. */
-EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
                              int least_norm, double *g, em_fault *fault) {
     double a[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     int some = 0;
@@ -115,7 +116,7 @@ EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const d
 }
 
 /* em_model.acceleration: multipliers of idle frictions are what they push with, as if their rows held: so modes show them. */
-EM_ACROSS int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, em_fault *fault) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
@@ -139,7 +140,7 @@ typedef struct em_all_rows {
 } em_all_rows;
 
 /* Rates A v + b. */
-EM_COLD void em_rates_along(em_all_rows *r, const double *v) {
+EM_NOINLINE void em_rates_along(em_all_rows *r, const double *v) {
     for (int row = 0; row < N_ROWS; ++row) {
         r->rate[row] = r->b[row], r->rate_terms[row] = fabs(r->b[row]);
         for (int k = 0; k < N; ++k) {
@@ -150,7 +151,7 @@ EM_COLD void em_rates_along(em_all_rows *r, const double *v) {
 }
 
 /* Delta (m, m) <- of rows that hold in every mode, but for `without`; switched (m): which do not. Whether there are any. */
-EM_COLD int em_unswitched(const em_all_rows *r, int without, double *Delta, int *switched) {
+EM_NOINLINE int em_unswitched(const em_all_rows *r, int without, double *Delta, int *switched) {
     int any = 0;
     memcpy(Delta, r->root.Delta, sizeof r->root.Delta);
     for (int k = 0; k < N_ROWS; ++k) switched[k] = 0;
@@ -164,7 +165,7 @@ EM_COLD int em_unswitched(const em_all_rows *r, int without, double *Delta, int 
 }
 
 /* A row that presses on a friction, but whose multiplier is not unique: it depends on others that hold in every mode; -1: none. */
-EM_COLD int em_shared_normal(const em_all_rows *r) {
+EM_NOINLINE int em_shared_normal(const em_all_rows *r) {
     double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int switched[EM_SOME_ROWS];
     if (!em_unswitched(r, -1, Delta, switched)) return -1;
@@ -179,7 +180,7 @@ EM_COLD int em_shared_normal(const em_all_rows *r) {
 }
 
 /* permanent <- those rows that hold in every mode and are independent. */
-EM_COLD void em_find_permanent(em_all_rows *r) {
+EM_NOINLINE void em_find_permanent(em_all_rows *r) {
     double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int switched[EM_SOME_ROWS], kept;
     const int any = em_unswitched(r, -1, Delta, switched);
@@ -188,7 +189,7 @@ EM_COLD void em_find_permanent(em_all_rows *r) {
         r->permanent[i] = !switched[i] && (rank == 0 || (int)N_ROWS > (int)EM_MOST_ROWS || (kept & EM_FIRST_KEPT << i));
 }
 
-EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const double *c, em_all_rows *r, em_fault *fault) {
+EM_NOINLINE int em_all_rows_at(double t, const double *x, const double *v, const double *c, em_all_rows *r, em_fault *fault) {
     em_state_of_switch all[EM_SOME_SWITCHES];
     memcpy(r->c, c, N_PREPARED * sizeof *c);
     for (int k = 0; k < N_SWITCHES; ++k) all[k] = (em_state_of_switch){.holds = 1};
@@ -203,21 +204,21 @@ EM_COLD int em_all_rows_at(double t, const double *x, const double *v, const dou
 }
 
 /* Rows that hold in every mode, with nothing else: the rest is out. G by all rows. */
-EM_COLD void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
-    *s = (em_mixed){.k = EM_STRUCK_ROWS};
-    for (int i = 0; i < EM_STRUCK_ROWS; ++i) {
+EM_NOINLINE void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
+    *s = (em_mixed){.k = EM_IMPACT_ROWS};
+    for (int i = 0; i < EM_IMPACT_ROWS; ++i) {
         s->barred[i] = EM_NO_CHOICE;
         s->kind[i] = i < N_ROWS && r->permanent[i] ? EM_ROW_FREE : EM_ROW_OUT;
-        for (int j = 0; j < EM_STRUCK_ROWS && i < N_ROWS; ++j) {
+        for (int j = 0; j < EM_IMPACT_ROWS && i < N_ROWS; ++j) {
             double sum = 0.0;
             for (int k = 0; k < N && j < N_ROWS; ++k) sum += r->root.B[i * N + k] * r->root.B[j * N + k];
-            s->G[i * EM_STRUCK_ROWS + j] = sum;
+            s->G[i * EM_IMPACT_ROWS + j] = sum;
         }
     }
 }
 
 /* side <- the sign of the slip of a friction that slides, or the direction of that of a cone. rate (m); c: the mode. */
-EM_COLD void em_side_of_slip(const em_switch *friction, const double *rate, const double *c, double *side) {
+EM_NOINLINE void em_side_of_slip(const em_switch *friction, const double *rate, const double *c, double *side) {
     double slip[2] = {rate[friction->row], em_is_cone(friction) ? rate[friction->row + 1] : 0.0};
     for (int i = 0; em_is_cone(friction) && i < 2; ++i) slip[i] += c[friction->shift + i];
     const double size = hypot(slip[0], slip[1]);
@@ -225,7 +226,7 @@ EM_COLD void em_side_of_slip(const em_switch *friction, const double *rate, cons
 }
 
 /* A friction's row, or the two of a cone, with what they may take. rate (m): of what slides, in the mode of c; NULL: at rest. */
-EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const double *rate, const double *c) {
+EM_NOINLINE void em_friction_row(em_mixed *s, int k, const double *level, const double *rate, const double *c) {
     const em_switch *const friction = &switches[k];
     const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0, cone = em_is_cone(friction);
     for (int row = friction->row; row <= friction->row + cone; ++row) {
@@ -233,9 +234,9 @@ EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const doub
         s->kind[row] = rate ? EM_ROW_SLIDES : !cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_TOO;
         s->side[row] = 0.0;
         s->choice[row] = EM_HOLDS_ROW;
-        if (friction->over >= 0) s->over[row * EM_STRUCK_ROWS + switches[friction->over].row] = 1.0;
+        if (friction->over >= 0) s->over[row * EM_IMPACT_ROWS + switches[friction->over].row] = 1.0;
         s->rooted[row] = norm >= 0;
-        for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_STRUCK_ROWS + j] = em_is_among(norm, j);
+        for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_IMPACT_ROWS + j] = em_is_among(norm, j);
         (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
         (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 1]);
     }
@@ -244,9 +245,9 @@ EM_COLD void em_friction_row(em_mixed *s, int k, const double *level, const doub
 
 #ifdef EM_CONES
 /* lambda (m), where rows that hold depend on each other <- with the largest reserve (em_force_sharing.h). Delta: of the mode. */
-EM_ACROSS void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
                                     const double *Delta, double *lambda) {
-    em_mixed s = {.k = EM_STRUCK_ROWS};
+    em_mixed s = {.k = EM_IMPACT_ROWS};
     double level[EM_LEVELS * EM_SOME_SWITCHES], rate[EM_SOME_ROWS];
     levels(t, x, v, c, u, level);
     for (int row = 0; row < N_ROWS; ++row) s.kind[row] = EM_ROW_FREE, rate[row] = 1.0, s.p[row] = -lambda[row];

@@ -1,4 +1,5 @@
-/* em_complementarity.h: the mixed linear complementarity problem of contacts and frictions, solved by enumeration or pivoting.
+/* em_complementarity.h: the mixed linear complementarity problem of contacts and frictions, solved by enumeration or
+ * by pivoting.
  *
  *     w = q + G p      G (k, k) = B B^T; p what rows push with, w the acceleration (or the velocity after an impact) along them
  *
@@ -58,12 +59,12 @@ struct em_mixed {
     const void *where;
 };
 
-EM_COLD int em_is_choice_row(const em_mixed *s, int i) {
+EM_NOINLINE int em_is_choice_row(const em_mixed *s, int i) {
     return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_CONE;
 }
 
 /* A friction whose contacts are open has no force and no condition. */
-EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
+EM_NOINLINE int em_is_unloaded(const em_mixed *s, int i) {
     int presses = 0;
     if (s->kind[i] < EM_ROW_FRICTION || s->level[i] != 0.0) return 0;
     for (int j = 0; j < s->k; ++j) {
@@ -74,14 +75,14 @@ EM_COLD int em_is_unloaded(const em_mixed *s, int i) {
     return presses;
 }
 
-EM_COLD int em_row_holds(const em_mixed *s, int i) {
+EM_NOINLINE int em_row_holds(const em_mixed *s, int i) {
     if (s->kind[i] == EM_ROW_FREE) return 1;
     if (s->kind[i] == EM_ROW_CONE_TOO) return em_row_holds(s, i - 1);
     return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
 }
 
 /* The sign of p / L of a row that is at its limit: -1 forward, 1 back, 0: it is not. */
-EM_COLD double em_limit_sign(const em_mixed *s, int i) {
+EM_NOINLINE double em_limit_sign(const em_mixed *s, int i) {
     if (em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
     if (s->kind[i] == EM_ROW_CONE || s->kind[i] == EM_ROW_CONE_TOO)
@@ -91,7 +92,7 @@ EM_COLD double em_limit_sign(const em_mixed *s, int i) {
 }
 
 /* What presses on row i. */
-EM_COLD double em_normal_force(const em_mixed *s, int i) {
+EM_NOINLINE double em_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
     for (int j = 0; j < s->k; ++j) {
         const double over = s->over[i * s->k + j];
@@ -101,19 +102,19 @@ EM_COLD double em_normal_force(const em_mixed *s, int i) {
 }
 
 /* What of it is known, at the direction in which it presses. */
-EM_COLD double em_pressed_beside(const em_mixed *s, int i) {
+EM_NOINLINE double em_pressed_beside(const em_mixed *s, int i) {
     double sum = 0.0;
     for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->beside[j];
     return sum;
 }
 
-EM_COLD double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
+EM_NOINLINE double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
     const double normal = fmax(em_normal_force(s, i), 0.0);
     return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
 }
 
 /* p <- of the mode with limits as `toward` has them. 0, or -1: its rows depend on each other. */
-EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
+EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
     const int k = s->k;
     int rows[EM_MIXED_ROWS], count = 0;
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
@@ -148,7 +149,7 @@ EM_COLD int em_forces_toward(em_mixed *s, int *sign_of_all) {
 #include "contact/em_norm_friction.h"
 
 /* w <- q + G p, and the largest of the sums of sizes in it. */
-EM_COLD double em_rates_of_mode(em_mixed *s) {
+EM_NOINLINE double em_rates_of_mode(em_mixed *s) {
     double largest = 0.0;
     for (int i = 0; i < s->k; ++i) {
         double terms = s->size[i];
@@ -163,14 +164,14 @@ EM_COLD double em_rates_of_mode(em_mixed *s) {
 }
 
 /* By how much a cone misses its conditions: more force than its limit, or a slip that does not go against the force. */
-EM_COLD double em_cone_violation(const em_mixed *s, int i) {
+EM_NOINLINE double em_cone_violation(const em_mixed *s, int i) {
     const double *const d = s->side + i, *const w = s->w + i;
     if (s->choice[i] == EM_HOLDS_ROW) return hypot(s->p[i], s->p[i + 1]) - em_limit_of_row(s, i, 1);
     return fmax(-(d[0] * w[0] + d[1] * w[1]), fabs(d[0] * w[1] - d[1] * w[0]));
 }
 
 /* By how much row i misses the inequality of its mode. */
-EM_COLD double em_violation(const em_mixed *s, int i) {
+EM_NOINLINE double em_violation(const em_mixed *s, int i) {
     if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
     if (s->kind[i] == EM_ROW_CONE) return em_cone_violation(s, i);
@@ -181,13 +182,13 @@ EM_COLD double em_violation(const em_mixed *s, int i) {
 #include "contact/em_cone_directions.h"
 
 /* Whether a cone slides with a slip, which has a direction; or begins to against its last force, as yet without. */
-EM_COLD int em_has_direction(const em_mixed *s, int i, double terms) {
+EM_NOINLINE int em_has_direction(const em_mixed *s, int i, double terms) {
     if (s->kind[i] != EM_ROW_CONE || s->choice[i] != EM_FORWARD || em_is_unloaded(s, i)) return 1;
     return (s->by_last && em_has_last(s, i)) || hypot(s->w[i], s->w[i + 1]) > EM_MODE_VERIFIED * terms;
 }
 
 /* Whether the mode chosen has a solution that satisfies all conditions. */
-EM_COLD int em_is_consistent_so(em_mixed *s) {
+EM_NOINLINE int em_is_consistent_so(em_mixed *s) {
     if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
     double most = 0.0;
@@ -208,7 +209,7 @@ EM_COLD int em_is_consistent_so(em_mixed *s) {
     return 0;
 }
 
-EM_COLD int em_is_consistent(em_mixed *s) {
+EM_NOINLINE int em_is_consistent(em_mixed *s) {
     int slide[EM_MIXED_ROWS], some = 0;
     ++s->tried;
     s->by_last = 0;
@@ -219,7 +220,7 @@ EM_COLD int em_is_consistent(em_mixed *s) {
 }
 
 /* Whether a mode is consistent that differs from the one given in `left` of the rows from `from` on. */
-EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
+EM_NOINLINE int em_try_changes(em_mixed *s, int from, int left, int bars) {
     if (s->tried > EM_MOST_TRIED) return 0;
     if (left == 0) {
         for (int i = 0; bars && i < s->k; ++i)
@@ -242,7 +243,7 @@ EM_COLD int em_try_changes(em_mixed *s, int from, int left, int bars) {
 }
 
 /* Lengths one: p and w of all rows have one unit, that of the root of an energy. `back`: as they were. */
-EM_COLD void em_scale_mixed(em_mixed *s, int back) {
+EM_NOINLINE void em_scale_mixed(em_mixed *s, int back) {
     double by[EM_MIXED_ROWS];
     for (int i = 0; i < s->k; ++i) {
         const double square = s->G[i * s->k + i];
@@ -262,7 +263,7 @@ EM_COLD void em_scale_mixed(em_mixed *s, int back) {
     }
 }
 
-EM_COLD int em_enumerate_modes(em_mixed *s, int bars) {
+EM_NOINLINE int em_enumerate_modes(em_mixed *s, int bars) {
     int most = 0;
     for (int i = 0; i < s->k; ++i) most += em_is_choice_row(s, i);
     for (int changes = 0; changes <= most; ++changes)
@@ -271,7 +272,7 @@ EM_COLD int em_enumerate_modes(em_mixed *s, int bars) {
 }
 
 /* Contacts that touch and are kept so by others share the load where cones stick: each holds, too, with which a mode is consistent. */
-EM_COLD void em_share_with_idle(em_mixed *s) {
+EM_NOINLINE void em_share_with_idle(em_mixed *s) {
     for (int i = 0; i < s->k && em_some_cone_sticks(s); ++i) {
         if (s->kind[i] != EM_ROW_CONTACT || s->choice[i] != EM_OPENS) continue;
         em_mixed more = *s;
@@ -283,7 +284,7 @@ EM_COLD void em_share_with_idle(em_mixed *s) {
 #include "contact/em_lemke.h"
 
 /* The mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to try. */
-EM_COLD int em_solve_mixed(em_mixed *s) {
+EM_NOINLINE int em_solve_mixed(em_mixed *s) {
     em_choice given[EM_MIXED_ROWS];
     int found = 0, choices = 0;
     memcpy(given, s->choice, sizeof given);

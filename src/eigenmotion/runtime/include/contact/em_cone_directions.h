@@ -1,4 +1,5 @@
-/* em_cone_directions.h: in which direction each cone begins to slide: w = beta d, by Newton's method on the angles of d.
+/* em_cone_directions.h: the direction in which each friction cone begins to slide: w = beta d, by Newton's method on
+ * the angles of d.
  *
  * The force -L d of a cone decides w, and w has to have the direction of d. */
 #ifndef EM_CONE_DIRECTIONS_H
@@ -9,10 +10,10 @@
 enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40, EM_RELAXATIONS = 100 };
 
 /* Whether the force of a cone has come to its limit. */
-EM_COLD int em_has_last(const em_mixed *s, int i) { return s->last[i] != 0.0 || s->last[i + 1] != 0.0; }
+EM_NOINLINE int em_has_last(const em_mixed *s, int i) { return s->last[i] != 0.0 || s->last[i + 1] != 0.0; }
 
 /* The cones that slide in this mode: their first rows. How many. */
-EM_COLD int em_sliding_cones(const em_mixed *s, int *cones) {
+EM_NOINLINE int em_sliding_cones(const em_mixed *s, int *cones) {
     int count = 0;
     for (int i = 0; i < s->k; ++i)
         if (s->kind[i] == EM_ROW_CONE && s->choice[i] == EM_FORWARD && !em_is_unloaded(s, i)) cones[count++] = i;
@@ -20,7 +21,7 @@ EM_COLD int em_sliding_cones(const em_mixed *s, int *cones) {
 }
 
 /* off (count) <- angles from d to w where d has these angles; the largest, or -1: the mode's rows depend on each other. */
-EM_COLD double em_off_directions(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
+EM_NOINLINE double em_off_directions(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
     double largest = 0.0;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = cos(angle[c]), s->side[cones[c] + 1] = sin(angle[c]);
     if (em_forces_of_mode(s)) return -1.0;
@@ -34,7 +35,7 @@ EM_COLD double em_off_directions(em_mixed *s, int count, const int *cones, const
 }
 
 /* step (count) <- Newton's, with slopes by differences. 0, or -1. */
-EM_COLD int em_direction_step(em_mixed *s, int count, const int *cones, const double *angle, const double *off, double *step) {
+EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, const double *angle, const double *off, double *step) {
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], near[EM_MIXED_ROWS], there[EM_MIXED_ROWS];
     const double apart = 1e-7;
     for (int c = 0; c < count; ++c) {
@@ -49,7 +50,7 @@ EM_COLD int em_direction_step(em_mixed *s, int count, const int *cones, const do
 }
 
 /* From these angles. Whether directions were found. */
-EM_COLD int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
+EM_NOINLINE int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
     double off[EM_MIXED_ROWS], step[EM_MIXED_ROWS], next[EM_MIXED_ROWS], then[EM_MIXED_ROWS];
     double size = em_off_directions(s, count, cones, angle, off);
     for (int k = 0; k < EM_DIRECTION_STEPS && size > 4.0 * DBL_EPSILON; ++k) {
@@ -69,7 +70,7 @@ EM_COLD int em_iterate_directions(em_mixed *s, int count, const int *cones, doub
 }
 
 /* The cones that slide, but for those whose direction is that of their last force, which is their side then. How many. */
-EM_COLD int em_unknown_directions(em_mixed *s, int *cones) {
+EM_NOINLINE int em_unknown_directions(em_mixed *s, int *cones) {
     int all[EM_MIXED_ROWS], count = 0;
     const int slide = em_sliding_cones(s, all);
     for (int c = 0; c < slide; ++c) {
@@ -81,7 +82,7 @@ EM_COLD int em_unknown_directions(em_mixed *s, int *cones) {
 }
 
 /* angle (count) <- of w without the forces of the cones. 0, or -1. */
-EM_COLD int em_directions_without_friction(em_mixed *s, int count, const int *cones, double *angle) {
+EM_NOINLINE int em_directions_without_friction(em_mixed *s, int count, const int *cones, double *angle) {
     for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
     if (em_forces_of_mode(s)) return -1;
     em_rates_of_mode(s);
@@ -90,7 +91,7 @@ EM_COLD int em_directions_without_friction(em_mixed *s, int count, const int *co
 }
 
 /* angle (count) <- by relaxation: forces follow the slip, and stay within their limits (after Moreau's proximal form). 0, or -1. */
-EM_COLD int em_relax_directions(em_mixed *s, int count, const int *cones, double *angle) {
+EM_NOINLINE int em_relax_directions(em_mixed *s, int count, const int *cones, double *angle) {
     const double part = 0.5 / count;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
     for (int k = 0; k < EM_RELAXATIONS; ++k) {
@@ -107,7 +108,7 @@ EM_COLD int em_relax_directions(em_mixed *s, int count, const int *cones, double
 }
 
 /* angle (count) <- of a number of starts, which fill all angles evenly: steps by powers of an irrational number. */
-EM_COLD void em_some_directions(int start, int count, const double *first, double *angle) {
+EM_NOINLINE void em_some_directions(int start, int count, const double *first, double *angle) {
     const double root = 1.0 / pow(2.0, 1.0 / (count + 1));
     double step = root;
     for (int c = 0; c < count; ++c, step *= root) angle[c] = first[c] + EM_TURN * fmod(start * step, 1.0);
@@ -115,7 +116,7 @@ EM_COLD void em_some_directions(int start, int count, const double *first, doubl
 
 /* side of the cones that slide <- their directions: by relaxation first, then from those without their friction, then from others
  * all around. 0, or -1: none were found. */
-EM_COLD int em_find_directions(em_mixed *s) {
+EM_NOINLINE int em_find_directions(em_mixed *s) {
     int cones[EM_MIXED_ROWS];
     double first[EM_MIXED_ROWS], angle[EM_MIXED_ROWS];
     const int count = em_unknown_directions(s, cones), starts = count > 1 ? EM_DIRECTIONS * EM_DIRECTIONS : EM_DIRECTIONS;

@@ -1,4 +1,4 @@
-/* em_event_actions.h: event actions: what events do to a state.
+/* em_event_actions.h: event actions: impacts, resets and changes of the active set.
  *
  * In this order: impacts, until nothing approaches what it touches: those of events one after the other as the model lists them,
  * then those of all contacts at once (em_impacts.h); resets; then the mode that the state calls for (em_mode_selection.h). */
@@ -12,7 +12,7 @@
 #define EM_AT_LIMIT 1e-9 /* the part of a limit by which a force may be below it that has come to it */
 
 /* Events that pile up: each so soon after the one before that no time passes. 0, or -1 and *fault. */
-EM_COLD int em_check_pile(const em_acting *a, em_pile *pile) {
+EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
     enum { MANY = 200 };
     const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
     for (int i = 0; i < N_EVENTS; ++i) {
@@ -27,30 +27,30 @@ EM_COLD int em_check_pile(const em_acting *a, em_pile *pile) {
 /* --- impacts --- */
 
 /* Whether an event that has fired is an impact, and no contact's. */
-EM_COLD int em_strikes(const em_acting *a, int event) {
+EM_NOINLINE int em_hits(const em_acting *a, int event) {
     return a->fired[event] && deeds[event].impact >= 0 && deeds[event].held < 0;
 }
 
 /* One round of impacts: whether there was any, or -1 and *fault. side (n_events): the sign of approach, 0: not known */
-EM_COLD int em_strike_round(em_acting *a, em_all_rows *r, double *side) {
+EM_NOINLINE int em_impact_round(em_acting *a, em_all_rows *r, double *side) {
     int any = 0;
     for (int i = 0; i < N_EVENTS; ++i) {
-        if (!em_strikes(a, i)) continue;
-        const int struck = em_strike_event(a, r, i, &side[i]);
+        if (!em_hits(a, i)) continue;
+        const int struck = em_impact_event(a, r, i, &side[i]);
         if (struck < 0) return -1;
         any |= struck;
     }
-    const int struck = em_strike_contacts(a, r);
+    const int struck = em_impact_contacts(a, r);
     return struck < 0 ? -1 : any | struck;
 }
 
 /* All impacts. 0, or -1 and *fault. */
-EM_COLD int em_strike_all(em_acting *a, em_all_rows *r) {
+EM_NOINLINE int em_impact_all(em_acting *a, em_all_rows *r) {
     enum { ROUNDS = 1000 };
     double side[N_EVENTS] = {0.0};
     int any = 1;
     if (N_IMPACTS == 0) return 0;
-    for (int round = 0; round < ROUNDS && any > 0; ++round) any = em_strike_round(a, r, side);
+    for (int round = 0; round < ROUNDS && any > 0; ++round) any = em_impact_round(a, r, side);
     if (any < 0) return -1;
     for (int i = 0; any && i < N_EVENTS; ++i)
         if (a->fired[i] && deeds[i].impact >= 0) return em_fail(a->fault, EM_EVENTS_PILE_UP, i, -1, NAN);
@@ -60,7 +60,7 @@ EM_COLD int em_strike_all(em_acting *a, em_all_rows *r) {
 /* --- resets --- */
 
 /* What a reset leaves of the constraints. 0, or -1 and *fault. */
-EM_COLD int em_check_reset(const em_acting *a, int event) {
+EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
     double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
     position(a->t, a->x, a->c, phi, terms);
     for (int row = 0; row < N_POSITIONS; ++row)
@@ -75,7 +75,7 @@ EM_COLD int em_check_reset(const em_acting *a, int event) {
     return 0;
 }
 
-EM_COLD int em_reset(em_acting *a, int event) {
+EM_NOINLINE int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
     const int number = deeds[event].reset;
     if (N_RESETS == 0) return 0; /* that compilers see it, too */
@@ -99,7 +99,7 @@ EM_COLD int em_reset(em_acting *a, int event) {
 
 /* The same of cones: of those that share a load all come to their bounds at once, but for rounding; and the way their forces push
  * against. */
-EM_COLD void em_find_released_cones(em_acting *a) {
+EM_NOINLINE void em_find_released_cones(em_acting *a) {
     double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     em_fault fault;
     if (em_acceleration(a->t, a->x, a->v, a->c, a->u, EM_LEAST_NORM, acceleration, lambda, &fault)) return;
@@ -114,7 +114,7 @@ EM_COLD void em_find_released_cones(em_acting *a) {
 }
 
 /* lets_go <- switches whose row held, and whose event has fired: their force has come to its bound. */
-EM_COLD void em_find_released(em_acting *a) {
+EM_NOINLINE void em_find_released(em_acting *a) {
     int cones = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
         a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
@@ -124,7 +124,7 @@ EM_COLD void em_find_released(em_acting *a) {
 }
 
 /* Whether anything may press on a friction: a contact at rest, a constraint, or what its limit is made of. */
-EM_COLD int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
+EM_NOINLINE int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
     const int norm = em_norm_of(friction);
     int switched[EM_SOME_ROWS] = {0};
     if (norm < 0) return friction->over < 0 || em_is_at_rest(a, r, friction->over);
@@ -139,7 +139,7 @@ EM_COLD int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch
 
 /* v <- with no speed along the rows at rest, but rounding; a friction on a contact that opens stops nothing. 0, or -1 and
  * *fault. */
-EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
+EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     double c[N_PREPARED + 1];
     memcpy(c, a->c, N_PREPARED * sizeof *c);
@@ -154,7 +154,7 @@ EM_COLD int em_stop_at_rest(em_acting *a, em_all_rows *r) {
 }
 
 /* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what its slip is shifted by. */
-EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
+EM_NOINLINE void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
     if (em_is_cone(&switches[k])) a->rounding[switches[k].event] = 2.0 * EM_CONE_BEGINS * em_cone_stops(a, r, &switches[k]);
@@ -162,7 +162,7 @@ EM_COLD void em_round(const em_acting *a, const em_all_rows *r, int k, int at_re
 }
 
 /* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
-EM_COLD int em_settle_modes(em_acting *a) {
+EM_NOINLINE int em_settle_modes(em_acting *a) {
     em_state_of_switch before[EM_SOME_SWITCHES], after[EM_SOME_SWITCHES];
     int rests[EM_SOME_SWITCHES];
     em_all_rows r;
@@ -186,7 +186,7 @@ EM_COLD int em_settle_modes(em_acting *a) {
 }
 
 /* Resets in the order of the model, each of the state that the one before left. Whether there was one, or -1 and *fault. */
-EM_COLD int em_reset_all(em_acting *a) {
+EM_NOINLINE int em_reset_all(em_acting *a) {
     int last = -1;
     double from[N];
     memcpy(from, a->x, sizeof from);
@@ -199,14 +199,14 @@ EM_COLD int em_reset_all(em_acting *a) {
 }
 
 /* The event of the first contact whose gap is negative; -1: none. */
-EM_COLD int em_first_inside(const em_all_rows *r) {
+EM_NOINLINE int em_first_inside(const em_all_rows *r) {
     for (int k = 0; k < N_SWITCHES; ++k)
         if (em_is_contact(&switches[k]) && r->gap[switches[k].row] < 0.0) return switches[k].event;
     return -1;
 }
 
 /* Whether the start is inside a contact: 1; 0; or -1 and *fault where that is by more than its tolerance. */
-EM_COLD int em_starts_inside(em_acting *a, const em_all_rows *r) {
+EM_NOINLINE int em_starts_inside(em_acting *a, const em_all_rows *r) {
     int inside = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
@@ -220,7 +220,7 @@ EM_COLD int em_starts_inside(em_acting *a, const em_all_rows *r) {
 }
 
 /* At the start of a run: what is inside contacts by less than its tolerance is put on their surfaces. 0, or -1 and *fault. */
-EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
+EM_NOINLINE int em_put_outside(em_acting *a, em_all_rows *r) {
     enum { STEPS = 20 };
     double before[EM_SOME_ROWS];
     memcpy(before, r->rate, sizeof before);
@@ -236,13 +236,13 @@ EM_COLD int em_put_outside(em_acting *a, em_all_rows *r) {
 }
 
 /* Whether a contact that touches approaches. */
-EM_COLD int em_approaches(const em_acting *a, const em_all_rows *r) {
+EM_NOINLINE int em_approaches(const em_acting *a, const em_all_rows *r) {
     for (int k = 0; k < N_SWITCHES; ++k)
         if (em_is_contact(&switches[k]) && a->closed[k] && r->rate[switches[k].row] < -a->still[switches[k].row]) return 1;
     return 0;
 }
 
-EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
+EM_NOINLINE int em_act_on_all(em_acting *a, em_pile *pile) {
     em_pile before[N_EVENTS];
     em_all_rows r;
     memcpy(before, pile, sizeof before);
@@ -255,13 +255,13 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
         em_find_still(a, &r);
         em_find_landed(a, &r, before);
         if (a->starts && em_approaches(a, &r)) return 0; /* the impact comes first, as an event */
-        if (!a->starts && em_strike_all(a, &r)) return -1;
+        if (!a->starts && em_impact_all(a, &r)) return -1;
     }
     if (em_reset_all(a) < 0) return -1;
     return em_settle_modes(a);
 }
 
-EM_COLD int em_none_fired(const int *fired) {
+EM_NOINLINE int em_none_fired(const int *fired) {
     for (int i = 0; i < N_EVENTS; ++i)
         if (fired[i]) return 0;
     return 1;
@@ -269,7 +269,7 @@ EM_COLD int em_none_fired(const int *fired) {
 
 /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
  * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
-EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
+EM_EXPORT int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
                      int *fired, em_pile *pile, em_fault *fault) {
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
                    .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .deep = *within->deep,
@@ -282,7 +282,7 @@ EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u,
 }
 
 /* em_model.act_along: the same, and what becomes of directions. */
-EM_ACROSS int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
+EM_EXPORT int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
                            em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
     const em_directions along = {columns, S, P};
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
@@ -296,7 +296,7 @@ EM_ACROSS int em_act_along(double t, double *x, double *v, double *c, const doub
 }
 
 /* em_model.event: g (n_events) in the mode of c; NaN where it has no value */
-EM_ACROSS void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
+EM_EXPORT void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
     em_fault fault;
     model_events(t, x, v, c, u, g);
     if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
@@ -304,7 +304,7 @@ EM_ACROSS void em_watched(double t, const double *x, const double *v, const doub
 }
 
 /* em_model.event_partials: D (n_events, n_arguments), likewise */
-EM_ACROSS void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u,
                                    double *D) {
     event_partials(t, x, v, c, u, D);
     if (em_watch_partials(t, x, v, c, u, D))

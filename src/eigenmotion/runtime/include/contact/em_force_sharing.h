@@ -1,4 +1,5 @@
-/* em_force_sharing.h: forces of rows that depend on each other, where cones stick: shared so that the least reserve is the largest.
+/* em_force_sharing.h: forces of dependent rows where cones stick: shared so that the least reserve is as large as
+ * possible.
  *
  * What holds by more rows than are independent, as a body on two rough feet, is held by forces p = p0 + Z y, all y alike to the
  * motion: Z are the combinations of rows that vanish. It goes on to hold while some y leaves every force within its bounds. Of
@@ -34,7 +35,7 @@ typedef struct em_shared {
 } em_shared;
 
 /* Z <- the combinations of rows that hold which vanish; basic (k) <- 1 for independent ones. How many there are. */
-EM_COLD int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
+EM_NOINLINE int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
     double Delta[EM_MIXED_ROWS * EM_MIXED_ROWS], L[EM_MIXED_ROWS * EM_MIXED_ROWS], D[EM_MIXED_ROWS], z[EM_MIXED_ROWS];
     int rows[EM_MIXED_ROWS], order[EM_MIXED_ROWS], m = 0;
     for (int i = 0; i < s->k; ++i) {
@@ -56,21 +57,21 @@ EM_COLD int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
 }
 
 /* Whether Z has a part of row i. */
-EM_COLD int em_is_shared(const em_mixed *s, const em_shared *z, int i) {
+EM_NOINLINE int em_is_shared(const em_mixed *s, const em_shared *z, int i) {
     double largest = 0.0;
     for (int d = 0; d < z->count - 1; ++d) largest = fmax(largest, fabs(z->Z[d * s->k + i]));
     return largest > EM_TAKES_PART;
 }
 
 /* Whether what presses on row i is shared. */
-EM_COLD int em_is_pressed_by_shared(const em_mixed *s, const em_shared *z, int i) {
+EM_NOINLINE int em_is_pressed_by_shared(const em_mixed *s, const em_shared *z, int i) {
     int any = 0;
     for (int j = 0; j < s->k && s->kind[i] >= EM_ROW_FRICTION; ++j) any |= s->over[i * s->k + j] != 0.0 && em_is_shared(s, z, j);
     return any;
 }
 
 /* The bound of row i (a contact, or the first of a friction) at y = 0 and t = 0, and its slopes. */
-EM_COLD void em_state_bound(const em_mixed *s, const em_shared *z, int i, em_bound *b) {
+EM_NOINLINE void em_state_bound(const em_mixed *s, const em_shared *z, int i, em_bound *b) {
     const int contact = s->kind[i] == EM_ROW_CONTACT, last = z->count - 1;
     memset(b, 0, sizeof *b);
     b->u = contact ? s->p[i] : s->at_rest[i] + s->coefficient_at_rest[i] * em_normal_force(s, i);
@@ -88,7 +89,7 @@ EM_COLD void em_state_bound(const em_mixed *s, const em_shared *z, int i, em_bou
 }
 
 /* The bounds that depend on y. 0, or -1: what slides does, too, or a norm of forces. */
-EM_COLD int em_state_bounds(const em_mixed *s, em_shared *z) {
+EM_NOINLINE int em_state_bounds(const em_mixed *s, em_shared *z) {
     z->bounds = 0, z->size = 0.0;
     for (int i = 0; i < s->k; ++i) {
         const int pressed = em_is_pressed_by_shared(s, z, i);
@@ -105,7 +106,7 @@ EM_COLD int em_state_bounds(const em_mixed *s, em_shared *z) {
 }
 
 /* The three numbers of a bound at y, t. */
-EM_COLD void em_bound_at(const em_shared *z, const em_bound *b, const double *y, double *at) {
+EM_NOINLINE void em_bound_at(const em_shared *z, const em_bound *b, const double *y, double *at) {
     at[0] = b->u, at[1] = b->p[0], at[2] = b->p[1];
     for (int part = 0; part < 3; ++part)
         for (int d = 0; d < z->count; ++d) at[part] += b->slope[part][d] * y[d];
@@ -113,7 +114,7 @@ EM_COLD void em_bound_at(const em_shared *z, const em_bound *b, const double *y,
 
 /* The barrier at y, t: INFINITY out of bounds. g, H: its slopes, lower triangle, or NULL. t is at most 1: what can hold any force
  * is pressed no more than it has to be. */
-EM_COLD double em_barrier(const em_shared *z, double weight, const double *y, double *g, double *H) {
+EM_NOINLINE double em_barrier(const em_shared *z, double weight, const double *y, double *g, double *H) {
     const int n = z->count, last = n - 1;
     double value = -weight * y[last] - log(1.0 - y[last]), at[3];
     if (!(y[last] < 1.0)) return INFINITY;
@@ -143,7 +144,7 @@ EM_COLD double em_barrier(const em_shared *z, double weight, const double *y, do
 }
 
 /* y, t <- where the barrier of this weight is least, from inside the bounds. */
-EM_COLD void em_to_centre(const em_shared *z, double weight, double *y) {
+EM_NOINLINE void em_to_centre(const em_shared *z, double weight, double *y) {
     const int n = z->count;
     double g[EM_UNKNOWNS], H[EM_UNKNOWNS * EM_UNKNOWNS], L[EM_UNKNOWNS * EM_UNKNOWNS], r[EM_UNKNOWNS], step[EM_UNKNOWNS];
     double next[EM_UNKNOWNS], value = em_barrier(z, weight, y, g, H);
@@ -167,7 +168,7 @@ EM_COLD void em_to_centre(const em_shared *z, double weight, double *y) {
 }
 
 /* p <- with the largest reserve of the rows that are shared. */
-EM_COLD void em_raise_reserve(em_mixed *s, const em_shared *z) {
+EM_NOINLINE void em_raise_reserve(em_mixed *s, const em_shared *z) {
     const int last = z->count - 1;
     double y[EM_UNKNOWNS] = {0.0}, least = 0.0;
     for (int k = 0; k < z->bounds; ++k)
@@ -179,14 +180,14 @@ EM_COLD void em_raise_reserve(em_mixed *s, const em_shared *z) {
 }
 
 /* Whether a cone sticks. */
-EM_COLD int em_some_cone_sticks(const em_mixed *s) {
+EM_NOINLINE int em_some_cone_sticks(const em_mixed *s) {
     int any = 0;
     for (int i = 0; i < s->k; ++i) any |= s->kind[i] == EM_ROW_CONE && em_row_holds(s, i);
     return any;
 }
 
 /* p, of rows that hold and depend on each other, among them cones <- with the largest reserve. 0, or -1: they are not of that kind. */
-EM_COLD int em_share(em_mixed *s) {
+EM_NOINLINE int em_share(em_mixed *s) {
     em_shared z;
     int basic[EM_MIXED_ROWS];
     if (!em_some_cone_sticks(s)) return -1;

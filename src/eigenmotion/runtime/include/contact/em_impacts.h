@@ -1,4 +1,4 @@
-/* em_impacts.h: impacts of contacts, several at once and with friction: complementarity of velocities and impulses.
+/* em_impacts.h: impacts of several contacts at once, with friction: complementarity of velocities and impulses.
  *
  * Moreau's form of Newton's law: of contacts that approach, with rates w- before and w+ after,
  *
@@ -17,22 +17,22 @@
 
 #include "contact/em_mode_selection.h"
 
-#define EM_PARTED 1e-13 /* the part of the fastest speed there is below which nothing approaches again */
+#define EM_SEPARATING 1e-13 /* the part of the fastest speed there is below which nothing approaches again */
 #define EM_RAISES 1e-12 /* the part of the work of impulses by which rounding may raise the energy */
 
 /* A blow: which rows strike, their restitutions (0 where they land), and impacts; rates before; what came of it. The last row
  * is that of an event's impact, of no contact, where one strikes: turned so that it approaches with w < 0. */
 typedef struct em_blow {
-    int strikes[EM_STRUCK_ROWS], lands[EM_STRUCK_ROWS], impact[EM_STRUCK_ROWS];
-    double e[EM_STRUCK_ROWS], rest[EM_STRUCK_ROWS], before[EM_STRUCK_ROWS], terms[EM_STRUCK_ROWS];
-    double impulse[EM_STRUCK_ROWS], after[EM_STRUCK_ROWS], lowered, side, extra[N];
+    int strikes[EM_IMPACT_ROWS], lands[EM_IMPACT_ROWS], impact[EM_IMPACT_ROWS];
+    double e[EM_IMPACT_ROWS], rest[EM_IMPACT_ROWS], before[EM_IMPACT_ROWS], terms[EM_IMPACT_ROWS];
+    double impulse[EM_IMPACT_ROWS], after[EM_IMPACT_ROWS], lowered, side, extra[N];
     int poisson;
-    double B[EM_STRUCK_ROWS * N];
+    double B[EM_IMPACT_ROWS * N];
     em_mixed s;
 } em_blow;
 
 /* Whether a blow may load what presses on a friction: a contact that strikes or holds, or rows of constraints. */
-EM_COLD int em_is_struck(const em_mixed *s, const em_switch *friction) {
+EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
     int any = friction->over >= 0 && s->kind[switches[friction->over].row] == EM_ROW_CONTACT;
     for (int row = 0; row < N_ROWS && em_norm_of(friction) >= 0; ++row)
         any |= em_is_among(em_norm_of(friction), row) && s->kind[row] != EM_ROW_OUT;
@@ -40,7 +40,7 @@ EM_COLD int em_is_struck(const em_mixed *s, const em_switch *friction) {
 }
 
 /* The rows of a blow: constraints, contacts that strike or touch, frictions on them; rates before. */
-EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) {
+EM_NOINLINE void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) {
     em_mixed *const s = &b->s;
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     em_begin_mixed(r, s);
@@ -58,23 +58,23 @@ EM_COLD void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) 
         b->rest[row] = level[EM_LEVELS * k];
         if (contacts && a->closed[k] && r->rate[row] <= a->still[row])
             s->kind[row] = EM_ROW_CONTACT, s->choice[row] = EM_HOLDS_ROW;
-        else if (!contacts && em_is_struck(s, one))
+        else if (!contacts && em_takes_impact(s, one))
             em_friction_row(s, k, level, NULL, a->c), s->coefficient_at_rest[row] = s->coefficient[row];
     }
 }
 
 /* q = w-, of rows that strike (1 + e) w-. */
-EM_COLD void em_blow_rates(em_blow *b) {
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+EM_NOINLINE void em_blow_rates(em_blow *b) {
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         const double e = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] : 0.0;
         b->s.q[row] = (1.0 + e) * b->before[row], b->s.size[row] = b->terms[row];
     }
 }
 
 /* The work of the impulses on what moves against each other, over that of their sizes. */
-EM_COLD double em_blow_work(const em_blow *b) {
+EM_NOINLINE double em_blow_work(const em_blow *b) {
     double work = 0.0, size = 0.0;
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         const double after = b->after[row];
         if (b->s.kind[row] == EM_ROW_OUT || b->s.kind[row] == EM_ROW_FREE) continue;
         work += 0.5 * b->impulse[row] * (after + b->before[row]);
@@ -84,19 +84,19 @@ EM_COLD double em_blow_work(const em_blow *b) {
 }
 
 /* Expansion after compression: impulse (m + 1) so far, rates s.w. As em_solve_mixed. */
-EM_COLD int em_blow_expands(em_blow *b) {
+EM_NOINLINE int em_blow_expands(em_blow *b) {
     em_mixed *const s = &b->s;
-    double given[EM_STRUCK_ROWS], level[EM_STRUCK_ROWS], at_rest[EM_STRUCK_ROWS];
+    double given[EM_IMPACT_ROWS], level[EM_IMPACT_ROWS], at_rest[EM_IMPACT_ROWS];
     memcpy(level, s->level, sizeof level), memcpy(at_rest, s->at_rest, sizeof at_rest);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         given[row] = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] * b->impulse[row] : 0.0;
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         double presses = 0.0;
         s->q[row] = s->w[row];
-        for (int j = 0; j < EM_STRUCK_ROWS; ++j) {
-            const double part = s->G[row * EM_STRUCK_ROWS + j] * given[j];
+        for (int j = 0; j < EM_IMPACT_ROWS; ++j) {
+            const double part = s->G[row * EM_IMPACT_ROWS + j] * given[j];
             s->q[row] += part, s->size[row] += fabs(part);
-            presses += s->over[row * EM_STRUCK_ROWS + j] * given[j];
+            presses += s->over[row * EM_IMPACT_ROWS + j] * given[j];
         }
         if (s->rooted[row]) continue;
         s->level[row] += s->coefficient[row] * presses, s->at_rest[row] += s->coefficient_at_rest[row] * presses;
@@ -104,26 +104,26 @@ EM_COLD int em_blow_expands(em_blow *b) {
     memcpy(s->beside, given, sizeof given);
     const int found = em_solve_mixed(s);
     memset(s->beside, 0, sizeof s->beside);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row) b->impulse[row] += given[row] + s->p[row];
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) b->impulse[row] += given[row] + s->p[row];
     memcpy(s->level, level, sizeof level), memcpy(s->at_rest, at_rest, sizeof at_rest);
     return found;
 }
 
 /* The blow with restitutions lowered by this factor: impulse and after. As em_solve_mixed. */
-EM_COLD int em_blow_solve(em_blow *b, double lowered) {
+EM_NOINLINE int em_blow_solve(em_blow *b, double lowered) {
     b->lowered = b->poisson ? 0.0 : lowered;
     em_blow_rates(b);
     int found = em_solve_mixed(&b->s);
     b->lowered = lowered;
     memcpy(b->impulse, b->s.p, sizeof b->impulse);
     if (found == 1 && b->poisson) found = em_blow_expands(b);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         b->after[row] = b->poisson ? b->s.w[row] : b->s.w[row] - (b->s.q[row] - b->before[row]);
     return found;
 }
 
 /* The same with restitutions as high as energy allows. */
-EM_COLD int em_blow_within_energy(em_blow *b) {
+EM_NOINLINE int em_blow_within_energy(em_blow *b) {
     double low = 0.0, high = 1.0;
     const int found = em_blow_solve(b, high);
     if (found < 1 || em_blow_work(b) <= EM_RAISES) return found;
@@ -136,12 +136,12 @@ EM_COLD int em_blow_within_energy(em_blow *b) {
 }
 
 /* And without the restitution of what would rebound no faster than its `rest`: it lands. 1, or as em_solve_mixed. */
-EM_COLD int em_blow_with_landings(em_blow *b) {
+EM_NOINLINE int em_blow_with_landings(em_blow *b) {
     for (int more = 1; more;) {
         const int found = em_blow_within_energy(b);
         if (found < 1) return found;
         more = 0;
-        for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+        for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
             if (!b->strikes[row] || b->lands[row] || !(b->after[row] <= b->rest[row])) continue;
             b->lands[row] = 1;
             more |= b->e[row] > 0.0;
@@ -151,9 +151,9 @@ EM_COLD int em_blow_with_landings(em_blow *b) {
 }
 
 /* change (n) <- M^-1 B^T P */
-EM_COLD void em_change_by_blow(const em_all_rows *r, const em_blow *b, double *change) {
+EM_NOINLINE void em_change_by_blow(const em_all_rows *r, const em_blow *b, double *change) {
     memset(change, 0, N * sizeof *change);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         for (int k = 0; k < N; ++k) change[k] += b->B[row * N + k] * b->impulse[row];
     em_backward(N, r->root.L, r->root.r, change);
 }
@@ -161,9 +161,9 @@ EM_COLD void em_change_by_blow(const em_all_rows *r, const em_blow *b, double *c
 #include "contact/em_saltation.h"
 
 /* The blow that has been stated, of which `event` is named. 1, or -1 and *fault. */
-EM_COLD int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int event) {
+EM_NOINLINE int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int event) {
     double change[N];
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         if (b->strikes[row] && !(b->e[row] >= 0.0 && b->e[row] <= 1.0))
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_BAD_RESTITUTION, b->e[row]);
     if (em_blow_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
@@ -175,9 +175,9 @@ EM_COLD int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int eve
 }
 
 /* One blow of all contacts that approach. Whether there was one, or -1 and *fault. */
-EM_COLD int em_strike_contacts(em_acting *a, em_all_rows *r) {
+EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
     em_blow b = {.lowered = 1.0};
-    double struck[EM_SOME_IMPACTS * EM_STRUCK];
+    double struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE];
     int first = -1;
     em_rates_along(r, a->v);
     em_find_still(a, r);
@@ -188,7 +188,7 @@ EM_COLD int em_strike_contacts(em_acting *a, em_all_rows *r) {
         if (!em_is_contact(one) || impact < 0 || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
         b.strikes[one->row] = 1, b.poisson |= one->poisson;
         b.impact[one->row] = impact;
-        b.e[one->row] = struck[impact * EM_STRUCK + N + 1];
+        b.e[one->row] = struck[impact * EM_IMPACT_SIZE + N + 1];
         if (first < 0) first = one->event;
         a->fired[one->event] = 1;
     }
@@ -198,15 +198,15 @@ EM_COLD int em_strike_contacts(em_acting *a, em_all_rows *r) {
 }
 
 /* The impact of an event, no contact's, from the side on which it is. Whether it approaches, or -1 and *fault. */
-EM_COLD int em_strike_event(em_acting *a, em_all_rows *r, int event, double *side) {
+EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double *side) {
     em_blow b = {.lowered = 1.0};
-    double struck[EM_SOME_IMPACTS * EM_STRUCK], *const own = b.B + N_ROWS * N;
+    double struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE], *const own = b.B + N_ROWS * N;
     const int first = *side == 0.0;
     impacts(a->t, a->x, a->v, a->c, a->u, struck);
-    const double *const at = struck + deeds[event].impact * EM_STRUCK;
+    const double *const at = struck + deeds[event].impact * EM_IMPACT_SIZE;
     const double approach = em_approach(at, a->v);
     if (first) *side = deeds[event].keeps_apart || approach < 0.0 ? -1.0 : 1.0;
-    if (!(*side * approach > (first ? 0.0 : EM_PARTED * em_fastest(&r->root, at, a->v)))) return 0;
+    if (!(*side * approach > (first ? 0.0 : EM_SEPARATING * em_fastest(&r->root, at, a->v)))) return 0;
     em_rates_along(r, a->v);
     em_find_still(a, r);
     em_blow_rows(a, r, &b);
@@ -216,11 +216,11 @@ EM_COLD int em_strike_event(em_acting *a, em_all_rows *r, int event, double *sid
     b.terms[N_ROWS] = fabs(at[N]);
     for (int k = 0; k < N; ++k) own[k] = b.extra[k] = b.side * at[k], b.terms[N_ROWS] += fabs(at[k] * a->v[k]);
     em_forward(N, r->root.L, r->root.r, own);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row) {
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         double sum = 0.0;
         for (int k = 0; k < N; ++k) sum += b.B[row * N + k] * own[k];
-        b.s.G[row * EM_STRUCK_ROWS + N_ROWS] = sum;
-        b.s.G[N_ROWS * EM_STRUCK_ROWS + row] = sum;
+        b.s.G[row * EM_IMPACT_ROWS + N_ROWS] = sum;
+        b.s.G[N_ROWS * EM_IMPACT_ROWS + row] = sum;
     }
     b.s.kind[N_ROWS] = EM_ROW_CONTACT, b.s.choice[N_ROWS] = EM_HOLDS_ROW;
     return em_deal_blow(a, r, &b, event);

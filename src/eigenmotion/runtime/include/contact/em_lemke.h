@@ -1,4 +1,4 @@
-/* em_lemke.h: Lemke's complementary pivoting for the modes of many contacts and frictions.
+/* em_lemke.h: Lemke's complementary pivoting, for active sets of many contacts and frictions.
  *
  * Lemke (1965), with the ratio test lexicographic, so that nothing cycles. The mixed problem of em_complementarity.h is
  * brought to s = b + A z, s >= 0, z >= 0, s z = 0: free rows are solved for, a friction is split in two,
@@ -18,7 +18,7 @@ typedef struct em_lemke {
     double row[EM_PIVOTED][EM_TABLEAU];
 } em_lemke;
 
-EM_COLD void em_lemke_pivot(em_lemke *l, int leaves, int enters) {
+EM_NOINLINE void em_lemke_pivot(em_lemke *l, int leaves, int enters) {
     const int width = 2 * l->size + 2;
     const double pivot = l->row[leaves][enters];
     for (int j = 0; j < width; ++j) l->row[leaves][j] /= pivot;
@@ -31,7 +31,7 @@ EM_COLD void em_lemke_pivot(em_lemke *l, int leaves, int enters) {
 }
 
 /* Whether row i comes before row j: by the right side over the column, then by what was the identity. */
-EM_COLD int em_lemke_before(const em_lemke *l, int i, int j, int enters) {
+EM_NOINLINE int em_lemke_before(const em_lemke *l, int i, int j, int enters) {
     const int right = 2 * l->size + 1;
     const double a = l->row[i][enters], b = l->row[j][enters];
     double apart = l->row[i][right] / a - l->row[j][right] / b;
@@ -40,7 +40,7 @@ EM_COLD int em_lemke_before(const em_lemke *l, int i, int j, int enters) {
 }
 
 /* The variable that leaves where one enters, by its row; -1: a ray. The cover leaves wherever it may. */
-EM_COLD int em_lemke_leaving(const em_lemke *l, int enters) {
+EM_NOINLINE int em_lemke_leaving(const em_lemke *l, int enters) {
     int best = -1;
     for (int i = 0; i < l->size; ++i) {
         if (!(l->row[i][enters] > EM_MODE_RANK)) continue;
@@ -52,7 +52,7 @@ EM_COLD int em_lemke_leaving(const em_lemke *l, int enters) {
 }
 
 /* s = b + A z: whether it has been solved; the basis says how. */
-EM_COLD int em_lemke_solve(em_lemke *l, const double *A, const double *b) {
+EM_NOINLINE int em_lemke_solve(em_lemke *l, const double *A, const double *b) {
     const int n = l->size, cover = 2 * n, right = cover + 1;
     int lowest = 0;
     for (int i = 0; i < n; ++i) {
@@ -75,7 +75,7 @@ EM_COLD int em_lemke_solve(em_lemke *l, const double *A, const double *b) {
 }
 
 /* Reduced to rows without free ones: G, q <- G - G_f F^-1 G_f^T ... over the rows that are not free. 0, or -1. */
-EM_COLD int em_without_free(const em_mixed *s, double *G, double *q) {
+EM_NOINLINE int em_without_free(const em_mixed *s, double *G, double *q) {
     const int k = s->k;
     int free_row[EM_MIXED_ROWS], count = 0;
     memcpy(G, s->G, k * k * sizeof *G);
@@ -98,7 +98,7 @@ EM_COLD int em_without_free(const em_mixed *s, double *G, double *q) {
 
 /* s->choice <- by pivoting. Whether that came to an end. Choices that are barred are left out: contacts stay open, frictions
  * that let go are taken as sliding the way they are chosen to. */
-EM_COLD int em_pivot_modes(em_mixed *s, int bars) {
+EM_NOINLINE int em_pivot_modes(em_mixed *s, int bars) {
     const int k = s->k;
     int contact[EM_MIXED_ROWS], friction[EM_MIXED_ROWS], nc = 0, nf = 0;
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS], A[EM_PIVOTED * EM_PIVOTED] = {0.0}, b[EM_PIVOTED];

@@ -1,4 +1,5 @@
-/* em_mode_selection.h: the mode that a state calls for: complementarity of accelerations and forces of what is at rest.
+/* em_mode_selection.h: the active set that a state calls for: complementarity of accelerations and forces of what is
+ * at rest.
  *
  * At gap = 0 and without speed a contact's acceleration w and force p satisfy w >= 0, p >= 0, w p = 0; a friction at rest takes
  * at most its limit, and less only where it does not start to slip. Together with the constraints, and with the frictions
@@ -44,7 +45,7 @@ typedef struct em_acting {
 } em_acting;
 
 /* What a change of x (or of v: the same units apart) within tolerances makes of a row. */
-EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
+EM_NOINLINE double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
     double sum = 0.0;
     for (int k = 0; k < N; ++k) sum += fabs(row[k]) * (times * a->atol[k] + rtol * fabs(z[k]));
     return sum;
@@ -53,7 +54,7 @@ EM_COLD double em_reach(const em_acting *a, const double *row, const double *z, 
 /* still <- what counts as no speed: rounding of the terms of the rates, now or before; what rows that hold have, as long as
  * nothing has moved them; what putting it outside has left; at the start of a run a part of its tolerances, too, within which
  * it is meant. */
-EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
+EM_NOINLINE void em_find_still(em_acting *a, const em_all_rows *r) {
     for (int row = 0; row < N_ROWS; ++row) {
         a->still[row] = fmax(a->still[row], fmax(EM_RESTS * r->rate_terms[row], 2.0 * a->stirred[row]));
         if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
@@ -67,7 +68,7 @@ EM_COLD void em_find_still(em_acting *a, const em_all_rows *r) {
 }
 
 /* closed <- contacts that touch: those that held, whose gap has just closed, or closes at the same time. */
-EM_COLD void em_find_closed(em_acting *a, const em_all_rows *r) {
+EM_NOINLINE void em_find_closed(em_acting *a, const em_all_rows *r) {
     const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
@@ -81,7 +82,7 @@ EM_COLD void em_find_closed(em_acting *a, const em_all_rows *r) {
 }
 
 /* x (n) <- with no gap negative and phi = 0, by the least change in the mass metric. 0, or -1: there is none. */
-EM_COLD int em_push_out(const em_all_rows *r, double *x) {
+EM_NOINLINE int em_push_out(const em_all_rows *r, double *x) {
     em_mixed s;
     double change[N] = {0.0};
     em_begin_mixed(r, &s);
@@ -98,7 +99,7 @@ EM_COLD int em_push_out(const em_all_rows *r, double *x) {
 }
 
 /* Whether what idled has gone its own way by as much as it may be off: no row keeps it any more. */
-EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
+EM_NOINLINE int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     if (em_is_cone(s) || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
     return (em_is_contact(s) ? r->gap[s->row] : fabs(r->rate[s->row])) >= 0.5 * a->c[s->idles];
@@ -106,7 +107,7 @@ EM_COLD int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
 
 /* parts <- `rest` of contacts on their way: what opens no faster, and still touches as something happens, stays in contact.
  * Else what comes down ever sooner does so by less than rounding tells. */
-EM_COLD void em_find_parts(em_acting *a) {
+EM_NOINLINE void em_find_parts(em_acting *a) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts || a->moved) return;
     levels(a->t, a->x, a->v, a->c, a->u, level);
@@ -115,7 +116,7 @@ EM_COLD void em_find_parts(em_acting *a) {
 
 /* What comes down no faster than `rest`, and has not left what rounding leaves of its gap since it fired last, is at rest: what
  * comes down ever sooner ends so. A flight that ends with this rate is a quarter of it, times how long it was, high. */
-EM_COLD void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
+EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts) return;
     levels(a->t, a->x, a->v, a->c, a->u, level);
@@ -131,7 +132,7 @@ EM_COLD void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *b
 
 /* Whether a row has no speed: it held and nothing has moved it, its slip has just stopped or its gap closed (where a rate opens
  * it all the same, the motion is back within what is rounded), or what there is is rounding. */
-EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
+EM_NOINLINE int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
     if ((em_is_contact(s) && !a->closed[k]) || em_has_left(a, r, k)) return 0;
@@ -139,7 +140,7 @@ EM_COLD int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
 }
 
 /* The problem of what may hold at rest. 0, or -1 and *fault. */
-EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
     double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     const int shared = em_shared_normal(r);
     if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, EM_SHARED_LOAD, NAN);
@@ -175,7 +176,7 @@ EM_COLD int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *
 }
 
 /* Q (count, n) <- row at length one without its part along those before; the count with it, if anything is left of it. */
-EM_COLD int em_add_direction(int count, double *Q, const double *row) {
+EM_NOINLINE int em_add_direction(int count, double *Q, const double *row) {
     double rest[N];
     memcpy(rest, row, sizeof rest);
     em_remove_rows(N, count, Q, rest);
@@ -186,7 +187,7 @@ EM_COLD int em_add_direction(int count, double *Q, const double *row) {
 }
 
 /* Q (n, n) <- orthonormal, of the rows of B that hold in the mode. How many. */
-EM_COLD int em_held_directions(const em_all_rows *r, const em_mixed *s, double *Q) {
+EM_NOINLINE int em_held_directions(const em_all_rows *r, const em_mixed *s, double *Q) {
     int count = 0;
     for (int i = 0; i < N_ROWS && count < N; ++i)
         if (em_row_holds(s, i)) count = em_add_direction(count, Q, r->root.B + i * N);
@@ -199,7 +200,7 @@ typedef struct em_here {
     const em_all_rows *r;
 } em_here;
 
-EM_COLD int em_rests_last(const void *where, const em_mixed *s) {
+EM_NOINLINE int em_rests_last(const void *where, const em_mixed *s) {
     const em_here *const here = where;
     const em_acting *const a = here->a;
     double Q[N * N], there_Q[N * N], unit[N];
@@ -222,7 +223,7 @@ EM_COLD int em_rests_last(const void *where, const em_mixed *s) {
 }
 
 /* Whether row B_row is a combination of the rows of the mode that hold. */
-EM_COLD int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row) {
+EM_NOINLINE int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row) {
     double Q[N * N], rest[N];
     const int count = em_held_directions(r, s, Q);
     memcpy(rest, r->root.B + row * N, sizeof rest);
@@ -233,7 +234,7 @@ EM_COLD int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int row)
 }
 
 /* How far an idle row may be off; 0: it is not idle. */
-EM_COLD double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
+EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
     double terms = s->size[row];
     for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
     if (fabs(s->w[row]) > EM_MODE_AGREES * terms || !em_depends_on_mode(r, s, row)) return 0.0;
@@ -244,7 +245,7 @@ EM_COLD double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_
 
 /* The slip below which a cone has stopped: what tolerances do not tell from none, beyond rounding. Of one that is the difference
  * of speeds errors are parts of these: steps would go to and fro over none. */
-EM_COLD double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
+EM_NOINLINE double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
     double slip = 1e-150;
     for (int row = s->row; row <= s->row + 1; ++row) {
         slip = fmax(slip, EM_CONE_ROUNDS * r->rate_terms[row]);
@@ -255,7 +256,7 @@ EM_COLD double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_
 
 /* A cone that slides: idle where both its rows depend on what holds; else down to which slip. Where it begins to, the slip is
  * shifted along the direction in which it begins; where it goes on, by what it was. */
-EM_COLD void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one,
+EM_NOINLINE void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one,
                             em_state_of_switch *after) {
     const int row = one->row, begins = s->kind[row] == EM_ROW_CONE, slid = !begins && a->c[one->slides] != 0.0;
     const double one_slack = begins ? em_idle_slack(a, r, s, row, 0) : 0.0;
@@ -269,7 +270,7 @@ EM_COLD void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_m
 }
 
 /* What the solution makes of a switch. */
-EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
+EM_NOINLINE em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
     const em_switch *const one = &switches[k];
     const int row = one->row, contact = em_is_contact(one);
     em_state_of_switch after = {.holds = em_row_holds(s, row)};
@@ -281,14 +282,14 @@ EM_COLD em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows
 }
 
 /* The event of the switch whose row this is; -1: of none. */
-EM_COLD int em_event_of_row(int row) {
+EM_NOINLINE int em_event_of_row(int row) {
     for (int k = 0; k < N_SWITCHES; ++k)
         if (switches[k].row == row) return switches[k].event;
     return -1;
 }
 
 /* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
-EM_COLD int em_decide_mode(em_acting *a, const em_all_rows *r) {
+EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     em_mixed s;
     const em_here here = {a, r};

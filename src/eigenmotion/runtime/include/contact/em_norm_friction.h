@@ -1,4 +1,4 @@
-/* em_norm_friction.h: forces of a mode where limits are in proportion to norms of what rows push with.
+/* em_norm_friction.h: friction limits in proportion to norms of multipliers, within the complementarity problem.
  *
  * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at the direction known
  * (em_norm_multipliers.h). It begins without these frictions: a function of the state alone. */
@@ -6,10 +6,10 @@
 #define EM_NORM_FRICTION_H
 
 /* Norms are numbered, and em_switch.over is -2 less the number. The one that presses on a friction; -1: none does. */
-EM_COLD int em_norm_of(const em_switch *s) { return s->over < -1 ? -2 - s->over : -1; }
+EM_NOINLINE int em_norm_of(const em_switch *s) { return s->over < -1 ? -2 - s->over : -1; }
 
 /* Whether a row is among those of a norm. */
-EM_COLD int em_is_among(int norm, int row) {
+EM_NOINLINE int em_is_among(int norm, int row) {
 #ifdef EM_NORMALS
     return normals[norm][row];
 #else
@@ -17,7 +17,7 @@ EM_COLD int em_is_among(int norm, int row) {
 #endif
 }
 
-EM_COLD double em_norm_of_multipliers(int norm, const double *lambda) {
+EM_NOINLINE double em_norm_of_multipliers(int norm, const double *lambda) {
     double sum = 0.0;
     for (int row = 0; row < N_ROWS; ++row)
         if (em_is_among(norm, row)) sum = hypot(sum, lambda[row]);
@@ -25,7 +25,7 @@ EM_COLD double em_norm_of_multipliers(int norm, const double *lambda) {
 }
 
 /* The derivative of a norm along dlambda, of which rows are `width` apart; that of one side where it vanishes. */
-EM_COLD double em_norm_along(int norm, const double *lambda, const double *dlambda, int width) {
+EM_NOINLINE double em_norm_along(int norm, const double *lambda, const double *dlambda, int width) {
     const double whole = em_norm_of_multipliers(norm, lambda);
     double sum = 0.0;
     for (int row = 0; row < N_ROWS; ++row) {
@@ -35,16 +35,16 @@ EM_COLD double em_norm_along(int norm, const double *lambda, const double *dlamb
     return sum;
 }
 
-#define EM_LEANS 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
+#define EM_NORM_TOLERANCE 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
 
-EM_COLD int em_some_rooted(const em_mixed *s) {
+EM_NOINLINE int em_some_rooted(const em_mixed *s) {
     int some = 0;
     for (int i = 0; i < s->k; ++i) some |= s->rooted[i];
     return some;
 }
 
 /* toward <- of p. Returns the largest change of those of rooted rows that are at their limit. */
-EM_COLD double em_turn_to_forces(em_mixed *s) {
+EM_NOINLINE double em_turn_to_forces(em_mixed *s) {
     const int k = s->k;
     double change = 0.0;
     for (int f = 0; f < k; ++f) {
@@ -60,20 +60,20 @@ EM_COLD double em_turn_to_forces(em_mixed *s) {
 }
 
 /* p <- of the mode, but for rows that rest. 0, or -1: its rows depend on each other, or friction jams. */
-EM_COLD int em_forces_of_independent(em_mixed *s) {
+EM_NOINLINE int em_forces_of_independent(em_mixed *s) {
     enum { STEPS = 50 };
     for (int i = 0; i < s->k * s->k; ++i) s->toward[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
     for (int step = 0, first = 0; step < STEPS; ++step) {
         int sign;
         if (em_forces_toward(s, &sign) || sign * first < 0) return -1;
         first = sign;
-        if (em_turn_to_forces(s) <= EM_LEANS) return 0;
+        if (em_turn_to_forces(s) <= EM_NORM_TOLERANCE) return 0;
     }
     return -1;
 }
 
 /* The same of all rows; where some depend on each other, and cones stick, of independent ones, while the others rest. */
-EM_COLD int em_forces_of_mode(em_mixed *s) {
+EM_NOINLINE int em_forces_of_mode(em_mixed *s) {
     double Z[EM_MIXED_ROWS * EM_MIXED_ROWS];
     int basic[EM_MIXED_ROWS];
     memset(s->rests, 0, sizeof s->rests);
@@ -83,14 +83,14 @@ EM_COLD int em_forces_of_mode(em_mixed *s) {
     return em_forces_of_independent(s);
 }
 
-EM_COLD int em_some_rest(const em_mixed *s) {
+EM_NOINLINE int em_some_rest(const em_mixed *s) {
     int some = 0;
     for (int i = 0; i < s->k; ++i) some |= s->rests[i];
     return some;
 }
 
 /* Whether rows that rest hold all the same, here and nearby; then p <- shared with them. */
-EM_COLD int em_share_with_resting(em_mixed *s, double terms) {
+EM_NOINLINE int em_share_with_resting(em_mixed *s, double terms) {
     for (int i = 0; i < s->k; ++i)
         if (s->rests[i] && !(fabs(s->w[i]) <= EM_MODE_VERIFIED * terms)) return 0;
     return (s->lasts == NULL || s->lasts(s->where, s)) && em_share(s) == 0;

@@ -1,4 +1,4 @@
-/* em_reset.h: states that events set, in rates or in quasi-velocities, and directions that go with them. */
+/* em_reset.h: resets: states that events set, in rates or in quasi-velocities, and their directional derivatives. */
 #ifndef EM_RESET_H
 #define EM_RESET_H
 
@@ -16,7 +16,7 @@ typedef struct em_directions {
 } em_directions;
 
 /* W (rows, columns) <- D (rows, n_arguments) along the directions. */
-EM_COLD void em_along(const em_directions *d, int rows, const double *D, double *W) {
+EM_NOINLINE void em_along(const em_directions *d, int rows, const double *D, double *W) {
     memset(W, 0, (size_t)rows * d->columns * sizeof *W);
     for (int row = 0; row < rows; ++row) {
         em_add_products(1, 2 * N, d->columns, D + row * N_ARGUMENTS, d->S, W + row * d->columns);
@@ -26,7 +26,7 @@ EM_COLD void em_along(const em_directions *d, int rows, const double *D, double 
 
 #ifdef EM_QUASI
 /* v (n) <- P^-1 v by elimination, the largest pivot of each column first. 0, or -1: P (n, n) is singular. */
-EM_COLD int em_eliminate(double *P, double *v) {
+EM_NOINLINE int em_eliminate(double *P, double *v) {
     for (int k = 0; k < N; ++k) {
         int best = k;
         for (int i = k + 1; i < N; ++i)
@@ -54,7 +54,7 @@ EM_COLD int em_eliminate(double *P, double *v) {
 #endif
 
 /* v (n) <- with P(x, t) v = y (3). 0, or -1: P is singular. */
-EM_COLD int em_rates_of_quasi(double t, const double *x, const double *y, const double *c, double *v) {
+EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, const double *c, double *v) {
 #ifdef EM_QUASI
     double P[N * N], unit[N] = {0.0}, column[N];
     for (int j = 0; j < N; ++j) {
@@ -73,7 +73,7 @@ EM_COLD int em_rates_of_quasi(double t, const double *x, const double *y, const 
 
 #ifdef EM_QUASI
 /* Of v where the reset has set the quasi-velocities y = P v: P dv = dy - dP v. S holds dy in place of dv. */
-EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, const double *v, const double *c) {
+EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x, const double *v, const double *c) {
     double by[N * N_ARGUMENTS], P[N * N], W[N * d->columns];
     quasi_partials(t, x, v, c, by);
     for (int j = 0; j < d->columns; ++j) {
@@ -94,7 +94,7 @@ EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, co
 
 /* Whether resets, `event`'s the last, have put x to where an impact never lets it come, further than it was at `from`, and
  * beyond rounding: -1 and *fault. */
-EM_COLD int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
+EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
                            const double *u, int event, em_fault *fault) {
     double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
     model_events(t, from, v, c, u, before);
@@ -114,7 +114,7 @@ EM_COLD int em_check_apart(double t, const double *from, const double *x, const 
 }
 
 /* Directions after reset `number` of x, v; those of rates are of the quasi-velocities where these are set. */
-EM_COLD void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
+EM_NOINLINE void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
                             const double *u, int number) {
     double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];
     if (N_RESETS == 0) return;

@@ -1,4 +1,4 @@
-/* em_saltation.h: the saltation matrix of a blow: what directions become.
+/* em_saltation.h: the saltation matrix of an impact, which maps directions before it to directions after it.
  *
  * With the mode of the impulses as it is, M (v+ - v) + A^T lambda = 0 and A v+ + b = -e (A v + b) of the rows that hold in it,
  * and friction that slips is in proportion to its contact. What directions become solves the same system, for the derivatives
@@ -12,14 +12,14 @@ typedef struct em_blow_partials {
 } em_blow_partials;
 
 /* X (n, columns) <- v+ - v along the directions, where F (n, columns) is the residual's and G (rows, columns) the rates'. */
-EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, double *F, const double *G) {
-    int rows[EM_STRUCK_ROWS], count = 0;
-    double Q[EM_STRUCK_ROWS * N], A[EM_STRUCK_ROWS * EM_STRUCK_ROWS], y[EM_STRUCK_ROWS];
+EM_NOINLINE int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, double *F, const double *G) {
+    int rows[EM_IMPACT_ROWS], count = 0;
+    double Q[EM_IMPACT_ROWS * N], A[EM_IMPACT_ROWS * EM_IMPACT_ROWS], y[EM_IMPACT_ROWS];
     memcpy(Q, b->B, sizeof Q);
-    for (int f = 0; f < EM_STRUCK_ROWS; ++f) {
+    for (int f = 0; f < EM_IMPACT_ROWS; ++f) {
         const double sign = em_limit_sign(&b->s, f);
-        for (int k = 0; k < EM_STRUCK_ROWS * N && sign != 0.0; ++k)
-            Q[k] += sign * b->s.coefficient[f] * b->s.toward[f * EM_STRUCK_ROWS + k / N] * b->B[f * N + k % N];
+        for (int k = 0; k < EM_IMPACT_ROWS * N && sign != 0.0; ++k)
+            Q[k] += sign * b->s.coefficient[f] * b->s.toward[f * EM_IMPACT_ROWS + k / N] * b->B[f * N + k % N];
         if (em_row_holds(&b->s, f)) rows[count++] = f;
     }
     em_forward_rows(N, columns, r->root.L, r->root.r, F);
@@ -42,11 +42,11 @@ EM_COLD int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, d
 }
 
 /* G (columns) <- what A (v+ - v) of a row becomes by: its own change, that of the rate before, of the restitution. */
-EM_COLD void em_blow_rate_along(const em_acting *a, const em_blow *b, const em_blow_partials *of,
+EM_NOINLINE void em_blow_rate_along(const em_acting *a, const em_blow *b, const em_blow_partials *of,
                                 const double *change, int row, double *G) {
     const int columns = a->along->columns, lands = !b->strikes[row] || b->lands[row];
     const double e = lands ? 0.0 : b->e[row];
-    const double *const N_along = of->impacts + b->impact[row] * EM_STRUCK * columns;
+    const double *const N_along = of->impacts + b->impact[row] * EM_IMPACT_SIZE * columns;
     for (int j = 0; j < columns; ++j) {
         double sum = 0.0;
         if (row < N_ROWS) sum = -of->balance[(N + row) * columns + j] - (1.0 + e) * of->rates[(N_POSITIONS + row) * columns + j];
@@ -60,13 +60,13 @@ EM_COLD void em_blow_rate_along(const em_acting *a, const em_blow *b, const em_b
 }
 
 /* Directions after a blow that changes v by `change`. 0, or -1 and *fault. */
-EM_COLD int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, const double *change, int event) {
+EM_NOINLINE int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, const double *change, int event) {
     const em_directions *const d = a->along;
     const int columns = d->columns;
     double D[(N + N_ROWS) * N_ARGUMENTS], E[(N_POSITIONS + N_ROWS + 1) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
-    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS], I[EM_SOME_IMPACTS * EM_STRUCK * N_ARGUMENTS];
-    double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_STRUCK_ROWS * columns];
-    double level[EM_LEVELS * EM_SOME_SWITCHES * columns], struck[EM_SOME_IMPACTS * EM_STRUCK * columns];
+    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS], I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS];
+    double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_IMPACT_ROWS * columns];
+    double level[EM_LEVELS * EM_SOME_SWITCHES * columns], struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE * columns];
     const em_blow_partials of = {balance, rates, level, struck};
     if (b->lowered < 1.0) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_RESTITUTION_LOWERED, b->lowered);
     for (int row = 0; row < N_ROWS; ++row)
@@ -80,14 +80,14 @@ EM_COLD int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, 
     em_along(d, N + N_ROWS, D, balance);
     em_along(d, N_ROWS > 0 ? N_POSITIONS + N_ROWS : 0, E, rates);
     em_along(d, EM_LEVELS * N_SWITCHES, L, level);
-    em_along(d, EM_SOME_IMPACTS * EM_STRUCK, I, struck);
-    for (int row = 0; row < EM_STRUCK_ROWS; ++row)
+    em_along(d, EM_SOME_IMPACTS * EM_IMPACT_SIZE, I, struck);
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         em_blow_rate_along(a, b, &of, change, row, G + row * columns);
     double F[N * columns];
     for (int k = 0; k < N; ++k)
         for (int j = 0; j < columns; ++j) {
             double sum = -balance[k * columns + j];
-            if (b->strikes[N_ROWS]) sum += b->side * struck[(b->impact[N_ROWS] * EM_STRUCK + k) * columns + j] * b->s.p[N_ROWS];
+            if (b->strikes[N_ROWS]) sum += b->side * struck[(b->impact[N_ROWS] * EM_IMPACT_SIZE + k) * columns + j] * b->s.p[N_ROWS];
             for (int f = 0; f < N_SWITCHES; ++f) {
                 const int row = switches[f].row;
                 const double sign = em_limit_sign(&b->s, row);

@@ -1,11 +1,11 @@
-/* em_switch_partials.h: derivatives of what modes watch: of multipliers and limits. */
+/* em_switch_partials.h: derivatives of the conditions that an active set watches: of multipliers and of limits. */
 #ifndef EM_SWITCH_PARTIALS_H
 #define EM_SWITCH_PARTIALS_H
 
 #include "contact/em_reset.h"
 
 /* Row of D (n_events, n_arguments): the derivatives of the number of a switch, of those of the multipliers. */
-EM_COLD void em_switch_partials(const em_switch *s, const double *lambda, const double *dlambda, double level,
+EM_NOINLINE void em_switch_partials(const em_switch *s, const double *lambda, const double *dlambda, double level,
                                 const double *dlevel, double *row) {
     const double *const own = dlambda + s->row * N_ARGUMENTS;
     const int presses = s->over < 0 ? -1 : switches[s->over].row;
@@ -23,7 +23,7 @@ EM_COLD void em_switch_partials(const em_switch *s, const double *lambda, const 
 }
 
 /* D (n_events, n_arguments) <- with those of em_watch_modes. 0, or -1: there are none. */
-EM_COLD int em_watch_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D) {
+EM_NOINLINE int em_watch_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D) {
     double a[N], lambda[EM_SOME_ROWS], da[N * N_ARGUMENTS], dlambda[EM_SOME_ROWS * N_ARGUMENTS];
     double level[EM_LEVELS * EM_SOME_SWITCHES], dlevel[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS];
     em_fault fault;

@@ -1,5 +1,5 @@
-/* em_blocks.h: blocks of M in a run: where the root of one is found, and what velocities, errors and accepted steps
- * make of it. A function that is called with a constant block is compiled for that block. */
+/* em_blocks.h: blocks of M in a run: where the root of a block is stored, and how it acts on velocities, errors and
+ * accepted steps. A function that is called with a constant block is compiled for that block. */
 #ifndef EM_BLOCKS_H
 #define EM_BLOCKS_H
 
@@ -57,12 +57,12 @@ EM_INLINE void em_put_velocity(const em_block *b, const double *part, double *v)
     for (int i = 0; i < b->size; ++i) v[b->coordinate[i]] = em_scale(b, i) * part[i];
 }
 
-EM_RARE EM_COLD int em_fail_block(const em_block *b, int singular, double size, em_fault *fault) {
+EM_COLD_PATH EM_NOINLINE int em_fail_block(const em_block *b, int singular, double size, em_fault *fault) {
     return em_fail(fault, EM_SINGULAR_MASS_MATRIX, b->coordinate[singular], -1, size);
 }
 
 /* c <- both factors of a constant block M (size, size) */
-EM_RARE EM_COLD int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
+EM_COLD_PATH EM_NOINLINE int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
     const int singular = em_prepare_block(b->size, M, c + b->C, c + b->s, c + b->L, c + b->r);
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
@@ -75,7 +75,7 @@ EM_INLINE void em_block_of(const em_block *b, const double *M, double *part) {
 }
 
 /* eta (size) <- L^-T eta, M (n, n) = L L^T */
-EM_COLD int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault) {
+EM_NOINLINE int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault) {
     double part[b->size * b->size], L[b->size * b->size], r[b->size];
     em_block_of(b, M, part);
     const int singular = em_cholesky(b->size, part, L, r, EM_SINGULAR_PIVOT);
@@ -158,7 +158,7 @@ EM_INLINE double em_time_of_block(const em_block *b, const double *Mdot, const d
 }
 
 /* y <- with the quasi-velocities of the other root of M (size, size), which is that of `mode`. 0, or -1 and *fault */
-EM_RARE EM_COLD int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
+EM_COLD_PATH EM_NOINLINE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
     double eta[b->size];
     if (mode && em_keep_root(b, M, memory, fault)) return -1;
     em_take(b, y + b->n, eta);
@@ -193,7 +193,7 @@ EM_INLINE int em_settle_group(const em_group *g, int m, const double *Delta, dou
 }
 
 /* The same from scratch. */
-EM_RARE EM_COLD int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
+EM_COLD_PATH EM_NOINLINE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
     double part[g->size * g->size];
     em_part_of_delta(m, g->size, g->rows, Delta, part);
     const int singular = em_eigenfactors(g->size, part, y + g->C, y + g->s);
@@ -219,20 +219,20 @@ EM_INLINE void em_remember_group(const em_group *g, int m, const double *Delta_d
 }
 
 /* The published right-hand side does not exist where two eigenvalues of a block are equal. */
-EM_COLD int em_coincident(int size, const double *s, int *first, int *second) {
+EM_NOINLINE int em_coincident(int size, const double *s, int *first, int *second) {
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < i; ++j)
             if (s[i] == s[j]) return *first = j, *second = i, 1;
     return 0;
 }
 
-EM_COLD int em_coincident_block(const em_block *b, const double *y, em_fault *fault) {
+EM_NOINLINE int em_coincident_block(const em_block *b, const double *y, em_fault *fault) {
     int i, j;
     if (!em_coincident(b->size, y + b->s, &i, &j)) return 0;
     return em_fail(fault, EM_COINCIDENT_EIGENVALUES, b->coordinate[i], b->coordinate[j], 0.0);
 }
 
-EM_COLD int em_coincident_group(const em_group *g, const double *y, em_fault *fault) {
+EM_NOINLINE int em_coincident_group(const em_group *g, const double *y, em_fault *fault) {
     int i, j;
     if (!em_coincident(g->size, y + g->s, &i, &j)) return 0;
     return em_fail(fault, EM_COINCIDENT_EIGENVALUES, -1, g->rows[0], 0.0);
@@ -240,7 +240,7 @@ EM_COLD int em_coincident_group(const em_group *g, const double *y, em_fault *fa
 
 /* How far C and s in the state are from the eigenfactors of M (n, n), relative to each eigenvalue; *first: a coordinate
  * of the block that is farthest off. `blocks` ends with NULL. */
-EM_COLD double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first) {
+EM_NOINLINE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first) {
     double worst = 0.0;
     for (; *blocks; ++blocks) {
         const em_block *const b = *blocks;

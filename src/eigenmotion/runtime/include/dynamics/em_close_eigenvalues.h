@@ -1,4 +1,5 @@
-/* em_close_eigenvalues.h: Omega of (32), (53) where two eigenvalues are close: continued from the last accepted step. */
+/* em_close_eigenvalues.h: Omega of (32), (53) where two eigenvalues are close: extrapolated from the last accepted
+ * step. */
 #ifndef EM_CLOSE_EIGENVALUES_H
 #define EM_CLOSE_EIGENVALUES_H
 
@@ -50,7 +51,7 @@ EM_INLINE void em_remember_omega(int n, const double *s, const double *mu, doubl
 
 /* Delta_dot (m, m) += Adot Y^T + Y Adot^T - Y Mdot Y^T, the part of one block in the rate of A M^-1 A^T;
  * Y (m, n) = A M^-1, Mdot NULL where M is constant. (51) without Bdot. */
-EM_COLD void em_add_delta_rate(int m, int n, const double *Adot, const double *Y, const double *Mdot,
+EM_NOINLINE void em_add_delta_rate(int m, int n, const double *Adot, const double *Y, const double *Mdot,
                                double *Delta_dot) {
     for (int row = 0; row < m; ++row)
         for (int column = 0; column < m; ++column)

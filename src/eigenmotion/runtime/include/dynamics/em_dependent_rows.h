@@ -1,4 +1,4 @@
-/* em_dependent_rows.h: which constraint rows follow from others, here and wherever the mechanism goes from here.
+/* em_dependent_rows.h: constraint rows that follow from others, at a state and along any motion from it.
  *
  * At a singular position, as a dead centre, rows depend on each other too, but there only: beside it, on all that the
  * independent ones allow, the others are not met. */
@@ -9,11 +9,11 @@
 
 #define EM_SURELY 1e-3   /* rows of length one that add more than this, squared, to the others nearby do so on the constraints */
 #define EM_FOLLOWS 1e-10 /* the part of its terms by which a row that follows from others is off, where these are met; */
-#define EM_BESIDE 1e-2   /* looked at beside a state, by this part of what turns a row over, */
+#define EM_PROBE_DISTANCE 1e-2   /* looked at beside a state, by this part of what turns a row over, */
 #define EM_CLOSEST 1e-4  /* or less where that is too far, down to this: a row that does not follow is off by its square */
 
 /* Delta of the rows that always hold; those of contacts and frictions stand in it as if they acted on nothing else. */
-EM_COLD void em_lasting_rows(const em_root *root, double *Delta) {
+EM_NOINLINE void em_lasting_rows(const em_root *root, double *Delta) {
     memcpy(Delta, root->Delta, sizeof root->Delta);
 #ifdef EM_SWITCHED_ROWS
     for (int i = 0; i < N_ROWS; ++i)
@@ -23,14 +23,14 @@ EM_COLD void em_lasting_rows(const em_root *root, double *Delta) {
 }
 
 /* The root at x, and what its lasting rows are. 0, or -1. */
-EM_COLD int em_lasting_at(double t, const double *x, const double *c, em_root *root, double *Delta) {
+EM_NOINLINE int em_lasting_at(double t, const double *x, const double *c, em_root *root, double *Delta) {
     em_fault fault;
     if (em_root_at(t, x, c, root, &fault)) return -1;
     return em_lasting_rows(root, Delta), 0;
 }
 
 /* unit (n) <- the change of each coordinate that makes up for the terms of a row; its own size, or 1, where none holds it. */
-EM_COLD void em_turns_over(double t, const double *x, const double *c, double *unit) {
+EM_NOINLINE void em_turns_over(double t, const double *x, const double *c, double *unit) {
     double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS];
     pfaffian(t, x, c, A, b);
     if (N_POSITIONS > 0) position(t, x, c, phi, terms);
@@ -46,7 +46,7 @@ EM_COLD void em_turns_over(double t, const double *x, const double *c, double *u
 
 /* x <- where the rows kept are met, whatever the others are; terms (h) <- what phi was the sum of on the way, at most: where
  * all terms vanish there, rounding is of these. Whether it got there. */
-EM_COLD int em_meet_kept(double t, double *x, const double *c, int kept, double *terms) {
+EM_NOINLINE int em_meet_kept(double t, double *x, const double *c, int kept, double *terms) {
     enum { STEPS = 30, ROUNDINGS = 1000 };
     double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS];
     em_root root;
@@ -67,7 +67,7 @@ EM_COLD int em_meet_kept(double t, double *x, const double *c, int kept, double 
 }
 
 /* Whether the rows that are not kept follow from those that are at x, which these allow, and are as many there. */
-EM_COLD int em_follow_at(double t, const double *x, const double *c, int kept, int rank, const double *terms) {
+EM_NOINLINE int em_follow_at(double t, const double *x, const double *c, int kept, int rank, const double *terms) {
     double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int there;
     em_root root;
@@ -79,7 +79,7 @@ EM_COLD int em_follow_at(double t, const double *x, const double *c, int kept, i
 }
 
 /* x moved by a part of `unit` (n), each coordinate by another, one way or the other. */
-EM_COLD void em_move(const double *x, const double *unit, double part, double *beside) {
+EM_NOINLINE void em_move(const double *x, const double *unit, double part, double *beside) {
     for (int k = 0; k < N; ++k) {
         const double some = 1.0 + k * 5 % 7 / 7.0, sign = k % 3 == 1 ? -1.0 : 1.0;
         beside[k] = x[k] + part * some * sign * unit[k];
@@ -87,12 +87,12 @@ EM_COLD void em_move(const double *x, const double *unit, double part, double *b
 }
 
 /* The same beside x, on either side of it. */
-EM_COLD int em_follow_beside(double t, const double *x, const double *c, int kept, int rank) {
+EM_NOINLINE int em_follow_beside(double t, const double *x, const double *c, int kept, int rank) {
     double unit[N], beside[N], terms[EM_SOME_POSITIONS];
     em_turns_over(t, x, c, unit);
     for (int side = 0; side < 2; ++side) {
         int met = 0;
-        for (double part = EM_BESIDE; !met && part >= 0.5 * EM_CLOSEST; part *= 0.1) {
+        for (double part = EM_PROBE_DISTANCE; !met && part >= 0.5 * EM_CLOSEST; part *= 0.1) {
             em_move(x, unit, side ? -part : part, beside);
             met = em_meet_kept(t, beside, c, kept, terms);
         }
@@ -102,7 +102,7 @@ EM_COLD int em_follow_beside(double t, const double *x, const double *c, int kep
 }
 
 /* em_model.redundant */
-EM_COLD int em_redundant(double t, const double *x, const double *c, int *rows) {
+EM_NOINLINE int em_redundant(double t, const double *x, const double *c, int *rows) {
     double near[N], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int kept;
     em_root root;

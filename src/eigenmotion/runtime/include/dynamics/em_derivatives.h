@@ -20,7 +20,7 @@ typedef struct em_factors {
 } em_factors;
 
 /* least_norm: 0, 1 or flags that say which rows are kept */
-EM_COLD int em_factors_at(double t, const double *x, const double *c, int least_norm, em_factors *f, em_fault *fault) {
+EM_NOINLINE int em_factors_at(double t, const double *x, const double *c, int least_norm, em_factors *f, em_fault *fault) {
     double unused[EM_SOME_ROWS] = {0.0};
     double *const Delta = f->root.Delta;
     if (em_root_at(t, x, c, &f->root, fault)) return -1;
@@ -96,11 +96,11 @@ EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
     em_backward_rows(N, columns, f->root.L, f->root.r, a);
 }
 
-EM_COLD EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
+EM_NOINLINE EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
 
 /* Partial derivatives by state (n + m, 2 n) and by what is given (n + m, n_given) -> da (n, n_arguments), dlambda (m,
  * n_arguments). Rows are as long as vectors fill them, which the compiler knows. */
-EM_COLD EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
+EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
                                        double *dlambda) {
     enum { WIDTH = (N_ARGUMENTS + 3) / 4 * 4 };
     double W[(N + N_ROWS) * WIDTH];
@@ -117,14 +117,14 @@ EM_COLD EM_HOT void em_solve_arguments(const em_factors *f, const double *by_sta
 }
 
 /* a (n), lambda (m) of the rows that count, and the factors there. */
-EM_COLD int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+EM_NOINLINE int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                          em_factors *f, double *a, double *lambda, em_fault *fault) {
     if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
     return em_acceleration_of(&f->root, t, x, v, c, u, f->rows, a, lambda, fault);
 }
 
 /* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */
-EM_ACROSS int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
+EM_EXPORT int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
                                  em_fault *fault) {
     em_factors factors;
     double a[N], lambda[EM_SOME_ROWS], W[(N + N_ROWS) * 2 * N];
@@ -138,7 +138,7 @@ EM_ACROSS int em_motion_jacobian(double t, const double *z, const double *c, con
 }
 
 /* da (n, n_arguments), dlambda (m, n_arguments): by x, v, inputs, parameters, time; a (n), lambda (m). */
-EM_ACROSS int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, double *da, double *dlambda,
                                     em_fault *fault) {
     em_factors factors;
@@ -151,7 +151,7 @@ EM_ACROSS int em_motion_derivatives(double t, const double *x, const double *v, 
 }
 
 /* W (rows, columns) += D (rows, inner) S (inner, columns) */
-EM_COLD void em_add_products(int rows, int inner, int columns, const double *D, const double *S, double *W) {
+EM_NOINLINE void em_add_products(int rows, int inner, int columns, const double *D, const double *S, double *W) {
     for (int i = 0; i < rows; ++i)
         for (int k = 0; k < inner; ++k)
             if (D[i * inner + k] != 0.0) em_add_row(columns, D[i * inner + k], S + k * columns, W + i * columns);
@@ -159,7 +159,7 @@ EM_COLD void em_add_products(int rows, int inner, int columns, const double *D, 
 
 /* Along `columns` directions, S (2 n, columns) of x, v and P (n_given, columns) of inputs, parameters, time:
  * W (n + m, columns) <- the changes of a and lambda; a (n), lambda (m). */
-EM_ACROSS int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
                               int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
                               double *W, em_fault *fault) {
     em_factors factors;

@@ -1,4 +1,5 @@
-/* em_mechanics.h: what every model can be asked, written once over the model's own functions.
+/* em_mechanics.h: acceleration, energy, momenta and the like of any model, written once over the model's own
+ * functions.
  *
  * Included by NAME.c after it defined N, N_ROWS, N_POSITIONS, blocks, scales, factored, pfaffian, position,
  * motion_bias and observe. Nothing here is on the path of a right-hand side. */
@@ -25,7 +26,7 @@ typedef struct em_root {
 #endif
 } em_root;
 
-EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
+EM_NOINLINE int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
     double M[N * N];
     factored(t, x, c, M);
     memset(root->L, 0, sizeof root->L);
@@ -45,7 +46,7 @@ EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root
 }
 
 /* em_dynamics.rows: B and the lower triangle of Delta. */
-EM_COLD int em_rows_at(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault) {
+EM_NOINLINE int em_rows_at(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault) {
     em_root root;
     if (em_root_at(t, x, c, &root, fault)) return -1;
     memcpy(B, root.B, sizeof root.B);
@@ -54,16 +55,16 @@ EM_COLD int em_rows_at(double t, const double *x, const double *c, double *B, do
 }
 
 /* em_dynamics.worst_factors */
-EM_COLD double em_worst_factors_of(const double *M, const double *y, int *first) { return em_worst_factors(blocks, M, y, first); }
+EM_NOINLINE double em_worst_factors_of(const double *M, const double *y, int *first) { return em_worst_factors(blocks, M, y, first); }
 
 /* Flags of a solution with Delta; least_norm: em_dependent, or flags that say which rows are kept. */
-EM_COLD int em_flags_at(const em_root *root, int least_norm) {
+EM_NOINLINE int em_flags_at(const em_root *root, int least_norm) {
     if (least_norm == EM_SHARED_FROM_START) return em_rank(EM_SOME_ROWS, root->Delta) < N_ROWS ? EM_LEAST_NORM : 0;
     return least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
 }
 
 /* lambda (m) <- Delta^-1 lambda. least_norm as above; terms as in em_least_norm. */
-EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_delta(em_root *root, double *lambda, const double *terms, int least_norm, em_fault *fault) {
     if (N_ROWS == 0) return 0;
     const int flags = em_flags_at(root, least_norm);
     if (flags == EM_LEAST_NORM) return em_solve_dependent(EM_SOME_ROWS, root->Delta, lambda, terms, 0, flags, fault);
@@ -79,12 +80,12 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
 
 #ifdef EM_CONES
 /* em_active_set.h */
-EM_ACROSS void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
+EM_EXPORT void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
                                     const double *Delta, double *lambda);
 #endif
 
 /* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0, with the root at x. */
-EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const double *v, const double *c,
+EM_NOINLINE int em_acceleration_of(em_root *root, double t, const double *x, const double *v, const double *c,
                                const double *u, int least_norm, double *a, double *lambda, em_fault *fault) {
     double gamma[EM_SOME_ROWS], terms[EM_SOME_ROWS];
     motion_bias(t, x, v, c, u, a, gamma);
@@ -117,7 +118,7 @@ EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const d
     return 0;
 }
 
-EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
+EM_NOINLINE int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
                             int least_norm, double *a, double *lambda, em_fault *fault) {
     em_root root;
     if (em_root_at(t, x, c, &root, fault)) return -1;
@@ -125,7 +126,7 @@ EM_COLD int em_acceleration(double t, const double *x, const double *v, const do
 }
 
 /* x (n) <- x - M^-1 A^T Delta^-1 e, e (m) the residual: the least change in the mass metric that removes it. */
-EM_COLD int em_correct(em_root *root, double *x, double *residual, const double *terms, int least_norm,
+EM_NOINLINE int em_correct(em_root *root, double *x, double *residual, const double *terms, int least_norm,
                        em_fault *fault) {
     double change[N] = {0.0};
     if (em_delta(root, residual, terms, least_norm, fault)) return -1;
@@ -137,7 +138,7 @@ EM_COLD int em_correct(em_root *root, double *x, double *residual, const double 
 }
 
 /* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
-EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
+EM_NOINLINE int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
     double M[N * N], Mb[N * N], Cb[N * N], sb[N];
     factored(t, x, c, M);
     for (int k = 0; k < N * N; ++k) M[k] *= scales[k / N] * scales[k % N];
@@ -156,7 +157,7 @@ EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, doubl
 }
 
 /* out (n_outputs) at x, v */
-EM_COLD int em_observe(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+EM_NOINLINE int em_observe(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                        double *out, em_fault *fault) {
     double a[N], lambda[EM_SOME_ROWS];
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;

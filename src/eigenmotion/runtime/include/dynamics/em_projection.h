@@ -1,4 +1,4 @@
-/* em_projection.h: from a state to the nearest that satisfies the constraints. */
+/* em_projection.h: projection of a state onto the constraints, in the mass metric. */
 #ifndef EM_PROJECTION_H
 #define EM_PROJECTION_H
 
@@ -11,7 +11,7 @@ static double em_in_roundings(double phi, double terms) {
 }
 
 /* residual (m) <- phi, 0 in the rows of velocities; terms (h): what phi is the sum of. */
-EM_COLD void em_position_residual(double t, const double *x, const double *c, double *residual, double *terms) {
+EM_NOINLINE void em_position_residual(double t, const double *x, const double *c, double *residual, double *terms) {
     double phi[EM_SOME_POSITIONS];
     memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
     position(t, x, c, phi, terms);
@@ -19,7 +19,7 @@ EM_COLD void em_position_residual(double t, const double *x, const double *c, do
 }
 
 /* The largest residual in units of its rounding, and *worst, its row. */
-EM_COLD double em_largest_residual(const double *residual, const double *terms, int *worst) {
+EM_NOINLINE double em_largest_residual(const double *residual, const double *terms, int *worst) {
     double largest = 0.0;
     *worst = 0;
     for (int row = 0; row < N_POSITIONS; ++row) {
@@ -31,7 +31,7 @@ EM_COLD double em_largest_residual(const double *residual, const double *terms, 
 
 /* A row that depends on others is met as well as they are: what rounding leaves of those that are kept, in units of
  * their lengths, it leaves of all. */
-EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
+EM_NOINLINE void em_share_rounding(const em_root *root, int rows, double *terms) {
     double most = 0.0;
     for (int row = 0; row < N_POSITIONS; ++row)
         if (rows & EM_FIRST_KEPT << row) most = fmax(most, terms[row] / sqrt(root->Delta[row * N_ROWS + row]));
@@ -41,7 +41,7 @@ EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
 
 /* terms <- the larger of those here and before the last step, which become those here: where all terms vanish with phi,
  * what is left is rounding of what they were. */
-EM_COLD void em_widen_terms(double *terms, double *before) {
+EM_NOINLINE void em_widen_terms(double *terms, double *before) {
     for (int row = 0; row < N_POSITIONS; ++row) {
         const double here = terms[row];
         terms[row] = fmax(here, before[row]);
@@ -51,20 +51,20 @@ EM_COLD void em_widen_terms(double *terms, double *before) {
 
 /* terms += what cancels in each row of Delta lambda, the change of phi that a correction made: of a coordinate that is 0
  * but for the corrections of others, phi's own terms know nothing. lengths (m): the roots of Delta's diagonal. */
-EM_COLD void em_add_correction(const double *lengths, const double *lambda, double *terms) {
+EM_NOINLINE void em_add_correction(const double *lengths, const double *lambda, double *terms) {
     double whole = 0.0;
     for (int row = 0; row < N_ROWS; ++row) whole += lengths[row] * fabs(lambda[row]);
     for (int row = 0; row < N_POSITIONS; ++row) terms[row] += lengths[row] * whole;
 }
 
-EM_COLD void em_row_lengths(const em_root *root, double *lengths) {
+EM_NOINLINE void em_row_lengths(const em_root *root, double *lengths) {
     for (int row = 0; row < N_ROWS; ++row) lengths[row] = sqrt(root->Delta[row * N_ROWS + row]);
 }
 
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
  * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
-EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
+EM_NOINLINE int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
     double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0}, lengths[EM_SOME_ROWS];
     em_root root;
@@ -90,13 +90,13 @@ EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int le
     }
 }
 
-EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
     return em_newton_of(t, x, c, steps, least_norm, EM_DEPENDENT, fault);
 }
 
 /* The same from afar. Off the constraints, rows that depend on each other on them differ, by little: first only rows
  * that clearly add to others count, which is right unless phi = 0 is not reached so. */
-EM_RARE EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
+EM_COLD_PATH EM_NOINLINE int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
     enum { STEPS = 50 };
     static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};
     double near[N];
@@ -110,7 +110,7 @@ EM_RARE EM_COLD int em_newton_from_afar(double t, double *x, const double *c, in
 }
 
 /* v <- the nearest velocity in the mass metric that satisfies the constraints at x. */
-EM_COLD int em_project_velocity(double t, const double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_project_velocity(double t, const double *x, double *v, const double *c, int least_norm, em_fault *fault) {
     em_root root;
     double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], terms[EM_SOME_ROWS];
     if (em_root_at(t, x, c, &root, fault)) return -1;
@@ -123,13 +123,13 @@ EM_COLD int em_project_velocity(double t, const double *x, double *v, const doub
 }
 
 /* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
-EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
     if (N_POSITIONS > 0 && em_newton_from_afar(t, x, c, least_norm, fault) < 0) return -1;
     return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
 }
 
 /* The same after a step, from nearby. */
-EM_COLD int em_settle_motion(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+EM_NOINLINE int em_settle_motion(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
     if (N_POSITIONS > 0 && em_newton(t, x, c, 3, least_norm, fault) < 0) return -1;
     return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
 }

@@ -1,4 +1,4 @@
-/* em_rate_jacobian.h: derivatives of the right-hand side as it runs, exact to rounding, also by C and s.
+/* em_rate_jacobian.h: exact derivatives of the right-hand side in its own states, C and s included.
  *
  * NAME.c compiled with EM_ON_LANES and EM_ON_DUALS: its right-hand side on numbers that carry a derivative each, once for
  * every number of the state. It is compiled where somebody asks (docs/architecture.md). */

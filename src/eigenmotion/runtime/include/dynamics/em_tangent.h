@@ -1,11 +1,12 @@
-/* em_tangent.h: directions along which the constraints stay satisfied; included where there are some. */
+/* em_tangent.h: projection of directions onto the tangent of the constraints; included for models that have
+ * constraints. */
 #ifndef EM_TANGENT_H
 #define EM_TANGENT_H
 
 #include "dynamics/em_derivatives.h"
 
 /* X (n, columns) <- X - M^-1 A^T Delta^-1 E, of the first `rows` constraint rows, of which E (rows, columns) is off. */
-EM_COLD void em_correct_along(const em_factors *f, int rows, int columns, double *E, double *X) {
+EM_NOINLINE void em_correct_along(const em_factors *f, int rows, int columns, double *E, double *X) {
     double L[EM_SOME_ROWS * EM_SOME_ROWS];
     for (int i = 0; i < rows; ++i)
         for (int k = 0; k <= i; ++k) L[i * rows + k] = f->L[i * N_ROWS + k];
@@ -23,7 +24,7 @@ EM_COLD void em_correct_along(const em_factors *f, int rows, int columns, double
 }
 
 /* S (2 n, columns) <- the nearest directions, in the mass metric, along which the constraints stay satisfied. */
-EM_ACROSS int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns,
+EM_EXPORT int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns,
                          double *S, const double *P, em_fault *fault) {
     enum { ALL = N_POSITIONS + N_ROWS };
     em_factors f;

@@ -1,4 +1,4 @@
-/* em_event_detection.h: the events of a step: which there are, and when, in the order of the run. */
+/* em_event_detection.h: the events of a step, in the order of their times. */
 #ifndef EM_EVENT_DETECTION_H
 #define EM_EVENT_DETECTION_H
 
@@ -6,18 +6,18 @@
 #include "events/em_root_isolation.h"
 
 /* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
-static int em_watch(em_walk *w) {
+static int em_detect_events(em_run_state *w) {
     double glances[EM_GLANCES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
-    em_survey survey = {.n_events = w->n_events, .g = g, .probe = probe};
+    em_isolation survey = {.n_events = w->n_events, .g = g, .probe = probe};
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
-    const int count = em_glance(w, glances);
+    const int count = em_screen_event(w, glances);
     em_events_at_end(w, end);
     if (w->fresh) em_begin_sides(w, count, glances);
     memcpy(w->side_new, w->side, (size_t)w->n_events * sizeof *w->side);
     for (int i = 0; i < w->n_events; ++i) {
         if (!em_may_cross(w, count, glances, i) && end[i] * w->side[i] >= 0.0) continue;
-        if (survey.count == 0 && (w->scheme.interpolate(w) || em_survey_step(w, &survey))) return -1;
+        if (survey.count == 0 && (w->scheme.interpolate(w) || em_isolate_roots(w, &survey))) return -1;
         if (em_search(w, &survey, i)) return -1;
         em_arrive(w, &survey, i, end[i]);
     }
@@ -37,7 +37,7 @@ static void em_crossing_insert(em_crossing *list, int count, em_crossing crossin
 }
 
 /* list (n_found) <- the crossings of this step in the order of the run. Their number, or -1 and w->reason. */
-static int em_locate_crossings(em_walk *w, em_crossing *list) {
+static int em_locate_crossings(em_run_state *w, em_crossing *list) {
     for (int k = 0; k < w->n_found; ++k) {
         em_crossing crossing = {w->t_new, w->found[k].event};
         if (em_locate(w, &w->found[k], &crossing.t)) return -1;

@@ -1,4 +1,4 @@
-/* em_event_functions.h: what an event is: a g_i that changes sign along the trajectory.
+/* em_event_functions.h: event functions g_i, whose sign changes along the trajectory are events.
  *
  * An event fires where g_i goes over from one sign to the other, or reaches zero at t_end. Directions are those of the
  * run: 1 fires where g_i grows on the way from t_start to t_end. A g_i that is zero at the start, to rounding, takes its
@@ -12,12 +12,12 @@
 
 #include "methods/em_dense_output.h"
 
-static int em_keeps_apart(const em_walk *w, int i) { return w->model->deeds ? w->model->deeds[i].keeps_apart : 0; }
-static int em_event_acts(const em_walk *w, int i) { return w->model->deeds ? w->model->deeds[i].acts : 0; }
-static int em_lets_go(const em_walk *w, int i) { return w->model->deeds && w->model->deeds[i].held >= 0; }
+static int em_keeps_apart(const em_run_state *w, int i) { return w->model->deeds ? w->model->deeds[i].keeps_apart : 0; }
+static int em_event_acts(const em_run_state *w, int i) { return w->model->deeds ? w->model->deeds[i].acts : 0; }
+static int em_lets_go(const em_run_state *w, int i) { return w->model->deeds && w->model->deeds[i].held >= 0; }
 
 /* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
-static int em_watches_mode(const em_walk *w, int i) {
+static int em_watches_mode(const em_run_state *w, int i) {
     const double *const c = w->run->prepared;
     for (int k = 0; k < w->model->n_switches; ++k) {
         const em_switch *const s = &w->model->switches[k];
@@ -27,7 +27,7 @@ static int em_watches_mode(const em_walk *w, int i) {
 }
 
 /* g (n_events) in the mode of c. 0, or -1 and w->reason. */
-static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
+static int em_events_in_mode(em_run_state *w, double t, const double *x, const double *v, double *g) {
     const double *const c = w->run->prepared;
     w->of->events(t, x, v, c, w->u, g);
     if (w->of->watch_modes == NULL) return 0;
@@ -37,7 +37,7 @@ static int em_events_in_mode(em_walk *w, double t, const double *x, const double
 static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }
 
 /* g (n_events) at a state whose velocities are known. 0, or -1 and w->reason: an event has no value there. */
-static int em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
+static int em_events_at(em_run_state *w, double t, const double *y, const double *v, double *g) {
     em_signals(w, t);
     if (em_events_in_mode(w, em_clock(w, t), y, v, g)) return -1;
     for (int i = 0; i < w->n_events; ++i)
@@ -46,14 +46,14 @@ static int em_events_at(em_walk *w, double t, const double *y, const double *v, 
 }
 
 /* The same at a state of the step under way. */
-static int em_events_of(em_walk *w, double t, const double *y, double *g) {
+static int em_events_of(em_run_state *w, double t, const double *y, double *g) {
     double v[w->n];
     if (em_xdot(w, w->mode, t, y, v, &w->reason)) return -1;
     return em_events_at(w, t, y, v, g);
 }
 
 /* g (n_events) at t inside the step, on the settled trajectory. 0, or -1 and w->reason. */
-static int em_events_inside(em_walk *w, double t, double *g) {
+static int em_events_inside(em_run_state *w, double t, double *g) {
     double memory[em_padded(w->n_memory)];
     if (t == w->t || t == w->t_new) {
         em_copy_events(w, g, t == w->t ? w->g : w->g_new);
@@ -68,7 +68,7 @@ static int em_events_inside(em_walk *w, double t, double *g) {
 #define EM_OF_TOLERANCE 1e-3                 /* the part of a tolerance within which a start is meant to be on zero */
 
 /* What g changes by from one to the other adds to what is zero at the start, and `part` of it to noise. */
-static void em_add_noise(em_walk *w, const double *g, double part) {
+static void em_add_noise(em_run_state *w, const double *g, double part) {
     for (int i = 0; i < w->n_events; ++i) {
         const double change = fabs(g[i] - w->g[i]);
         w->zero[i] += change;
@@ -78,7 +78,7 @@ static void em_add_noise(em_walk *w, const double *g, double part) {
 
 /* noise[i] <- what g_i changes by when the time, and one of x and v after the other, change in their last places;
  * zero[i] <- the same with a part of their tolerances. Where g has no value that way nothing is added. */
-static void em_events_noise(em_walk *w) {
+static void em_events_noise(em_run_state *w) {
     const double later = EM_LAST_PLACES * fabs(w->t);
     double z[2 * w->n], g[em_some(w->n_events)];
     for (int i = 0; i < w->n_events; ++i) w->noise[i] += w->rounding[i], w->zero[i] += w->rounding[i];
@@ -94,7 +94,7 @@ static void em_events_noise(em_walk *w) {
 }
 
 /* g and its noise at the start. 0, or -1 and w->reason. */
-static int em_begin_events(em_walk *w) {
+static int em_begin_events(em_run_state *w) {
     if (em_events_at(w, w->t, w->y, w->K[0], w->g)) return -1;
     em_events_noise(w);
     return 0;

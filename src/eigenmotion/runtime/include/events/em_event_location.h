@@ -1,4 +1,4 @@
-/* em_event_location.h: a zero of g_i located to rounding, on the settled trajectory. */
+/* em_event_location.h: event location: a zero of g_i to rounding, on the projected trajectory. */
 #ifndef EM_EVENT_LOCATION_H
 #define EM_EVENT_LOCATION_H
 
@@ -30,13 +30,13 @@ static void em_bracket_add(em_bracket *r, double t, double f) {
     r->a = t, r->fa = f;
 }
 
-static double em_spacing_at(const em_walk *w, double t) {
+static double em_spacing_at(const em_run_state *w, double t) {
     return 2.0 * DBL_EPSILON * em_max(fabs(t), DBL_EPSILON * fabs(w->h));
 }
 
 /* *g <- g_i at t. Where it is 0 and stays so beyond t, it has not passed zero yet: *g <- next to nothing, on the side
  * from which it came. 1: t is the root; 0; or -1 and w->reason. */
-static int em_at_root(em_walk *w, const em_found *found, double t, double *g) {
+static int em_at_root(em_run_state *w, const em_found *found, double t, double *g) {
     double here[em_some(w->n_events)], beyond[em_some(w->n_events)];
     const double later = t + w->direction * em_spacing_at(w, t);
     if (em_events_inside(w, t, here)) return -1;
@@ -49,7 +49,7 @@ static int em_at_root(em_walk *w, const em_found *found, double t, double *g) {
 }
 
 /* *root <- where g_i = 0 between the points found; of an interval on which it is, the end. 0, or -1 and w->reason. */
-static int em_locate(em_walk *w, const em_found *found, double *root) {
+static int em_locate(em_run_state *w, const em_found *found, double *root) {
     enum { ENOUGH = 200 }; /* bisection alone needs 60 */
     const em_point *end = &found->after, *start = &found->before;
     em_bracket r = {end->t, end->g, start->t, start->g, start->t, start->g};

@@ -1,4 +1,5 @@
-/* em_event_screening.h: a look at g in every step, before its interpolant is built: may an event happen in it? */
+/* em_event_screening.h: event screening: may g_i change its sign in this step? Asked at every step, before dense
+ * output is built. */
 #ifndef EM_EVENT_SCREENING_H
 #define EM_EVENT_SCREENING_H
 
@@ -7,7 +8,7 @@
 #define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
 
 /* g (EM_GLANCES, n_events) on that sketch. How many, or 0: nothing is known. */
-static int em_glance(em_walk *w, double *g) {
+static int em_screen_event(em_run_state *w, double *g) {
     static const double at[EM_GLANCES] = {0.14644660940672624, 0.5, 0.85355339059327376};
     const int terms = w->scheme.sketch(w);
     if (terms < 0) return 0;
@@ -28,7 +29,7 @@ static double em_eighth(int j) {
 
 /* Whether the glances say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
  * its coefficients do not fall off. */
-static int em_is_restless(const em_walk *w, const double *g, int i) {
+static int em_is_undersampled(const em_run_state *w, const double *g, int i) {
     const double at[EM_GLANCES + 2] = {0.5 * w->g[i], g[i], g[w->n_events + i], g[2 * w->n_events + i], 0.5 * w->g_new[i]};
     double size[EM_GLANCES + 2] = {0.0};
     for (int k = 1; k < EM_GLANCES + 2; ++k) {
@@ -40,7 +41,7 @@ static int em_is_restless(const em_walk *w, const double *g, int i) {
 
 /* Whether g_i may come to zero in this step: it changes sign, comes close to it beside how much it varies,
  * or varies too fast to say. */
-static int em_may_cross(const em_walk *w, int count, const double *g, int i) {
+static int em_may_cross(const em_run_state *w, int count, const double *g, int i) {
     const double side = w->side[i], noise = w->quiet[i];
     double low = em_min(side * w->g[i], side * w->g_new[i]), high = em_max(side * w->g[i], side * w->g_new[i]);
     int leaves = em_side_of(w->g_new[i], noise) != 0;
@@ -50,18 +51,18 @@ static int em_may_cross(const em_walk *w, int count, const double *g, int i) {
         high = em_max(high, side * here);
         leaves |= em_side_of(here, noise) != 0;
     }
-    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_restless(w, g, i);
+    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_undersampled(w, g, i);
 }
 
 /* Whether g_i keeps apart what has not gone through, yet is past zero: what touches at rest, or falls side by side, is so by
  * rounding, or by what one blow after another leaves. */
-static int em_touches(const em_walk *w, int i) {
+static int em_touches(const em_run_state *w, int i) {
     const int through = w->run->event_direction[i];
     return w->fresh != EM_FIRST_LEG && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
 /* A condition of the mode holds as it begins, or may be zero: what is beyond that ends the mode at once, however it goes on. */
-static void em_begin_condition(em_walk *w, int i, double zero) {
+static void em_begin_condition(em_run_state *w, int i, double zero) {
     w->side[i] = w->g[i] > zero || w->g[i] < -zero;
     w->quiet[i] = zero;
 }
@@ -69,7 +70,7 @@ static void em_begin_condition(em_walk *w, int i, double zero) {
 /* In the first step of a leg: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
  * number they are so no longer. Those that fired as it began are meant to be zero; others, where they are zero, keep their
  * sign. What touches counts as zero by all means: else what strikes then goes through. */
-static void em_begin_sides(em_walk *w, int count, const double *g) {
+static void em_begin_sides(em_run_state *w, int count, const double *g) {
     for (int i = 0; i < w->n_events; ++i) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j * w->n_events + i]));

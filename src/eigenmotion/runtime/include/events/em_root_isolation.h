@@ -1,4 +1,5 @@
-/* em_root_isolation.h: a closer look at g in a step where a glance is not enough: between which places it passes zero. */
+/* em_root_isolation.h: root isolation: intervals of a step in which g_i changes its sign, where screening cannot
+ * exclude one. */
 #ifndef EM_ROOT_ISOLATION_H
 #define EM_ROOT_ISOLATION_H
 
@@ -8,23 +9,23 @@
 
 /* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes; and at one
  * more, EM_PROBE, where no node is. */
-typedef struct em_survey {
+typedef struct em_isolation {
     int count, near;
     double t[EM_PLACES];
     int n_events;
     double *g, *probe; /* (EM_PLACES, n_events), (n_events) */
-} em_survey;
+} em_isolation;
 
 /* The nodes of Chebyshev's polynomials, in [0, 1]. */
 static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
 
-static int em_look(em_walk *w, em_survey *s, double t) {
+static int em_look(em_run_state *w, em_isolation *s, double t) {
     s->t[s->count] = t;
     return em_events_inside(w, t, s->g + s->count++ * w->n_events);
 }
 
 /* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
-static int em_quarters(em_walk *w, int *quarters) {
+static int em_quarters(em_run_state *w, int *quarters) {
     double g[em_some(w->n_events)];
     for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
         int left = 0;
@@ -36,7 +37,7 @@ static int em_quarters(em_walk *w, int *quarters) {
 }
 
 /* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
-static int em_survey_step(em_walk *w, em_survey *s) {
+static int em_isolate_roots(em_run_state *w, em_isolation *s) {
     int zero = 0, quarters = 0;
     for (int i = 0; i < w->n_events; ++i) zero |= w->side[i] == 0;
     if (zero && em_quarters(w, &quarters)) return -1;
@@ -50,10 +51,10 @@ static int em_survey_step(em_walk *w, em_survey *s) {
     return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
 }
 
-static double em_at_node(const em_survey *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
+static double em_at_node(const em_isolation *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
 
 /* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
-static void em_polynomial(const em_survey *s, int i, double *a) {
+static void em_polynomial(const em_isolation *s, int i, double *a) {
     for (int k = 0; k < EM_NODES; ++k) {
         double sum = 0.0;
         for (int j = 0; j < EM_NODES; ++j)
@@ -76,7 +77,7 @@ static double em_polynomial_at(const double *a, double theta) {
 /* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
  * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
  * enough. Nor of what is rounding all along. */
-static int em_is_wild(const em_walk *w, int i, const double *a, double size, double probe) {
+static int em_is_wild(const em_run_state *w, int i, const double *a, double size, double probe) {
     enum { RETRIES = 5 };
     const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
     const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
@@ -93,7 +94,7 @@ typedef struct em_way {
 
 enum { EM_PARTS = 8 };
 
-static em_way em_way_to(const em_walk *w, const em_survey *s, int k) {
+static em_way em_way_to(const em_run_state *w, const em_isolation *s, int k) {
     const double left = (s->t[k - 1] - w->t) / w->h, right = (s->t[k] - w->t) / w->h;
     return (em_way){left, right, (right - left) / EM_PARTS, 0};
 }
@@ -114,7 +115,7 @@ static int em_next_low(const double *a, em_way *way, double side, double *theta,
 
 /* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
  * closer places, at first `apart` from each other. 1, 0, or -1 and w->reason. */
-static int em_dips(em_walk *w, int i, double side, double apart, double *theta, double *value) {
+static int em_dips(em_run_state *w, int i, double side, double apart, double *theta, double *value) {
     double f[3], g[em_some(w->n_events)];
     for (int n = 0; n < 8; ++n) {
         *theta = em_min(1.0 - apart, em_max(apart, *theta));
@@ -136,18 +137,18 @@ static int em_dips(em_walk *w, int i, double side, double apart, double *theta, 
 static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
 
 /* Whether g_i, zero so far, is where it must not go from there: then it fires where it left. */
-static int em_enters(const em_walk *w, int i, double g) {
+static int em_enters(const em_run_state *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
 /* Whether a leg begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
-static int em_is_rash(const em_walk *w, int i, double g) {
+static int em_is_rash(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
     return w->fresh == EM_NEXT_LEG && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
 
 /* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
-static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
+static void em_pass(em_run_state *w, int i, const em_point *before, const em_point *after) {
     const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
     if (sign == 0) return;
     if (em_enters(w, i, after->g)) {
@@ -161,7 +162,7 @@ static void em_pass(em_walk *w, int i, const em_point *before, const em_point *a
 
 /* The crossings of event i on the way to place k, where the polynomial turns back before or behind zero: each dip towards it
  * from the side on which g_i is by then, in their order. *before <- the last point known. 0, or -1 and w->reason. */
-static int em_search_way(em_walk *w, const em_survey *s, int i, int k, const double *a, double size, em_point *before) {
+static int em_search_way(em_run_state *w, const em_isolation *s, int i, int k, const double *a, double size, em_point *before) {
     const double coarse = 1.0 / 128.0, close = 0.05; /* of the step; of `size` */
     em_way way = em_way_to(w, s, k);
     double theta = 0.0, low;
@@ -180,7 +181,7 @@ static int em_search_way(em_walk *w, const em_survey *s, int i, int k, const dou
 
 /* The crossings of event i by the signs at the places of the survey and in the dips between them: of nine nodes
  * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
-static int em_search(em_walk *w, const em_survey *s, int i) {
+static int em_search(em_run_state *w, const em_isolation *s, int i) {
     double a[EM_NODES], size = 0.0;
     em_polynomial(s, i, a);
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
@@ -198,7 +199,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
 }
 
 /* g (n_events) as they are at the end of the run itself: before a break the model is asked a little earlier. */
-static void em_events_at_end(em_walk *w, double *g) {
+static void em_events_at_end(em_run_state *w, double *g) {
     em_copy_events(w, g, w->g_new);
     if (w->t_new == w->run->t_end && em_clock(w, w->t_new) != w->t_new && em_events_in_mode(w, w->t_new, w->y_new, w->f_new, g))
         em_copy_events(w, g, w->g_new);
@@ -206,7 +207,7 @@ static void em_events_at_end(em_walk *w, double *g) {
 
 /* What is zero at the end of the run, where g_i is g, has come there, unless it rested at zero before; what has the other sign
  * has jumped there. */
-static void em_arrive(em_walk *w, const em_survey *s, int i, double g) {
+static void em_arrive(em_run_state *w, const em_isolation *s, int i, double g) {
     const em_point end = {w->t_new, g};
     const int sign = em_side_of(g, 0.0);
     if (w->t_new != w->run->t_end || sign == w->side_new[i] || w->side[i] == 0) return;

@@ -1,4 +1,5 @@
-/* em_gauss_radau.h: a step as a polynomial through the rates at eight left Radau nodes, all of which are evaluated side by side.
+/* em_gauss_radau.h: ra15, a collocation step of order 15: a polynomial through the rates at eight left Radau nodes,
+ * which are all evaluated side by side.
  *
  * The method is of order 15 (Everhart 1985; Rein & Spiegel, MNRAS 446 (2015)). The rates at the nodes are found by fixed
  * point iteration, which begins with the polynomial of the step before, extrapolated. Where the state is (x, v), x is
@@ -27,15 +28,15 @@ enum {
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
 
 /* Iterations that a step is made for: more where they cost less beside it. One less tells whether it converges slowly. */
-EM_INLINE int em_aimed(const em_walk *w) { return w->second_order ? 6 : 5; }
+EM_INLINE int em_aimed(const em_run_state *w) { return w->second_order ? 6 : 5; }
 
 /* Of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere. */
-EM_INLINE double em_may_be_left(const em_walk *w) { return w->second_order ? 0.01 : 0.03; }
+EM_INLINE double em_may_be_left(const em_run_state *w) { return w->second_order ? 0.01 : 0.03; }
 
 /* --- the iteration --- */
 
 /* What a rate of each number of the state counts: x by its tolerance, eta by what it makes of v and, within the step, of x. */
-static void em_weigh_rates(em_walk *w) {
+static void em_weigh_rates(em_run_state *w) {
     const double *const y = w->y;
     double *const weight = w->nodes.weight;
     const double h = w->h, *const restrict in_x = w->weight, *const restrict in_v = in_x + w->n;
@@ -63,31 +64,31 @@ static void em_weigh_rates(em_walk *w) {
 }
 
 /* What rests, within the step. */
-static void em_rest(em_walk *w) {
+static void em_rest(em_run_state *w) {
     em_nodes *q = &w->nodes;
     for (int b = 0; b < EM_BUNDLES; ++b)
         for (int k = em_rates_end(w); k < w->n_state; ++k) {
-            q->Y[b][k] = (em_bundle){0.0} + w->y[k];
-            q->F[b][k] = q->a[b][k] = q->series[b][k] = (em_bundle){0.0};
+            q->Y[b][k] = (em_node_vector){0.0} + w->y[k];
+            q->F[b][k] = q->a[b][k] = q->series[b][k] = (em_node_vector){0.0};
         }
 }
 
 /* Y's x and v, of rows k on, <- by the integral of the rates of v and the integral of that. */
-EM_INLINE void em_motion_states(em_walk *w, int rows, int k) {
+EM_INLINE void em_motion_states(em_run_state *w, int rows, int k) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    em_bundle sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
+    em_node_vector sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
     em_both_rows(rows, em_integral, em_integral_twice, q->a, w->n + k, sum);
     for (int r = 0; r < rows; ++r)
         for (int b = 0; b < EM_BUNDLES; ++b) {
-            const em_bundle part = h * em_bundle_at(em_node_place + b * EM_LANES);
+            const em_node_vector part = h * em_node_vector_at(em_node_place + b * EM_LANES);
             q->Y[b][w->n + k + r] = w->y[w->n + k + r] + h * sum[r][0][b];
             q->Y[b][k + r] = w->y[k + r] + (part * w->y[w->n + k + r] + h * h * sum[r][1][b]);
         }
 }
 
 /* Y <- the states that the rates make. */
-static void em_node_states(em_walk *w) {
+static void em_node_states(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!w->second_order) {
         const int first = q->drifted ? w->n : 0; /* places are where the velocities of the last iteration led */
@@ -100,33 +101,33 @@ static void em_node_states(em_walk *w) {
 }
 
 /* The size in tolerances of something at the nodes, in whose terms the rates are weighed. */
-EM_INLINE double em_over_nodes(em_walk *w, em_term *term) {
+EM_INLINE double em_over_nodes(em_run_state *w, em_term *term) {
     const em_tables at = em_tables_of(w);
     const int first = w->first_rate, end = em_rates_end(w);
     double sum = 0.0;
     for (int b = 0; b < EM_BUNDLES; ++b) {
-        const em_bundle square = em_sum_of_squares(&at, b, first, end, term);
-        sum += em_sum_of(square * em_bundle_at(em_end_weight + b * EM_LANES));
+        const em_node_vector square = em_sum_of_squares(&at, b, first, end, term);
+        sum += em_sum_of(square * em_node_vector_at(em_end_weight + b * EM_LANES));
     }
     return fabs(w->h) * sqrt(em_mean(sum, em_rates_count(w)));
 }
 
 /* a <- F. By how much they differed. */
-EM_INLINE em_bundle em_take_rate(const em_tables *at, int b, int k) {
-    const em_bundle rate = at->F[b][k], change = rate - at->a[b][k];
+EM_INLINE em_node_vector em_take_rate(const em_tables *at, int b, int k) {
+    const em_node_vector rate = at->F[b][k], change = rate - at->a[b][k];
     at->a[b][k] = rate;
     return change * at->weight[k];
 }
 
-EM_INLINE em_bundle em_weighed_rate(const em_tables *at, int b, int k) { return at->a[b][k] * at->weight[k]; }
+EM_INLINE em_node_vector em_weighed_rate(const em_tables *at, int b, int k) { return at->a[b][k] * at->weight[k]; }
 
-EM_INLINE double em_take_rates(em_walk *w) { return em_over_nodes(w, em_take_rate); }
+EM_INLINE double em_take_rates(em_run_state *w) { return em_over_nodes(w, em_take_rate); }
 
 /* How large they are. */
-EM_COLD double em_rates_size(em_walk *w) { return em_over_nodes(w, em_weighed_rate); }
+EM_NOINLINE double em_rates_size(em_run_state *w) { return em_over_nodes(w, em_weighed_rate); }
 
 /* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
-EM_RARE EM_COLD int em_fail_nodes(em_walk *w) {
+EM_COLD_PATH EM_NOINLINE int em_fail_nodes(em_run_state *w) {
     double y[w->width], dy[w->width];
     memset(y, 0, sizeof y), memset(dy, 0, sizeof dy);
     for (int i = 0; i < EM_NODE_COUNT; ++i) {
@@ -137,7 +138,7 @@ EM_RARE EM_COLD int em_fail_nodes(em_walk *w) {
 }
 
 /* One iteration: its change in tolerances, NaN where there are no rates and w->reason says why. */
-static double em_iterate(em_walk *w) {
+static double em_iterate(em_run_state *w) {
     em_node_states(w);
     em_velocities_at_nodes(w);
     if (em_rates_at_nodes(w)) return NAN;
@@ -165,7 +166,7 @@ static double em_left(double change, double before) {
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
  * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates; what is foreseen where the step
  * turns out to be too long for its polynomial, which is kept for a shorter one to begin with. */
-static double em_solve_nodes(em_walk *w, int most, double *aimed) {
+static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     const int aimed_for = em_aimed(w);
     *aimed = EM_DIVERGES;
@@ -196,12 +197,12 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
 /* --- the step --- */
 
 /* What sizes are chosen by. */
-static double em_size_of_nodes(const em_walk *w, double truncation) {
+static double em_size_of_nodes(const em_run_state *w, double truncation) {
     return em_max(w->nodes.blind ? EM_BLIND : w->nodes.aimed, em_size_by_truncation(truncation));
 }
 
 /* y_new, the series of the rates, and by what the next size is chosen unless the end of the step says otherwise. */
-static void em_finish_nodes(em_walk *w) {
+static void em_finish_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
     em_find_series(w);
@@ -216,7 +217,7 @@ static void em_finish_nodes(em_walk *w) {
 }
 
 /* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
-EM_RARE EM_COLD void em_note_changes(em_walk *w) {
+EM_COLD_PATH EM_NOINLINE void em_note_changes(em_run_state *w) {
     double ev[w->n];
     memset(w->error, 0, (size_t)w->width * sizeof *w->error);
     for (int k = w->first_rate; k < 2 * w->n; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];
@@ -224,7 +225,7 @@ EM_RARE EM_COLD void em_note_changes(em_walk *w) {
     memcpy(w->error + w->n, ev, sizeof ev);
 }
 
-static int em_nodes_step(em_walk *w) {
+static int em_nodes_step(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const int most = em_predict(w);
     q->blind = most == EM_MOST_AT_START; /* how long that took says nothing of the next step */
@@ -245,7 +246,7 @@ static int em_nodes_step(em_walk *w) {
 }
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
-static int em_nodes_judge(em_walk *w) {
+static int em_nodes_judge(em_run_state *w) {
     const double *f = w->f_new, usual = em_usually_missed(w);
     if (w->mode_new != w->mode) {
         if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;

@@ -1,5 +1,5 @@
-/* em_legendre_series.h: the rates within a step as a series of Legendre's polynomials, and the error of that: by how fast its
- * coefficients fall off, and by how far it misses the rate at the end of the step. */
+/* em_legendre_series.h: the Legendre series of the rates within a step, and its error: from the decay of its
+ * coefficients, and from the rate it misses at the end of the step. */
 #ifndef EM_LEGENDRE_SERIES_H
 #define EM_LEGENDRE_SERIES_H
 
@@ -7,17 +7,17 @@
 #include "gauss_radau/em_node_predictor.h"
 #include "stepper/em_error_norm.h"
 
-#define EM_WITHIN 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
+#define EM_INTEGRAL_SHARE 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
 #define EM_TURNS 20.0 /* in what its last coefficients count: a change that may still turn a polynomial into another */
 
-static int em_rates_count(const em_walk *w) { return w->second_order ? w->n : em_count(w); }
+static int em_rates_count(const em_run_state *w) { return w->second_order ? w->n : em_count(w); }
 
-EM_INLINE em_bundle em_weighed_series(const em_tables *at, int b, int k) { return at->series[b][k] * at->weight[k]; }
+EM_INLINE em_node_vector em_weighed_series(const em_tables *at, int b, int k) { return at->series[b][k] * at->weight[k]; }
 
 /* series, and the size of each term. */
-static void em_find_series(em_walk *w) {
+static void em_find_series(em_run_state *w) {
     em_nodes *const q = &w->nodes;
-    em_bundle squares[EM_BUNDLES];
+    em_node_vector squares[EM_BUNDLES];
     const int first = w->first_rate, end = em_rates_end(w);
     em_map(end - first, em_series_of, q->a, first, NULL, 1.0, q->series, first);
     const em_tables at = em_tables_of(w);
@@ -27,7 +27,7 @@ static void em_find_series(em_walk *w) {
 }
 
 /* The step that `series` is of: from here on there is one. */
-static void em_keep_series(em_walk *w) {
+static void em_keep_series(em_run_state *w) {
     em_nodes *const q = &w->nodes;
     q->t = w->t;
     q->t_new = w->t_new;
@@ -38,10 +38,10 @@ static void em_keep_series(em_walk *w) {
 
 /* The error of the polynomial, by the sizes of its last two coefficients and of the two `before`, and how fast these fall
  * off. By pairs, for one of them may vanish by chance, or for symmetry. */
-static double em_truncation(em_walk *w, double before, double last) {
+static double em_truncation(em_run_state *w, double before, double last) {
     const double falls = em_min(1.0, last / (before + DBL_MIN));
     const double next = fabs(w->h) * last * falls / sqrt(em_rates_count(w));
-    w->nodes.within = EM_WITHIN * next;
+    w->nodes.within = EM_INTEGRAL_SHARE * next;
     return next * falls * falls * sqrt(falls);
 }
 
@@ -54,31 +54,31 @@ static double em_size_by_truncation(double truncation) {
 enum { EM_UPPER = EM_BUNDLES / 2 }; /* the first bundle of the upper four of eight */
 
 /* Coefficients of a row of the series, as far as the iteration has found it. */
-EM_INLINE em_bundle em_weighed_terms(const em_tables *at, int b, int k) {
-    em_bundle term = {0.0};
+EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
+    em_node_vector term = {0.0};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
-        term += em_bundle_at(em_series_of[j] + b * EM_LANES) * em_number_at(at->a, k, j);
+        term += em_node_vector_at(em_series_of[j] + b * EM_LANES) * em_number_at(at->a, k, j);
     return term * at->weight[k];
 }
 
 /* The error of the polynomial that the iteration is about to find, as far as its coefficients tell, where the last change
  * no longer turns it into another; else 0. Where that is too large the rest of the iteration need not be waited for. */
-static double em_foreseen(em_walk *w, double change) {
+static double em_foreseen(em_run_state *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
     const em_tables at = em_tables_of(w);
     for (int b = EM_UPPER; b < EM_BUNDLES; ++b)
-        *(em_bundle *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
+        *(em_node_vector *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
     return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }
 
 /* By how much the polynomial misses the rate at the end of the step, f. */
-static double em_missed(em_walk *w, const double *f) {
+static double em_missed(em_run_state *w, const double *f) {
     em_nodes *const q = &w->nodes;
     double missed = 0.0;
     for (int k = w->first_rate; k < em_rates_end(w); ++k) {
-        em_bundle end = {0.0};
+        em_node_vector end = {0.0};
         for (int b = 0; b < EM_BUNDLES; ++b) end += q->series[b][k];
         q->miss[k] = f[k] - em_sum_of(end);
         const double miss = q->miss[k] * q->weight[k];
@@ -89,14 +89,14 @@ static double em_missed(em_walk *w, const double *f) {
 
 /* The error of a polynomial that misses the rate at the end of the step by so much. A kink behind the last node shows there
  * alone; one at 0.64 of the step hardly shows in either of what is last, so that they are added. */
-static double em_error_of_series(em_walk *w, double missed) {
+static double em_error_of_series(em_run_state *w, double missed) {
     const double *const size = w->nodes.size;
     const double before = sqrt(size[4] * size[4] + size[5] * size[5]), last = sqrt(size[6] * size[6] + size[7] * size[7]);
     return em_truncation(w, before, last + missed);
 }
 
 /* As much as its last coefficients count a smooth polynomial hardly misses: for that sizes are chosen before it is known. */
-static double em_usually_missed(const em_walk *w) {
+static double em_usually_missed(const em_run_state *w) {
     const double *const size = w->nodes.size;
     return sqrt(size[6] * size[6] + size[7] * size[7]);
 }

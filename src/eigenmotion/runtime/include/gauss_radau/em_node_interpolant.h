@@ -1,13 +1,14 @@
-/* em_node_interpolant.h: the state within a step by nodes: the integral of the polynomial through the rates there and at
- * the end of the step. The step itself does without the end, which is not known before; what that adds to the rates,
- * miss (P_7 + P_8) / 2, is zero at the nodes, and has no integral over the step: where it ends is as it was. */
+/* em_node_interpolant.h: dense output of ra15: the integral of the polynomial through the rates at the nodes and at
+ * the end of the step. The step itself does without the rate at its end, which is not known before. That rate adds
+ * miss (P_7 + P_8) / 2 to the polynomial, which is zero at the nodes and has no integral over the step, so the end
+ * stays where it was. */
 #ifndef EM_NODE_INTERPOLANT_H
 #define EM_NODE_INTERPOLANT_H
 
 #include "gauss_radau/em_node_predictor.h"
 
 /* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
-static int em_nodes_interpolate(em_walk *w) {
+static int em_nodes_interpolate(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
     em_clear_interpolant(w);
@@ -30,12 +31,12 @@ static int em_nodes_interpolate(em_walk *w) {
 }
 
 /* Where a state within the step is asked for, the step is to be short enough for that, too: to order 10. */
-static void em_nodes_within(em_walk *w) {
+static void em_nodes_within(em_run_state *w) {
     w->error_norm = em_max(w->error_norm, w->nodes.within);
     w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.error_order + 1) / 10.0));
 }
 
-static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
+static int em_nodes_sketch(em_run_state *w) { return em_nodes_interpolate(w), w->scheme.terms; }
 
 /* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
 static void em_nodes_evaluate(int n_state, const double *F, int terms, double theta, double *y) {

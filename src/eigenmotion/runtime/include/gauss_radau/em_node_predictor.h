@@ -1,4 +1,5 @@
-/* em_node_predictor.h: the rates at nodes that the iteration of a step begins with: the polynomial of the step before, extrapolated. */
+/* em_node_predictor.h: the predictor of ra15: rates at the nodes, extrapolated from the polynomial of the step
+ * before. */
 #ifndef EM_NODE_PREDICTOR_H
 #define EM_NODE_PREDICTOR_H
 
@@ -10,17 +11,17 @@ enum {
 };
 
 /* Behind the last number whose rate is found: with the triangular root eigenfactors rest. */
-EM_INLINE int em_rates_end(const em_walk *w) { return w->mode == 1 ? 2 * w->n : w->n_state; }
+EM_INLINE int em_rates_end(const em_run_state *w) { return w->mode == 1 ? 2 * w->n : w->n_state; }
 
 /* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
 EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
     for (int b = 0; b < EM_BUNDLES; ++b) {
-        const em_bundle x = 2.0 * ratio * em_bundle_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
-        em_bundle before = x - x + 1.0, here = x;
+        const em_node_vector x = 2.0 * ratio * em_node_vector_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
+        em_node_vector before = x - x + 1.0, here = x;
         EM_UNROLL
         for (int l = 0; l < EM_NODE_COUNT; ++l) {
-            *(em_bundle *)&P[l][b * EM_LANES] = before;
-            const em_bundle next = (2.0 * l + 3.0) / (l + 2.0) * x * here - (l + 1.0) / (l + 2.0) * before;
+            *(em_node_vector *)&P[l][b * EM_LANES] = before;
+            const em_node_vector next = (2.0 * l + 3.0) / (l + 2.0) * x * here - (l + 1.0) / (l + 2.0) * before;
             before = here, here = next;
         }
     }
@@ -31,7 +32,7 @@ EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT
 /* The terms of the series with which to go on behind the step before, P_l(end) there: all, but where they grow, as behind
  * steps that left as much of an error as they might, those up to the least, as of any series that does not converge. Where
  * stability keeps steps short they are all wanted: how slowly an iteration converges that begins close tells so. */
-static int em_terms_to_continue(const em_walk *w, double (*P)[EM_NODE_COUNT]) {
+static int em_terms_to_continue(const em_run_state *w, double (*P)[EM_NODE_COUNT]) {
     if (w->nodes.slow) return EM_NODE_COUNT;
     double least = INFINITY, last = 0.0;
     int terms = EM_NODE_COUNT;
@@ -43,7 +44,7 @@ static int em_terms_to_continue(const em_walk *w, double (*P)[EM_NODE_COUNT]) {
 }
 
 /* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
-static void em_continue(em_walk *w, em_bundle *const *series, double start, double ratio) {
+static void em_continue(em_run_state *w, em_node_vector *const *series, double start, double ratio) {
     double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[w->n_state];
     const int end = em_rates_end(w);
     em_legendre(start, ratio, P);
@@ -58,7 +59,7 @@ static void em_continue(em_walk *w, em_bundle *const *series, double start, doub
 }
 
 /* What is known of the step before, once it has been accepted. */
-static void em_remember(em_walk *w) {
+static void em_remember(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
     for (int b = 0; b < EM_BUNDLES; ++b) memcpy(q->before[b], q->series[b], (size_t)w->n_state * sizeof *q->before[b]);
@@ -71,14 +72,14 @@ static void em_remember(em_walk *w) {
 }
 
 /* Returns how many iterations there may be. */
-static int em_predict(em_walk *w) {
+static int em_predict(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_remember(w);
     if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
     if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
         return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
     for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = w->first_rate; k < w->n_state; ++k) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
+        for (int k = w->first_rate; k < w->n_state; ++k) q->a[b][k] = (em_node_vector){0.0} + w->K[0][k];
     return EM_MOST_AT_START;
 }
 

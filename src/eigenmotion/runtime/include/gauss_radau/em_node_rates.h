@@ -1,11 +1,11 @@
-/* em_node_rates.h: the rates at the nodes of a step: on lanes where the model is there on lanes, else one by one. */
+/* em_node_rates.h: the rates at the nodes of a step: on lanes where the model has them, else one by one. */
 #ifndef EM_NODE_RATES_H
 #define EM_NODE_RATES_H
 
 #include "gauss_radau/em_node_vectors.h"
 
 /* F <- f at the nodes, one by one. 0, or -1 and w->reason. */
-EM_COLD int em_rates_one_by_one(em_walk *w) {
+EM_NOINLINE int em_rates_one_by_one(em_run_state *w) {
     em_nodes *q = &w->nodes;
     double y[w->width], dy[w->width];
     memset(y, 0, sizeof y);
@@ -19,13 +19,13 @@ EM_COLD int em_rates_one_by_one(em_walk *w) {
 
 /* Whether the model can be asked on lanes: it is linked for the same machine, stages are not settled, and no multipliers
  * of least norm are wanted. */
-static int em_lanes_serve(const em_walk *w) {
+static int em_lanes_serve(const em_run_state *w) {
     const int flags = em_constraint_flags(w->run), least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
     return w->lanes->width == EM_LANES && !least_norm && !(w->n_positions > 0 && w->near);
 }
 
 /* What does not change while a step is iterated: times, signals, parameters. */
-static void em_begin_nodes(em_walk *w) {
+static void em_begin_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     q->on_lanes = em_lanes_serve(w);
     for (int i = 0; q->on_lanes && i < EM_NODE_COUNT; ++i) {
@@ -36,12 +36,12 @@ static void em_begin_nodes(em_walk *w) {
         for (int k = 0; k < w->n_inputs; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
     }
     if (w->c_is_known) return;
-    for (int k = 0; k < w->lanes->n_prepared; ++k) w->c[k] = (em_bundle){0.0} + w->run->prepared[k];
+    for (int k = 0; k < w->lanes->n_prepared; ++k) w->c[k] = (em_node_vector){0.0} + w->run->prepared[k];
     w->c_is_known = 1;
 }
 
 /* F <- f at the nodes; NaN at those that have none. 0, or -1 and w->reason. */
-static int em_rates_at_nodes(em_walk *w) {
+static int em_rates_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes) return em_rates_one_by_one(w);
     for (int b = 0; b < EM_BUNDLES; ++b)
@@ -52,14 +52,14 @@ static int em_rates_at_nodes(em_walk *w) {
 }
 
 /* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
-static void em_drift(em_walk *w) {
+static void em_drift(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_map(w->n, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
     q->drifted = 1;
 }
 
 /* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */
-static void em_velocities_at_nodes(em_walk *w) {
+static void em_velocities_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes || w->mode != 0 || w->lanes->velocity == NULL) return;
     for (int b = 0; b < EM_BUNDLES; ++b)

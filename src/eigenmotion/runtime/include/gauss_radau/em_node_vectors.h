@@ -1,23 +1,24 @@
-/* em_node_vectors.h: the numbers at the nodes of a step, in vectors of the machine's width: bundle b holds nodes b EM_LANES on. */
+/* em_node_vectors.h: arrays over the nodes of a step, in vectors of the machine's width: vector b holds the EM_LANES
+ * nodes from b EM_LANES on. */
 #ifndef EM_NODE_VECTORS_H
 #define EM_NODE_VECTORS_H
 
 #include "tableaux/em_radau_nodes.h"
 #include "stepper/em_model_calls.h"
 
-EM_INLINE em_bundle em_bundle_at(const double *numbers) { return *(const em_bundle *)numbers; }
+EM_INLINE em_node_vector em_node_vector_at(const double *numbers) { return *(const em_node_vector *)numbers; }
 
 /* Number j of eight. */
-EM_INLINE double em_number_at(em_bundle *const *at, int k, int j) {
+EM_INLINE double em_number_at(em_node_vector *const *at, int k, int j) {
     return ((const double *)&at[j / EM_LANES][k])[j % EM_LANES];
 }
 
-EM_INLINE void em_put_at(em_bundle *const *at, int k, int j, double number) {
+EM_INLINE void em_put_at(em_node_vector *const *at, int k, int j, double number) {
     ((double *)&at[j / EM_LANES][k])[j % EM_LANES] = number;
 }
 
 /* By name: a loop would go through memory, and wait. */
-EM_INLINE double em_sum_of(em_bundle a) {
+EM_INLINE double em_sum_of(em_node_vector a) {
 #if EM_LANES == 8
     return ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]));
 #elif EM_LANES == 4
@@ -33,11 +34,11 @@ enum { EM_SUMS = 4 }; /* partial sums, which do not wait for each other */
 
 /* The tables of a step by nodes, by hand: what is written to one of them then leaves the others' places known. */
 typedef struct em_tables {
-    em_bundle *F[EM_BUNDLES], *a[EM_BUNDLES], *series[EM_BUNDLES];
+    em_node_vector *F[EM_BUNDLES], *a[EM_BUNDLES], *series[EM_BUNDLES];
     const double *weight;
 } em_tables;
 
-EM_INLINE em_tables em_tables_of(const em_walk *w) {
+EM_INLINE em_tables em_tables_of(const em_run_state *w) {
     em_tables at = {.weight = w->nodes.weight};
     EM_UNROLL
     for (int b = 0; b < EM_BUNDLES; ++b) at.F[b] = w->nodes.F[b], at.a[b] = w->nodes.a[b], at.series[b] = w->nodes.series[b];
@@ -45,19 +46,19 @@ EM_INLINE em_tables em_tables_of(const em_walk *w) {
 }
 
 /* A number at each of the nodes of bundle b, of row k. */
-typedef em_bundle em_term(const em_tables *at, int b, int k);
+typedef em_node_vector em_term(const em_tables *at, int b, int k);
 
 /* The sum of the squares of terms of rows first ... end. */
-EM_INLINE em_bundle em_sum_of_squares(const em_tables *at, int b, int first, int end, em_term *term) {
-    em_bundle sum[EM_SUMS] = {{0.0}};
+EM_INLINE em_node_vector em_sum_of_squares(const em_tables *at, int b, int first, int end, em_term *term) {
+    em_node_vector sum[EM_SUMS] = {{0.0}};
     int k = first;
     for (; k + EM_SUMS <= end; k += EM_SUMS)
         for (int place = 0; place < EM_SUMS; ++place) {
-            const em_bundle number = term(at, b, k + place);
+            const em_node_vector number = term(at, b, k + place);
             sum[place] += number * number;
         }
     for (; k < end; ++k) {
-        const em_bundle number = term(at, b, k);
+        const em_node_vector number = term(at, b, k);
         sum[0] += number * number;
     }
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
@@ -67,22 +68,22 @@ EM_INLINE em_bundle em_sum_of_squares(const em_tables *at, int b, int first, int
 enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 
 /* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
-EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_bundle *const *a, int from,
-                           const double *base, double factor, em_bundle *const *out, int to) {
-    em_bundle sum[EM_TOGETHER][EM_BUNDLES] = {{{0.0}}};
+EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_node_vector *const *a, int from,
+                           const double *base, double factor, em_node_vector *const *out, int to) {
+    em_node_vector sum[EM_TOGETHER][EM_BUNDLES] = {{{0.0}}};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
         for (int r = 0; r < rows; ++r)
             for (int b = 0; b < EM_BUNDLES; ++b)
-                sum[r][b] += em_bundle_at(column[j] + b * EM_LANES) * em_number_at(a, from + r, j);
+                sum[r][b] += em_node_vector_at(column[j] + b * EM_LANES) * em_number_at(a, from + r, j);
     for (int r = 0; r < rows; ++r)
         for (int b = 0; b < EM_BUNDLES; ++b) out[b][to + r] = (base ? base[r] : 0.0) + factor * sum[r][b];
 }
 
 /* The same for any number of rows. */
-EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle *const *a, int from,
-                      const double *base, double factor, em_bundle *const *out, int to) {
-    em_bundle *in[EM_BUNDLES], *image[EM_BUNDLES];
+EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_node_vector *const *a, int from,
+                      const double *base, double factor, em_node_vector *const *out, int to) {
+    em_node_vector *in[EM_BUNDLES], *image[EM_BUNDLES];
     int r = 0;
     EM_UNROLL
     for (int b = 0; b < EM_BUNDLES; ++b) in[b] = a[b], image[b] = out[b];
@@ -93,14 +94,14 @@ EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle
 
 /* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
 EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
-                            em_bundle *const *a, int from, em_bundle (*sum)[2][EM_BUNDLES]) {
+                            em_node_vector *const *a, int from, em_node_vector (*sum)[2][EM_BUNDLES]) {
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
         for (int r = 0; r < rows; ++r) {
             const double number = em_number_at(a, from + r, j);
             for (int b = 0; b < EM_BUNDLES; ++b) {
-                sum[r][0][b] += em_bundle_at(first[j] + b * EM_LANES) * number;
-                sum[r][1][b] += em_bundle_at(second[j] + b * EM_LANES) * number;
+                sum[r][0][b] += em_node_vector_at(first[j] + b * EM_LANES) * number;
+                sum[r][1][b] += em_node_vector_at(second[j] + b * EM_LANES) * number;
             }
         }
 }

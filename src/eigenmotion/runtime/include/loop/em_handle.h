@@ -1,4 +1,4 @@
-/* em_handle.h: a run that goes on as far as it is told, as em_model has it (em_control.h is for whoever wants one). */
+/* em_handle.h: the functions of em_model that open, advance, save and close a run; em_control.h is their public face. */
 #ifndef EM_HANDLE_H
 #define EM_HANDLE_H
 
@@ -15,19 +15,19 @@ typedef struct em_tally {
 } em_tally;
 
 /* em_model.open */
-EM_ACROSS void *em_handle_open(const em_model *model, em_run *run) { return em_open(model, run); }
+EM_EXPORT void *em_handle_open(const em_model *model, em_run *run) { return em_open(model, run); }
 
 /* em_model.close */
-EM_ACROSS void em_handle_close(void *walk) { em_close(walk); }
+EM_EXPORT void em_handle_close(void *walk) { em_close(walk); }
 
 /* em_model.again: counts and tables, but for their memory, are those of a run that has not begun. */
-EM_ACROSS int em_handle_again(void *walk) {
-    em_walk *w = walk;
+EM_EXPORT int em_handle_again(void *walk) {
+    em_run_state *w = walk;
     em_run *run = w->run;
-    em_walk_clear(w);
+    em_run_state_free(w);
     w->end_rate = NULL;
     w->c_is_known = 0;
-    em_walk_prepare(w);
+    em_run_state_prepare(w);
     run->kept = 0;
     run->n_rhs = run->n_steps = run->n_rejected = run->n_bounded = run->n_jacobians = run->n_factors = run->n_stiff = 0;
     run->rows.count = run->legs.count = 0;
@@ -38,15 +38,15 @@ EM_ACROSS int em_handle_again(void *walk) {
 }
 
 /* The other way in time, where pieces of signals are entered from their other ends. */
-static void em_turn_back(em_walk *w) {
+static void em_turn_back(em_run_state *w) {
     w->direction = -w->direction;
-    w->stale |= em_enter_pieces(w);
+    w->stale |= em_enter_interval(w);
 }
 
 /* em_model.advance: steps up to t, after what inputs may have jumped. Whatever ended an advance before does not count:
  * the run stands where it came to, and tries again. */
-EM_ACROSS int em_handle_advance(void *walk, double t, int jumped) {
-    em_walk *w = walk;
+EM_EXPORT int em_handle_advance(void *walk, double t, int jumped) {
+    em_run_state *w = walk;
     em_run *run = w->run;
     if (w->refused) return EM_END;
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
@@ -63,8 +63,8 @@ EM_ACROSS int em_handle_advance(void *walk, double t, int jumped) {
 }
 
 /* em_model.now */
-EM_ACROSS double em_handle_now(const void *walk, double *x, double *v) {
-    const em_walk *w = walk;
+EM_EXPORT double em_handle_now(const void *walk, double *x, double *v) {
+    const em_run_state *w = walk;
     em_fault fault;
     memcpy(x, w->y, (size_t)w->n * sizeof *x);
     if (w->begun && !w->stale) memcpy(v, w->K[0], (size_t)w->n * sizeof *v);
@@ -74,40 +74,40 @@ EM_ACROSS double em_handle_now(const void *walk, double *x, double *v) {
 }
 
 /* em_model.publish */
-EM_ACROSS int em_handle_publish(const void *walk, double *y, em_fault *fault) {
-    const em_walk *w = walk;
+EM_EXPORT int em_handle_publish(const void *walk, double *y, em_fault *fault) {
+    const em_run_state *w = walk;
     return em_publish(w->model, w->run, w->mode, w->t, w->y, w->memory, y, fault);
 }
 
 /* em_model.saved */
-EM_ACROSS size_t em_handle_saved(const em_model *model) {
+EM_EXPORT size_t em_handle_saved(const em_model *model) {
     return em_saved_size(model) + sizeof(em_tally) + em_saved_prepared(model) * sizeof(double);
 }
 
 /* em_model.save */
-EM_ACROSS void em_handle_save(const void *walk, void *saved) {
-    em_walk *const w = (em_walk *)walk; /* of which nothing is written */
+EM_EXPORT void em_handle_save(const void *walk, void *saved) {
+    em_run_state *const w = (em_run_state *)walk; /* of which nothing is written */
     const em_run *run = w->run;
-    em_piece piece[EM_PIECES];
+    em_memory_block piece[EM_PIECES];
     em_tally tally;
     char *to = saved;
     memset(&tally, 0, sizeof tally); /* with what pads it: the same motion gives the same bytes */
     tally.kept = run->kept, tally.least_norm = run->least_norm, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
     tally.n_bounded = run->n_bounded, tally.n_stiff = run->n_stiff, tally.t_reached = run->t_reached;
-    em_saved_pieces(w, piece);
+    em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; to += piece[i].size, ++i) memcpy(to, piece[i].at, piece[i].size);
     memcpy(to, &tally, sizeof tally);
     memcpy(to + sizeof tally, run->prepared, em_saved_prepared(w->model) * sizeof(double));
 }
 
 /* em_model.restore */
-EM_ACROSS void em_handle_restore(void *walk, const void *saved) {
-    em_walk *w = walk;
+EM_EXPORT void em_handle_restore(void *walk, const void *saved) {
+    em_run_state *w = walk;
     em_run *run = w->run;
-    em_piece piece[EM_PIECES];
+    em_memory_block piece[EM_PIECES];
     em_tally tally;
     const char *from = saved;
-    em_saved_pieces(w, piece);
+    em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; from += piece[i].size, ++i) memcpy(piece[i].at, from, piece[i].size);
     memcpy(&tally, from, sizeof tally);
     if (em_saved_prepared(w->model) > 0) { /* in a table of one row, where steppers have the mode they are in */

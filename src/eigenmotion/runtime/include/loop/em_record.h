@@ -1,4 +1,4 @@
-/* em_record.h: what is kept of a run: rows, what happens at events, and interpolants. */
+/* em_record.h: recording of a run: rows, events and dense output. */
 #ifndef EM_RECORD_H
 #define EM_RECORD_H
 
@@ -7,7 +7,7 @@
 #include "events/em_event_detection.h"
 
 /* A row at t, of the state y. */
-static int em_append(em_walk *w, em_rows *rows, int mode, double t, const double *y, const double *memory) {
+static int em_append(em_run_state *w, em_rows *rows, int mode, double t, const double *y, const double *memory) {
     em_fault fault;
     double *row = em_rows_next(rows, &fault);
     if (row == NULL || em_publish(w->model, w->run, mode, t, y, memory, row, &fault)) return em_end_with(w, fault);
@@ -16,7 +16,7 @@ static int em_append(em_walk *w, em_rows *rows, int mode, double t, const double
 }
 
 /* The same at t, inside the step under way or at its end. */
-static int em_append_at(em_walk *w, em_rows *rows, double t) {
+static int em_append_at(em_run_state *w, em_rows *rows, double t) {
     double memory[em_padded(w->n_memory)];
     if (t == w->t_new) return em_append(w, rows, w->mode_new, t, w->y_new, w->memory_new);
     if (em_inside(w, t, w->argument, memory)) return em_end_with(w, w->reason);
@@ -24,13 +24,13 @@ static int em_append_at(em_walk *w, em_rows *rows, double t) {
 }
 
 /* Whether the next row of t_eval is due when the run has come to t. */
-static int em_row_is_due(const em_walk *w, double t) {
+static int em_row_is_due(const em_run_state *w, double t) {
     const em_run *run = w->run;
     return w->next_t_eval < run->n_t_eval && w->direction * (run->t_eval[w->next_t_eval] - t) <= 0.0;
 }
 
 /* The rows of this step up to t_stop. */
-static int em_append_rows(em_walk *w, double t_stop) {
+static int em_append_rows(em_run_state *w, double t_stop) {
     em_run *run = w->run;
     if (run->t_eval == NULL) return t_stop == w->t ? EM_GO_ON : em_append_at(w, &run->rows, t_stop);
     while (em_row_is_due(w, t_stop)) {
@@ -39,7 +39,7 @@ static int em_append_rows(em_walk *w, double t_stop) {
     return EM_GO_ON;
 }
 
-static int em_append_first_rows(em_walk *w) {
+static int em_append_first_rows(em_run_state *w) {
     em_run *run = w->run;
     if (run->t_eval == NULL) return em_append(w, &run->rows, w->mode, w->t, w->y, w->memory);
     for (; em_row_is_due(w, w->t); ++w->next_t_eval)
@@ -51,12 +51,12 @@ static int em_append_first_rows(em_walk *w) {
 #define EM_AT_ONE_TIME (8.0 * DBL_EPSILON)
 
 /* Whether a crossing at t is to be recorded, where the run stops at t_stop if it `stops`. */
-static int em_is_reached(const em_walk *w, double t, double t_stop, int stops) {
+static int em_is_reached(const em_run_state *w, double t, double t_stop, int stops) {
     return !stops || t == t_stop || (w->acting && fabs(t - t_stop) <= EM_AT_ONE_TIME * fabs(t_stop));
 }
 
 /* Record the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and what else happens then. */
-static int em_append_crossings(em_walk *w, double *t_stop, int *terminal) {
+static int em_append_crossings(em_run_state *w, double *t_stop, int *terminal) {
     em_crossing list[EM_MOST_FOUND * w->n_events];
     const int count = em_locate_crossings(w, list);
     int stops = 0;
@@ -77,7 +77,7 @@ static int em_append_crossings(em_walk *w, double *t_stop, int *terminal) {
 }
 
 /* All that is recorded of an accepted step; *t_stop is where a terminal event ends it. */
-static int em_record(em_walk *w, double *t_stop, int *terminal) {
+static int em_record(em_run_state *w, double *t_stop, int *terminal) {
     const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run),
                                 w->run->legs.count};
     em_fault fault;

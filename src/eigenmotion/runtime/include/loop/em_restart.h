@@ -1,17 +1,17 @@
-/* em_restart.h: how a run goes on after events that act (em_event_actions.h): anew, from what they made of the state at the root. */
+/* em_restart.h: restart after an event action (em_event_actions.h), from the state that the action has made. */
 #ifndef EM_RESTART_H
 #define EM_RESTART_H
 
 #include "stepper/em_smooth_intervals.h"
 #include "loop/em_step.h"
 
-static int em_begin(em_walk *w);
+static int em_begin(em_run_state *w);
 
 /* Whether rows that hold may depend on each other in some modes, where cones stick. */
-static int em_may_share(const em_walk *w) { return w->of->cones && w->asked != EM_REFUSED; }
+static int em_may_share(const em_run_state *w) { return w->of->cones && w->asked != EM_REFUSED; }
 
 /* run->least_norm <- of the mode. 0, or -1 and w->reason. */
-static int em_share_in_mode(em_walk *w, const double *y) {
+static int em_share_in_mode(em_run_state *w, const double *y) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
     if (!em_may_share(w) || w->shares) return 0;
@@ -21,7 +21,7 @@ static int em_share_in_mode(em_walk *w, const double *y) {
 }
 
 /* A leg from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
-static int em_leg_begin(em_walk *w, const double *c) {
+static int em_segment_begin(em_run_state *w, const double *c) {
     em_run *run = w->run;
     const size_t prepared = (size_t)w->model->n_prepared;
     if (w->model->n_switches == 0) return 0;
@@ -37,7 +37,7 @@ static int em_leg_begin(em_walk *w, const double *c) {
 }
 
 /* row (n_state), published <- after the events w->fired at t, in a leg of its own. 0, or -1 and w->reason. */
-static int em_act_on(em_walk *w, double t, double *row) {
+static int em_act_on(em_run_state *w, double t, double *row) {
     const em_run *run = w->run;
     double x[w->n], v[w->n], c[w->model->n_prepared + 1];
     memset(c, 0, sizeof c);
@@ -49,19 +49,19 @@ static int em_act_on(em_walk *w, double t, double *row) {
     const int least_norm = run->least_norm || em_may_share(w) ? EM_LEAST_NORM : 0;
     if (w->of->act(t, x, v, c, w->u, least_norm, &within, w->fired, w->pile, &w->reason)) return -1;
     w->t = t;
-    return em_leg_begin(w, c) || em_share_in_mode(w, x) || w->model->state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
+    return em_segment_begin(w, c) || em_share_in_mode(w, x) || w->model->state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
 }
 
 /* The mode in which a run starts. 0, or -1 and w->reason. */
-static int em_first_leg(em_walk *w) {
+static int em_first_segment(em_run_state *w) {
     if (w->model->n_switches == 0) return 0;
-    em_enter_pieces(w);
+    em_enter_interval(w);
     if (em_act_on(w, w->t, w->y)) return -1;
     return w->run->least_norm && !w->shares ? em_keep_constraints_at_start(w) : 0;
 }
 
 /* What a step knows of those before it is of another motion. */
-static void em_forget(em_walk *w) {
+static void em_forget(em_run_state *w) {
     memset(&w->nodes, 0, offsetof(em_nodes, Y));
     memset(w->node_tables, 0, w->node_tables_size);
     w->c_is_known = 0;
@@ -78,7 +78,7 @@ static void em_forget(em_walk *w) {
     w->fresh = EM_NEXT_LEG;
 }
 
-static int em_append_after(em_walk *w) {
+static int em_append_after(em_run_state *w) {
     em_run *run = w->run;
     for (int i = 0; i < w->n_events; ++i)
         if (w->struck[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
@@ -86,7 +86,7 @@ static int em_append_after(em_walk *w) {
 }
 
 /* The step ends at t, where events act; the next leg begins. */
-static int em_next_leg(em_walk *w, double t, int terminal) {
+static int em_next_segment(em_run_state *w, double t, int terminal) {
     double row[w->n_state], memory[em_padded(w->n_memory)];
     em_run *run = w->run;
     em_fault fault;

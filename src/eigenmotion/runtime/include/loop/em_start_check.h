@@ -1,4 +1,4 @@
-/* em_start_check.h: whether a run can start at x, v, asked of any em_model.
+/* em_start_check.h: consistency check of a start (x, v), for any em_model.
  *
  * For the runtime, not for generated code. running/start.py says in words why it cannot. */
 #ifndef EM_START_CHECK_H
@@ -99,11 +99,11 @@ static int em_constraints_refuse(const em_model *model, double t, const double *
 }
 
 /* Whether an event is an impact where phi passes zero, downwards, and no contact. */
-static int em_strikes_alone(const em_deed *deed) { return deed->impact >= 0 && deed->keeps_apart && deed->held < 0; }
+static int em_impact_is_alone(const em_event_action *deed) { return deed->impact >= 0 && deed->keeps_apart && deed->held < 0; }
 
 static int em_keeps_anything_apart(const em_model *model) {
     for (int i = 0; model->deeds != NULL && i < model->n_events; ++i)
-        if (em_strikes_alone(&model->deeds[i])) return 1;
+        if (em_impact_is_alone(&model->deeds[i])) return 1;
     return model->n_switches > 0;
 }
 
@@ -137,7 +137,7 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
         if (s->slides < 0 && c[s->holds] == 0.0 && gap[s->event] < -reach[s->event]) return s->event;
     }
     for (int i = 0; i < events; ++i)
-        if (em_strikes_alone(&model->deeds[i]) && model->deeds[i].keeps_apart * gap[i] < 0.0 &&
+        if (em_impact_is_alone(&model->deeds[i]) && model->deeds[i].keeps_apart * gap[i] < 0.0 &&
             (fabs(gap[i]) > reach[i] || !em_comes_out(model, i, t, x, v, c))) return i;
     return -1;
 }

@@ -1,4 +1,4 @@
-/* em_step.h: one step: attempts, ever shorter, until one counts.
+/* em_step.h: one step: attempts of decreasing size, until one is accepted.
  *
  * A step counts only when everything about it worked: its stages, its error, settling, the right-hand side and the
  * interpolant at its end. Whatever did not is tried again with a shorter step, and names the end of the run if no step is
@@ -11,7 +11,7 @@
 #include "methods/em_step_size.h"
 #include "monitors/em_monitors.h"
 
-static double em_spacing(const em_walk *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
+static double em_spacing(const em_run_state *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
 
 /* Steps of fixed size make equal parts of the way, none longer; the last one goes too far and is cut, whatever rounding. */
 static double em_equal_part(double way, double size) {
@@ -20,7 +20,7 @@ static double em_equal_part(double way, double size) {
 }
 
 /* t_new and h of a step of size `size`, no further than the goal or the end of what is smooth. */
-static void em_aim(em_walk *w, double size) {
+static void em_aim(em_run_state *w, double size) {
     const double bound = w->direction * (w->pieces_end - w->t_goal) < 0.0 ? w->pieces_end : w->t_goal;
     if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
     w->t_new = w->t + w->direction * size;
@@ -29,18 +29,18 @@ static void em_aim(em_walk *w, double size) {
 }
 
 /* Whether somebody asks for a state inside the step. */
-static int em_asks_within(const em_walk *w) {
+static int em_asks_within(const em_run_state *w) {
     const em_run *run = w->run;
     if (run->dense == EM_DENSE || w->n_found > 0) return 1;
     return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
 }
 
-static int em_needs_interpolant(const em_walk *w) {
+static int em_needs_interpolant(const em_run_state *w) {
     return !w->has_interpolant && (w->run->dense || em_asks_within(w));
 }
 
 /* What follows a step whose error is small enough. 0, or -1 and w->reason. */
-static int em_land(em_walk *w) {
+static int em_land(em_run_state *w) {
     w->mode_new = w->mode;
     em_copy_memory(w, w->memory_new, w->memory);
     em_copy_state(w, w->y_raw, w->y_new);
@@ -55,13 +55,13 @@ static int em_land(em_walk *w) {
     if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
     if (!(w->error_norm < 1.0)) return 0;
     if (!w->scheme.fixed && em_check_step(w)) return -1;
-    if (w->n_events > 0 && em_watch(w)) return -1;
+    if (w->n_events > 0 && em_detect_events(w)) return -1;
     if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
 /* 0, or -1 and w->reason; then the error norm may still be 1 or more. */
-static int em_attempt(em_walk *w) {
+static int em_attempt(em_run_state *w) {
     w->error_norm = w->size_norm = INFINITY;
     if (w->scheme.step(w)) return -1;
     if (!isfinite(w->error_norm) || !em_all_finite(w, w->y_new)) return em_not_finite(w, w->y_new, w->error);
@@ -69,13 +69,13 @@ static int em_attempt(em_walk *w) {
 }
 
 /* No step is short enough: the fault that stood in the way, if it was not the error alone. */
-EM_RARE static int em_underflow(em_walk *w, double size, em_fault obstacle) {
+EM_COLD_PATH static int em_underflow(em_run_state *w, double size, em_fault obstacle) {
     if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
     return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
 }
 
 /* Attempts until one succeeds; proposes the size of the next step. */
-static int em_step_forward(em_walk *w) {
+static int em_step_forward(em_run_state *w) {
     em_run *run = w->run;
     if (run->n_steps >= w->most_steps) return em_end(w, EM_TOO_MANY_STEPS);
     const double least = 10.0 * em_spacing(w);

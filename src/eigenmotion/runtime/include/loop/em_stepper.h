@@ -1,4 +1,4 @@
-/* em_stepper.h: a run as a handle that is opened, advanced and closed; and in one go, em_model.simulate.
+/* em_stepper.h: a run as a handle: opened, advanced and closed; em_simulate does all three.
  *
  * Of its model it knows what em_model says: it is compiled once for all of them (em_stepper.c), or at the end of a NAME.c
  * that is compiled whole (docs/architecture.md). No state of its own, all memory belongs to the run and is taken as it opens,
@@ -16,7 +16,7 @@
 /* --- the start of a run --- */
 
 /* The published state as the internal one, and the first rows. */
-static int em_enter(em_walk *w) {
+static int em_enter(em_run_state *w) {
     em_run *run = w->run;
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y);
@@ -24,7 +24,7 @@ static int em_enter(em_walk *w) {
     run->least_norm = em_shares(w);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     w->shares = run->least_norm;
-    if (w->of->act != NULL && em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    if (w->of->act != NULL && em_first_segment(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_enter_mode(w);
     if (settled < 0) memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
@@ -32,21 +32,21 @@ static int em_enter(em_walk *w) {
 }
 
 /* The first right-hand side, event values and step size. */
-static int em_begin(em_walk *w) {
+static int em_begin(em_run_state *w) {
     em_run *run = w->run;
-    if (em_enter_pieces(w) < 0) return em_end_with(w, w->reason);
+    if (em_enter_interval(w) < 0) return em_end_with(w, w->reason);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
     if (!em_all_finite(w, w->y) || !em_all_finite(w, w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
-    if (!w->bare) em_begin_chart(w);
-    if (em_begin_witness(w) || (w->n_events > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
+    if (!w->bare) em_begin_singularity_monitor(w);
+    if (em_begin_energy_monitor(w) || (w->n_events > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w);
     w->begun = 1;
     return EM_GO_ON;
 }
 
 /* What a walk, zeroed, knows of its run before it stands anywhere. */
-static void em_walk_prepare(em_walk *w) {
+static void em_run_state_prepare(em_run_state *w) {
     const em_run *run = w->run;
     memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
@@ -59,13 +59,13 @@ static void em_walk_prepare(em_walk *w) {
 }
 
 /* A walk that stands nowhere yet, or NULL. */
-static em_walk *em_walk_create(const em_model *model, em_run *run) {
-    em_walk *const w = em_walk_take(model);
+static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
+    em_run_state *const w = em_run_state_allocate(model);
     if (w == NULL) return NULL;
     w->run = run;
     w->asked = run->least_norm;
     w->scheme = em_scheme_of(run->method);
-    em_walk_prepare(w);
+    em_run_state_prepare(w);
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);
     w->polled = w->looked;
@@ -75,7 +75,7 @@ static em_walk *em_walk_create(const em_model *model, em_run *run) {
 /* --- steps --- */
 
 /* The end of the step becomes the start of the next. */
-static void em_commit(em_walk *w) {
+static void em_commit(em_run_state *w) {
     em_run *run = w->run;
     ++run->n_steps;
     w->longest_step = em_max(w->longest_step, fabs(w->h));
@@ -97,42 +97,42 @@ static void em_commit(em_walk *w) {
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece begins. */
-static int em_resume(em_walk *w) {
-    if (w->crosses < 0 || (w->crosses && em_cross(w))) return em_end_with(w, w->reason);
+static int em_resume(em_run_state *w) {
+    if (w->crosses < 0 || (w->crosses && em_cross_time_event(w))) return em_end_with(w, w->reason);
     w->crosses = 0;
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     return w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
 /* From one piece to the next; where the run may end there, not before it goes on. */
-static int em_go_over(em_walk *w) {
+static int em_go_over(em_run_state *w) {
     if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_GO_ON;
     return em_resume(w);
 }
 
 /* One accepted step. */
-static int em_go_on(em_walk *w) {
+static int em_go_on(em_run_state *w) {
     if (em_step_forward(w)) return EM_END;
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;
-    if (w->acting) return em_next_leg(w, t_stop, terminal);
+    if (w->acting) return em_next_segment(w, t_stop, terminal);
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
-    return w->t == w->pieces_end && em_enter_pieces(w) ? em_go_over(w) : EM_GO_ON;
+    return w->t == w->pieces_end && em_enter_interval(w) ? em_go_over(w) : EM_GO_ON;
 }
 
 /* --- the handle --- */
 
-static void em_close(em_walk *w) { free(w->block); }
+static void em_close(em_run_state *w) { free(w->block); }
 
 /* A run at its start, or NULL without memory. Whether it is over already `ended` says, and run->fault why. */
-static em_walk *em_open(const em_model *model, em_run *run) {
+static em_run_state *em_open(const em_model *model, em_run *run) {
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     if (em_rows_prepare(model, run)) return NULL;
-    em_walk *w = em_walk_create(model, run);
+    em_run_state *w = em_run_state_create(model, run);
     if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
     if (w->scheme.step == NULL) return em_fail(&run->fault, EM_START_REFUSED, -1, -1, 0.0), em_close(w), NULL;
     w->refused = w->ended = em_enter(w);
@@ -140,7 +140,7 @@ static em_walk *em_open(const em_model *model, em_run *run) {
 }
 
 /* Steps up to t_goal exactly, none beyond. Returns `ended`: whether the run is over. */
-static int em_advance(em_walk *w, double t_goal) {
+static int em_advance(em_run_state *w, double t_goal) {
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
     while (!w->ended && w->t != w->t_goal) w->ended = em_go_on(w);
@@ -148,8 +148,8 @@ static int em_advance(em_walk *w, double t_goal) {
 }
 
 /* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
-EM_ACROSS int em_simulate(const em_model *model, em_run *run) {
-    em_walk *w = em_open(model, run);
+EM_EXPORT int em_simulate(const em_model *model, em_run *run) {
+    em_run_state *w = em_open(model, run);
     if (w == NULL) return (int)run->fault.status;
     em_advance(w, run->t_end);
     em_close(w);

@@ -1,4 +1,5 @@
-/* em_time_event_jump.h: a run at a break, where conditions in the time alone change (em_time_events.h).
+/* em_time_event_jump.h: jump conditions at a time event, where a condition in the time alone changes
+ * (em_time_events.h).
  *
  * Forces may jump there. Rows of constraints on velocities may, too: velocities then change by an impulse along the rows that
  * hold from there on, to the nearest that these allow in the mass metric. Where phi jumps no motion goes on, and where
@@ -15,7 +16,7 @@ typedef struct em_sides {
     double t[4]; /* far before, before, after, far after */
 } em_sides;
 
-static em_sides em_sides_of(const em_walk *w) {
+static em_sides em_sides_of(const em_run_state *w) {
     const double after = w->direction > 0.0 ? w->inside[0] : w->inside[1], reach = after - w->t;
     return (em_sides){{w->t - 100.0 * reach, w->t - reach, after, w->t + 100.0 * reach}};
 }
@@ -36,7 +37,7 @@ static int em_first_jump(int count, int most, const double *g, const double *ter
 }
 
 /* The coordinate whose momentum M v + G jumps, or -1. */
-static int em_momentum_jumps(const em_walk *w, const em_sides *at) {
+static int em_momentum_jumps(const em_run_state *w, const em_sides *at) {
     const int n = w->n, numbers = n * n + n;
     double g[4][numbers], terms[numbers], e[4], one[n];
     for (int side = 0; side < 4; ++side) {
@@ -55,7 +56,7 @@ static int em_momentum_jumps(const em_walk *w, const em_sides *at) {
 }
 
 /* The contact whose row jumps while it holds, or -1: it may push, but not pull, as the nearest velocities would have it. */
-static int em_contact_jumps(const em_walk *w, const em_sides *at) {
+static int em_contact_jumps(const em_run_state *w, const em_sides *at) {
     const int n = w->n, m = w->n_rows, numbers = m * n + m;
     if (w->of->switched_rows == 0) return -1;
     double rows[4][numbers], terms[numbers];
@@ -68,7 +69,7 @@ static int em_contact_jumps(const em_walk *w, const em_sides *at) {
 }
 
 /* Velocities as the rows after a break want them. 0, or -1 and w->reason. */
-static int em_meet_rows(em_walk *w, const em_sides *at) {
+static int em_meet_rows(em_run_state *w, const em_sides *at) {
     const int m = w->n_rows;
     double phi[4][em_some(m)], terms[em_some(m)];
     memset(phi, 0, sizeof phi), memset(terms, 0, sizeof terms);
@@ -82,7 +83,7 @@ static int em_meet_rows(em_walk *w, const em_sides *at) {
 }
 
 /* From one side of a break to the other. 0, or -1 and w->reason. */
-EM_COLD int em_cross(em_walk *w) {
+EM_NOINLINE int em_cross_time_event(em_run_state *w) {
     const em_sides at = em_sides_of(w);
     const int first = em_momentum_jumps(w, &at);
     if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, -1, NAN);

@@ -1,4 +1,5 @@
-/* em_units.h: what the units of one NAME.c call of each other (docs/architecture.md). A file compiled whole needs none of it.
+/* em_units.h: declarations that the compile units of one NAME.c share (docs/architecture.md). A file that is compiled
+ * whole needs none.
  *
  * x, v, y, c, u and the rest are as em_model has them (eigenmotion.h). */
 #ifndef EM_UNITS_H
@@ -10,7 +11,7 @@
 
 extern const double scales[N];
 extern const em_block *const blocks[];
-extern const em_deed deeds[];
+extern const em_event_action deeds[];
 extern const em_switch switches[];
 extern const int resets_quasi[];
 
@@ -99,8 +100,8 @@ void em_handle_restore(void *walk, const void *saved);
 void em_handle_close(void *walk);
 int em_handle_again(void *walk);
 void *em_member_enter(const em_model *model, em_run *run, int *mode);
-void em_member_board(void *walk, em_flock *f, int lane);
-int em_member_look(void *walk, em_flock *f, int lane, em_landing landing);
+void em_member_load(void *walk, em_lane_group *f, int lane);
+int em_member_check(void *walk, em_lane_group *f, int lane, em_landing landing);
 
 /* --- of EM_ON_DUALS: likewise --- */
 

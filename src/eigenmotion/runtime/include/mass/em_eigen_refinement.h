@@ -1,5 +1,5 @@
-/* em_eigen_refinement.h: C and the eigenvalues of M from C nearby, by the iterative refinement of Ogita and Aishima (2018):
- * products alone, for orthogonality and diagonality at once, each pass squaring the error. */
+/* em_eigen_refinement.h: iterative refinement of C and the eigenvalues of M (Ogita and Aishima, 2018): matrix
+ * products alone, for orthogonality and diagonality at once; each pass squares the error. */
 #ifndef EM_EIGEN_REFINEMENT_H
 #define EM_EIGEN_REFINEMENT_H
 
@@ -83,7 +83,7 @@ EM_INLINE real em_correction(int n, const real *restrict R, const real *restrict
 
 /* C, lambda <- those of M (n, n) in lanes, of those `going`, where C is near enough and eigenvalues are apart: -1 there.
  * Each lane makes as many passes as it would alone. */
-EM_COLD em_truth em_refine(int n, em_truth going, const real *restrict M, real *restrict C, real *restrict lambda) {
+EM_NOINLINE em_truth em_refine(int n, em_truth going, const real *restrict M, real *restrict C, real *restrict lambda) {
     real limit = em_real(EM_REFINABLE);
     em_truth done = {0};
     while (em_any(going)) {
@@ -108,7 +108,7 @@ EM_COLD em_truth em_refine(int n, em_truth going, const real *restrict M, real *
 #else
 
 /* C, lambda <- those of M (n, n), where C is near enough and eigenvalues are apart; otherwise 0, and C is still near. */
-EM_COLD int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
+EM_NOINLINE int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double limit = EM_REFINABLE;
     for (;;) {
         double T[n * n], R[n * n], W[n * n], Lambda[n * n];

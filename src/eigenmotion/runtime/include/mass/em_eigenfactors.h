@@ -1,4 +1,4 @@
-/* em_eigenfactors.h: M = C^T S^2 C. How C and s are found and kept. */
+/* em_eigenfactors.h: the eigenfactors of M = C^T S^2 C: C and s from M, and their refresh after a step. */
 #ifndef EM_EIGENFACTORS_H
 #define EM_EIGENFACTORS_H
 
@@ -44,7 +44,7 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
 }
 
 /* Index of the first pivot of M (n, n) that leaves fewer than three right digits, -1 where all are sound. */
-EM_RARE EM_COLD int em_look_at_pivots(int n, const double *M) {
+EM_COLD_PATH EM_NOINLINE int em_measure_pivots_beside(int n, const double *M) {
     double L[n * n], r[n];
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
 }
@@ -52,7 +52,7 @@ EM_RARE EM_COLD int em_look_at_pivots(int n, const double *M) {
 /* The same; least and largest: its eigenvalues. None is above M_ii, nor below the least: pivots are only looked at where
  * that is small. */
 EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
-    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_look_at_pivots(n, M);
+    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_measure_pivots_beside(n, M);
 }
 
 /* C, lambda <- those of M (n, n), near the C given, whatever it is. */
@@ -65,10 +65,10 @@ EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, do
 }
 
 /* The same in a run, */
-EM_COLD void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
+EM_NOINLINE void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
 /* and beside runs, where n is known at run time only, and a second copy for speed would take compilers long. */
-EM_RARE EM_COLD void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
+EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
 /* s <- its roots, in which eigenvalues of M (n, n) are given. Returns -1, or an index where M is singular. */
 EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
@@ -92,13 +92,13 @@ EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, do
 }
 
 /* The same where n is known at run time only. */
-EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) {
+EM_NOINLINE int em_refresh_any(int n, const double *M, double *C, double *s) {
     em_sweep_any(n, M, C, s);
     return em_roots(n, M, s);
 }
 
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
-EM_RARE EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
+EM_COLD_PATH EM_NOINLINE int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
     const int singular = em_refresh_any(n, M, C, s);
@@ -123,14 +123,14 @@ EM_RARE EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s
 }
 
 /* Both factors of a constant block: M = C^T S^2 C = L L^T. */
-EM_RARE EM_COLD int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
+EM_COLD_PATH EM_NOINLINE int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
     memset(L, 0, sizeof *L * (size_t)(n * n));
     const int singular = em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
     return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
 }
 
 /* The largest |S^-1 C M C^T S^-1 - 1|: how far C, s are from the eigenfactors of M, relative to each eigenvalue. */
-EM_COLD double em_factor_error(int n, const double *M, const double *C, const double *s) {
+EM_NOINLINE double em_factor_error(int n, const double *M, const double *C, const double *s) {
     double Lambda[n * n], worst = 0.0;
     em_congruence(n, C, M, Lambda);
     for (int i = 0; i < n; ++i)

@@ -1,4 +1,4 @@
-/* em_quasivelocities.h: what C and s make of velocities, forces and constraint rows. */
+/* em_quasivelocities.h: quasi-velocities: eta from xdot and back, and forces and constraint rows in terms of C and s. */
 #ifndef EM_QUASIVELOCITIES_H
 #define EM_QUASIVELOCITIES_H
 

@@ -1,4 +1,4 @@
-/* em_root_rates.h: how the roots of M change along the motion, and what that does to the quasi-velocities. */
+/* em_root_rates.h: rates of the roots of M along the motion, and their effect on the quasi-velocities. */
 #ifndef EM_ROOT_RATES_H
 #define EM_ROOT_RATES_H
 

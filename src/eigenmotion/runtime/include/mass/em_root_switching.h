@@ -1,4 +1,4 @@
-/* em_root_switching.h: when the triangular root takes over from the published system, and when it gives back.
+/* em_root_switching.h: switching between the published system and the triangular root, where eigenvalues come close.
  *
  * It does where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, until it
  * is farther than EM_FAR times that. Eigenvalues farther apart than EM_APART, relative to the larger, are not looked at;

@@ -1,4 +1,4 @@
-/* em_dense_output.h: the state inside a step, settled like accepted ones.
+/* em_dense_output.h: dense output: the state inside a step, settled as accepted states are.
  *
  * The interpolant belongs to the unsettled step: it joins y and y_raw with the right-hand sides there, in the mode of
  * the step's start. Settling what it gives makes the trajectory continuous with the accepted states.
@@ -9,7 +9,7 @@
 #include "methods/em_methods.h"
 
 /* y, memory <- the settled state at t inside the step under way, in the mode of its start. */
-static int em_inside(em_walk *w, double t, double *y, double *memory) {
+static int em_inside(em_run_state *w, double t, double *y, double *memory) {
     int mode = w->mode;
     w->scheme.evaluate(w->n_state, w->F[0], w->scheme.terms, (t - w->t) / w->h, y);
     em_copy_memory(w, memory, w->memory);
@@ -17,7 +17,7 @@ static int em_inside(em_walk *w, double t, double *y, double *memory) {
 }
 
 /* em_model.interpolate: y (n_state) at t from the kept step number `step`, settled and published. 0, or -1. */
-EM_ACROSS int em_interpolate(const em_model *model, const em_run *run, size_t step, double t, double *y) {
+EM_EXPORT int em_interpolate(const em_model *model, const em_run *run, size_t step, double t, double *y) {
     const em_dense_step *at = &run->dense_steps[step];
     const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * (size_t)model->n_state;
     double inside[model->n_state], memory[em_padded(model->dynamics->n_memory)];

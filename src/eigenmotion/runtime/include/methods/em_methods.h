@@ -1,4 +1,5 @@
-/* em_methods.h: the methods, as the stepper asks them for a step and for the states within it (em_scheme of em_run_state.h).
+/* em_methods.h: the table of methods: how each makes a step and evaluates the states within it (em_scheme of
+ * em_run_state.h).
  *
  * Here a method of another kind finds its place: a header beside em_runge_kutta.h with its four functions, a number in
  * em_method of em_run.h and a line below; running/methods.py is the table for Python.
@@ -12,8 +13,8 @@
 #include "methods/em_runge_kutta.h"
 
 /* rk34 has no second state at the end of a step. */
-static int em_dopri5_judge(em_walk *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, EM_DOPRI5_STABLE, w); }
-static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
+static int em_dopri5_judge(em_run_state *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, EM_DOPRI5_STABLE, w); }
+static int em_dop853_judge(em_run_state *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
 
 EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU, NULL)
 EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU, em_dopri5_judge)

@@ -1,4 +1,4 @@
-/* em_runge_kutta.h: a step of an explicit Runge-Kutta method, its error and its interpolant.
+/* em_runge_kutta.h: explicit Runge-Kutta methods: a step, its error and its interpolant.
  *
  * What is EM_INLINE here is inlined once for each method, with its tableau a constant: the loops over stages and
  * coefficients unroll, zero coefficients vanish, and what stays are vector loops over the states.
@@ -12,7 +12,7 @@
 /* out <- y, or 0, + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
  * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
  * which volatile sees to. */
-EM_INLINE void em_combine(const em_walk *w, const double *restrict a, int n, int fresh, double h,
+EM_INLINE void em_combine(const em_run_state *w, const double *restrict a, int n, int fresh, double h,
                           int from_zero, const double *restrict y, double *restrict out) {
     const int width = w->width;
     const double *const restrict K = w->K[0];
@@ -31,7 +31,7 @@ EM_INLINE void em_combine(const em_walk *w, const double *restrict a, int n, int
 }
 
 /* one <- sum_j a_j K_j and two <- sum_j b_j K_j over j < n: what is read is read once. */
-EM_INLINE void em_combine_both(const em_walk *w, const double *restrict a, const double *restrict b, int n,
+EM_INLINE void em_combine_both(const em_run_state *w, const double *restrict a, const double *restrict b, int n,
                                double *restrict one, double *restrict two) {
     const int width = w->width;
     const double *const restrict K = w->K[0];
@@ -48,7 +48,7 @@ EM_INLINE void em_combine_both(const em_walk *w, const double *restrict a, const
 }
 
 /* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
-EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
+EM_INLINE int em_stages(const em_tableau *rk, em_run_state *w, int first, int last) {
     const int plain = em_is_plain(w);
     EM_UNROLL
     for (int i = first; i <= last; ++i) {
@@ -60,7 +60,7 @@ EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
 }
 
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
-EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
+EM_INLINE double em_error_norm(const em_tableau *rk, em_run_state *w) {
     em_set_weights_of(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
     if (rk->errors == 0) return 0.0;
     if (rk->errors == 1) {
@@ -76,7 +76,7 @@ EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
 /* First same as last: the last stage is the rate at the end. */
 EM_INLINE int em_is_fsal(const em_tableau *rk) { return rk->solution < rk->stages; }
 
-EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
+EM_INLINE int em_rk_step(const em_tableau *rk, em_run_state *w) {
     if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
     w->end_rate = em_is_fsal(rk) ? w->K[rk->solution] : NULL;
     if (!em_is_fsal(rk)) em_combine(w, rk->a[rk->solution], rk->stages, 1, w->h, 0, w->y, w->y_new);
@@ -87,7 +87,7 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
 /* Whether stability keeps steps short (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): at the end of
  * the step the last stage's state and the step's own say how fast neighbours drive apart or together; `stable` is up to
  * where the method bears that. */
-EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_walk *w) {
+EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_run_state *w) {
     if (w->run->n_steps % EM_STIFF_EVERY || w->mode_new != w->mode) return 0;
     const int last = em_is_fsal(rk) ? rk->solution - 1 : rk->stages - 1;
     double state[2 * w->n], rate[2 * w->n];
@@ -103,7 +103,7 @@ EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_walk *w) {
 /* --- the interpolant: F holds y, F_0, F_1, ... of em_butcher.h --- */
 
 /* F_3 + i = h sum_j d_ij K_j */
-EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
+EM_INLINE void em_corrections(const em_tableau *rk, em_run_state *w) {
     const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
     EM_UNROLL
     for (int i = 0; i < rk->corrections; ++i) {
@@ -113,7 +113,7 @@ EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
 }
 
 /* F_0 .. F_2: y, f at both ends. */
-static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
+static void em_hermite(em_run_state *w, const double *y_end, const double *f_end) {
     memcpy(w->F[0], w->y, (size_t)w->n_state * sizeof *w->y);
     for (int k = 0; k < w->n_state; ++k) {
         const double delta = y_end[k] - w->y[k];
@@ -124,7 +124,7 @@ static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
 }
 
 /* f at the unsettled end of the step: the last stage, f_new, or one more evaluation. NULL and w->reason: there is none. */
-EM_INLINE const double *em_raw_end(const em_tableau *rk, em_walk *w) {
+EM_INLINE const double *em_raw_end(const em_tableau *rk, em_run_state *w) {
     double *const f_raw = w->K[rk->solution];
     if (em_is_fsal(rk)) return f_raw;
     if (!w->moved) em_copy_state(w, f_raw, w->f_new);
@@ -132,7 +132,7 @@ EM_INLINE const double *em_raw_end(const em_tableau *rk, em_walk *w) {
     return f_raw;
 }
 
-EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_walk *w) {
+EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_run_state *w) {
     const double *f_raw = em_raw_end(rk, w);
     if (f_raw == NULL || em_stages(rk, w, rk->solution + 1, rk->last_extra)) return -1;
     em_hermite(w, w->y_raw, f_raw);
@@ -151,7 +151,7 @@ static void em_rk_evaluate(int n_state, const double *F, int terms, double theta
 }
 
 /* The interpolant without further stages: with the rate at the end, and with one within where the whole would take more. */
-EM_INLINE int em_rk_sketch(const em_tableau *rk, em_walk *w) {
+EM_INLINE int em_rk_sketch(const em_tableau *rk, em_run_state *w) {
     const int stage = rk->last_extra > 0 ? rk->stages - 2 : 0;
     if (!em_is_fsal(rk) && w->mode_new != w->mode) return -1;
     if (em_is_fsal(rk)) em_hermite(w, w->y_raw, w->K[rk->solution]);
@@ -168,9 +168,9 @@ EM_INLINE int em_rk_sketch(const em_tableau *rk, em_walk *w) {
 /* --- the method of a tableau (em_scheme) --- */
 
 #define EM_RUNGE_KUTTA(name, tableau, judge)                                                             \
-    static int em_##name##_step(em_walk *w) { return em_rk_step(&tableau, w); }                          \
-    static int em_##name##_interpolate(em_walk *w) { return em_rk_interpolate(&tableau, w); }            \
-    static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
+    static int em_##name##_step(em_run_state *w) { return em_rk_step(&tableau, w); }                          \
+    static int em_##name##_interpolate(em_run_state *w) { return em_rk_interpolate(&tableau, w); }            \
+    static int em_##name##_sketch(em_run_state *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
                            tableau.errors == 0, em_##name##_step, judge,                                 \

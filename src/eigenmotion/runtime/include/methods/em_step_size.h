@@ -1,4 +1,4 @@
-/* em_step_size.h: how long the first step is, and how long the next.
+/* em_step_size.h: step-size control: the first step, and the factor to the next.
  *
  * Errors are measured in x and v. The first step is a matter of the tolerances and of how rates change, never of how
  * large coordinates are: those of another origin are others.
@@ -11,7 +11,7 @@
 /* By which the size of the next step differs: after an accepted step for its error and that of the one before
  * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
  * A step that failed otherwise is quartered. */
-static double em_size_factor(em_walk *w, int failed) {
+static double em_size_factor(em_run_state *w, int failed) {
     const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
     if (failed) return 0.25;
     const double error = w->log_size = log(w->size_norm);
@@ -34,14 +34,14 @@ typedef struct em_outset {
 } em_outset;
 
 /* Root mean square, in tolerances, of a vector (n_state) that is a state's rate. */
-static double em_rate_norm(em_walk *w, const double *rate) {
+static double em_rate_norm(em_run_state *w, const double *rate) {
     em_copy_state(w, w->error, rate);
     return sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
 }
 
 /* places, speeds <- sums of squares of what a rate of the state makes of x (and of factors that count) and of v; both in
  * tolerances of x, so that their ratio is a time squared. */
-static void em_split_rate(em_walk *w, const double *rate, double *places, double *speeds) {
+static void em_split_rate(em_run_state *w, const double *rate, double *places, double *speeds) {
     em_copy_state(w, w->error, rate);
     em_velocity_error(w, rate + w->n, w->error + w->n);
     *places = em_weighted_squares(w->n, w->error, w->weight);
@@ -54,7 +54,7 @@ static void em_split_rate(em_walk *w, const double *rate, double *places, double
 }
 
 /* K[1], K[2] <- f at h / 2 and h (Kutta's method of third order). 0, or -1. */
-static int em_look_ahead(em_walk *w, double h) {
+static int em_probe_ahead(em_run_state *w, double h) {
     const double step = w->direction * h;
     for (int k = 0; k < w->width; ++k) w->argument[k] = w->y[k] + 0.5 * step * w->K[0][k];
     if (em_any_stage_rate(w, w->t + 0.5 * step, w->argument, w->K[1])) return -1;
@@ -73,11 +73,11 @@ static double em_balance(double a, double b, double c, double d) {
 /* d2 and rate over `at->h`: with the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J, S /
  * rate) to (V, A / rate). At rest that is S / A, where the motion passes its middle J / V, and at any phase of an
  * oscillation its frequency squared: without |x|, which another origin makes another number. 0, or -1. */
-static int em_measure(em_walk *w, em_outset *at) {
+static int em_measure(em_run_state *w, em_outset *at) {
     double J, S;
     const double h = at->h;
     at->d2 = at->rate = 0.0;
-    if (em_look_ahead(w, h)) return -1;
+    if (em_probe_ahead(w, h)) return -1;
     for (int k = 0; k < w->width; ++k) {
         const double first = w->K[1][k] - w->K[0][k];
         w->K[2][k] = w->K[2][k] - w->K[1][k] - first;
@@ -93,13 +93,13 @@ static int em_measure(em_walk *w, em_outset *at) {
 
 /* How far to look first: as long as it takes to move by far more than a tolerance and far less than by what rtol is a
  * part of, at the speed there is or from rest. */
-static double em_first_look(const em_walk *w, const em_outset *at, double span) {
+static double em_first_probe(const em_run_state *w, const em_outset *at, double span) {
     const double far = 1.0 / sqrt(w->rtol), h = em_min(far / sqrt(at->V), sqrt(far / sqrt(at->A)));
     return h < span ? h : 0.01 * span;
 }
 
 /* How far to look next, after a look over at->h that showed at->rate, or failed. */
-static double em_next_look(const em_outset *at, int failed, double span) {
+static double em_next_probe(const em_outset *at, int failed, double span) {
     const double part = at->h * at->rate;
     if (failed) return 0.01 * at->h;
     if (part > EM_TOO_FAR) return em_max(1e-4 * at->h, 0.1 * EM_TOO_FAR / at->rate);
@@ -109,14 +109,14 @@ static double em_next_look(const em_outset *at, int failed, double span) {
 
 /* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every look is too far:
  * what changes is beyond all parts of what there is, and the motion shows no rate. */
-static em_outset em_set_out(em_walk *w, double span) {
+static em_outset em_estimate_first_rates(em_run_state *w, double span) {
     em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
     em_split_rate(w, w->K[0], &at.V, &at.A);
-    const double first = em_first_look(w, &at, span);
+    const double first = em_first_probe(w, &at, span);
     double next = first;
     for (int looks = 0; looks < 3 && next != at.h; ++looks) {
         at.h = next;
-        next = em_next_look(&at, em_measure(w, &at), span);
+        next = em_next_probe(&at, em_measure(w, &at), span);
     }
     if (at.h * at.rate > EM_TOO_FAR) at.rate = 0.0, at.h = 1e-4 * first;
     return at;
@@ -124,16 +124,16 @@ static em_outset em_set_out(em_walk *w, double span) {
 
 /* Where a motion shows no rate, as in a fall, what has not set in may do so later. After an impact it may be soon: a step
  * far longer than what slows down takes for that is too coarse for the flight. */
-static double em_size_without_rate(const em_walk *w, const em_outset *at, double span) {
+static double em_size_without_rate(const em_run_state *w, const em_outset *at, double span) {
     const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
     return w->fresh == EM_NEXT_LEG ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
 }
 
 /* The first step's size, as Hairer, Norsett & Wanner's (II.4) in whatever unit the time is: a motion that goes at a `rate`
  * through what is `size` tolerances is off by about size (rate h)^(order + 1) after a step h. */
-static double em_first_size(em_walk *w) {
+static double em_first_size(em_run_state *w) {
     const double span = fabs(w->t_goal - w->t), longest = em_min(span, w->run->max_step);
-    const em_outset at = em_set_out(w, span);
+    const em_outset at = em_estimate_first_rates(w, span);
     if (!(at.rate * at.h >= EM_TOO_NEAR)) return em_min(em_size_without_rate(w, &at, span), longest);
     const double size = em_max(at.d1, at.d2 / at.rate) / at.rate, far = em_max(100.0 * at.h, 1.0 / at.rate);
     return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.error_order + 1)) / at.rate, far), longest);

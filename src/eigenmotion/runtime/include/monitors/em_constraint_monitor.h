@@ -1,4 +1,5 @@
-/* em_constraint_monitor.h: whether an accepted step is one of the mechanism with its constraints, and which row is to blame if not. */
+/* em_constraint_monitor.h: the constraint monitor: does an accepted step satisfy the constraints, and if not, which
+ * row fails? */
 #ifndef EM_CONSTRAINT_MONITOR_H
 #define EM_CONSTRAINT_MONITOR_H
 
@@ -16,7 +17,7 @@
 #define EM_SHORT 0.2     /* and how short is short, beside the longest step */
 
 /* Delta (m, m) <- of the rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
-static int em_look_at_constraints(em_walk *w, double *Delta) {
+static int em_measure_constraints(em_run_state *w, double *Delta) {
     double B[w->n_rows * w->n];
     if (w->of->rows(w->t_new, w->y_new, w->run->prepared, B, Delta, &w->reason)) return -1;
     for (int row = 0; row < w->n_rows; ++row)
@@ -26,7 +27,7 @@ static int em_look_at_constraints(em_walk *w, double *Delta) {
 
 /* The row that adds least to the others, of those that are independent, each in units of its longest; *pivot <- the
  * square of what it adds. -1 where nothing is known of the rows. */
-static int em_weakest_constraint(em_walk *w, const double *Delta, double *pivot) {
+static int em_weakest_constraint(em_run_state *w, const double *Delta, double *pivot) {
     const int m = w->n_rows;
     double scaled[m * m], pivots[m];
     int rows[m];
@@ -43,15 +44,15 @@ static int em_weakest_constraint(em_walk *w, const double *Delta, double *pivot)
 }
 
 /* A fault that names the weakest constraint row. */
-EM_RARE EM_COLD int em_fail_weakest(em_walk *w, double size) {
+EM_COLD_PATH EM_NOINLINE int em_fail_weakest(em_run_state *w, double size) {
     double pivot, Delta[em_some(w->n_rows * w->n_rows)];
-    const int known = !w->bare && em_look_at_constraints(w, Delta) == 0, row = known ? em_weakest_constraint(w, Delta, &pivot) : -1;
+    const int known = !w->bare && em_measure_constraints(w, Delta) == 0, row = known ? em_weakest_constraint(w, Delta, &pivot) : -1;
     em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
-    return em_blame(w, w->t_new, w->y_new);
+    return em_locate_failure(w, w->t_new, w->y_new);
 }
 
 /* Rows that are not kept must follow from those that are. 0, or -1 and w->reason, which names one that does not. */
-static int em_check_dependent(em_walk *w) {
+static int em_check_dependent(em_run_state *w) {
     double a[w->n], lambda[em_some(w->n_rows)];
     if (w->n_inputs > 0) em_signals(w, w->t_new);
     return w->of->acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
@@ -67,7 +68,7 @@ static double em_apart(int n, const double *q, const double *other, const double
 /* Where nothing is settled, the constraints are met up to drift by the x and v (n) that are integrated. A consistent state
  * nearby differs by as little, in x and in v, except where A turns within the drift: there a motion on the drifted
  * constraints leaves for another branch than that on the constraints. 0, or -1 and w->reason. */
-static int em_check_drift(em_walk *w, const double *x, const double *v) {
+static int em_check_drift(em_run_state *w, const double *x, const double *v) {
     const int n = w->n;
     const double *const weight = w->weight;
     double near_x[n], near_v[n], still[n];
@@ -86,7 +87,7 @@ static int em_check_drift(em_walk *w, const double *x, const double *v) {
 /* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
  * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
  * 0, or -1 and w->reason. */
-static int em_check_lengths(em_walk *w, const double *Delta) {
+static int em_check_lengths(em_run_state *w, const double *Delta) {
     for (int row = 0; row < w->n_positions; ++row) {
         const double square = Delta[row * w->n_rows + row], longest = w->longest[row];
         if (!(square > EM_SINGULAR_PIVOT * longest))
@@ -98,7 +99,7 @@ static int em_check_lengths(em_walk *w, const double *Delta) {
 /* A tolerance on x is one on phi, and where B is shorter than its root beside what it was, motions on phi = 0 and on
  * phi = rtol leave a singular position on different branches: short steps follow now one, now another. Steps that are
  * not short pass it as the smooth motion does. 0, or -1 and w->reason. */
-static int em_check_branch(em_walk *w, const double *Delta) {
+static int em_check_branch(em_run_state *w, const double *Delta) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
     if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
@@ -113,7 +114,7 @@ static int em_check_branch(em_walk *w, const double *Delta) {
 
 /* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
  * which may become small later. 0, or -1 and w->reason. */
-static int em_check_factors(em_walk *w) {
+static int em_check_factors(em_run_state *w) {
     enum { DRIFTED = 1000 }; /* tolerances */
     if (w->of->worst_factors == NULL || w->run->stabilise) return 0;
     double M[w->n * w->n];
@@ -125,9 +126,9 @@ static int em_check_factors(em_walk *w) {
 }
 
 /* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */
-static int em_check_positions(em_walk *w) {
+static int em_check_positions(em_run_state *w) {
     double Delta[w->n_rows * w->n_rows];
-    if (em_look_at_constraints(w, Delta)) return -1;
+    if (em_measure_constraints(w, Delta)) return -1;
     if (!w->run->least_norm && em_check_lengths(w, Delta)) return -1;
     return em_check_branch(w, Delta);
 }

@@ -1,6 +1,7 @@
-/* em_drift_monitor.h: whether constraints that nothing restores are still met. A v + b of every row is a constant of the
- * equations that a run without stabilisation integrates, wherever it is: steps change it by their errors, which add up,
- * and rounding of the multipliers by what no tolerance removes, as where forces cancel reactions on a small inertia. */
+/* em_drift_monitor.h: the drift monitor of constraints that nothing restores. In a run without stabilisation A v + b
+ * of every row is a constant of the equations. Steps change it by their errors, which add up; rounding of the
+ * multipliers changes it by an amount that no tolerance removes, for example where forces cancel reactions on a small
+ * inertia. */
 #ifndef EM_DRIFT_MONITOR_H
 #define EM_DRIFT_MONITOR_H
 
@@ -11,13 +12,13 @@
 #define EM_STEP_ADDS 0.3
 
 /* Whether there are such rows. Those that depend on others follow on the constraints alone (em_check_dependent). */
-static int em_drifts(const em_walk *w) {
+static int em_drifts(const em_run_state *w) {
     const em_run *run = w->run;
     return w->n_rows > 0 && !run->stabilise && run->model != NULL && (!run->least_norm || w->rank == w->n_rows);
 }
 
 /* rate (m) <- A v + b; terms (m), which may be NULL: the sum of the sizes of what is added */
-static void em_rates_of_rows(const em_walk *w, double t, const double *x, const double *v, double *rate, double *terms) {
+static void em_rates_of_rows(const em_run_state *w, double t, const double *x, const double *v, double *rate, double *terms) {
     double A[em_some(w->n_rows) * w->n];
     w->run->model->pfaffian(t, x, w->run->prepared, A, rate);
     for (int row = 0; row < w->n_rows; ++row) {
@@ -32,7 +33,7 @@ static void em_rates_of_rows(const em_walk *w, double t, const double *x, const 
 
 /* row_tolerance <- the largest so far of what A v + b changes by with x and v, one after the other, by their tolerances,
  * and by rounding of its terms */
-EM_COLD void em_allow_drift(em_walk *w, double t, const double *x, const double *v) {
+EM_NOINLINE void em_allow_drift(em_run_state *w, double t, const double *x, const double *v) {
     double z[2 * w->n], here[em_some(w->n_rows)], there[em_some(w->n_rows)], sum[em_some(w->n_rows)];
     memcpy(z, x, (size_t)w->n * sizeof *z);
     memcpy(z + w->n, v, (size_t)w->n * sizeof *z);
@@ -49,14 +50,14 @@ EM_COLD void em_allow_drift(em_walk *w, double t, const double *x, const double 
     for (int row = 0; row < w->n_rows; ++row) w->row_tolerance[row] = em_max(w->row_tolerance[row], sum[row]);
 }
 
-static void em_begin_drift(em_walk *w) {
+static void em_begin_drift(em_run_state *w) {
     if (!em_drifts(w)) return;
     em_rates_of_rows(w, w->t, w->y, w->K[0], w->row_rate, NULL);
     em_allow_drift(w, w->t, w->y, w->K[0]);
 }
 
 /* 0, or -1 and w->reason, which names a row that has drifted. */
-EM_COLD int em_look_at_drift(em_walk *w) {
+EM_NOINLINE int em_measure_drift(em_run_state *w) {
     double rate[em_some(w->n_rows)];
     if (!em_drifts(w)) return 0;
     em_rates_of_rows(w, w->t_new, w->y_new, w->f_new, rate, NULL);

@@ -1,12 +1,12 @@
-/* em_energy_monitor.h: what a run knows about itself for nothing. Where T2 - T0 + V is a constant of the motion it is held, now
- * and then and at the end, against what the tolerances promise of it: a run that has left that has left the motion. */
+/* em_energy_monitor.h: the energy monitor. Where T2 - T0 + V is a constant of the motion, it is compared with what
+ * the tolerances promise, every so many steps and at the end: a run that has lost it has left the motion. */
 #ifndef EM_ENERGY_MONITOR_H
 #define EM_ENERGY_MONITOR_H
 
 #include "monitors/em_drift_monitor.h"
 
 /* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
-#define EM_WITNESS_EVERY 256
+#define EM_ENERGY_EVERY 256
 
 /* By how much more than its tolerances every step, settling included, may change the energy; and a run as a whole. */
 #define EM_STEP_MAY 10.0
@@ -14,20 +14,20 @@
 #define EM_DRIFT_MAY 1000.0 /* where C and s may drift by as much */
 
 /* Whether there is an energy to look at: what drifts off constraints does work against them. */
-static int em_has_witness(const em_walk *w) {
+static int em_has_energy_monitor(const em_run_state *w) {
     const em_run *const run = w->run;
     const int drifts = w->n_rows > 0 && !run->stabilise;
     return !drifts && run->model != NULL && run->model->conserves_energy;
 }
 
-static double em_jacobi_integral(const em_walk *w, double t, const double *x, const double *v) {
+static double em_jacobi_integral(const em_run_state *w, double t, const double *x, const double *v) {
     double e[4];
     w->run->model->energy(t, x, v, w->run->prepared, e);
     return e[0] - e[2] + e[3];
 }
 
 /* What the energy changes by with x and v, one after the other, by their tolerances, and by rounding of its terms. */
-EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, const double *v) {
+EM_NOINLINE double em_energy_tolerance(const em_run_state *w, double t, const double *x, const double *v) {
     double z[2 * w->n], e[4], sum = 0.0;
     memcpy(z, x, (size_t)w->n * sizeof *z);
     memcpy(z + w->n, v, (size_t)w->n * sizeof *z);
@@ -44,17 +44,17 @@ EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, 
 }
 
 /* Energy and constraints at the start. 0, or -1 and w->reason: the energy is not finite. */
-static int em_begin_witness(em_walk *w) {
+static int em_begin_energy_monitor(em_run_state *w) {
     em_begin_drift(w);
-    if (!em_has_witness(w)) return 0;
+    if (!em_has_energy_monitor(w)) return 0;
     w->energy = em_jacobi_integral(w, w->t, w->y, w->K[0]);
     w->energy_tolerance = em_energy_tolerance(w, w->t, w->y, w->K[0]);
     return isfinite(w->energy) ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, w->energy);
 }
 
-EM_COLD int em_look_at_energy(em_walk *w) {
+EM_NOINLINE int em_measure_energy(em_run_state *w) {
     const em_run *run = w->run;
-    if (!em_has_witness(w)) return 0;
+    if (!em_has_energy_monitor(w)) return 0;
     const double drift = fabs(em_jacobi_integral(w, w->t_new, w->y_new, w->f_new) - w->energy);
     const double steps = (run->stabilise ? EM_RUN_MAY : EM_DRIFT_MAY) + EM_STEP_MAY * (double)run->n_steps;
     if (!(drift <= 0.1 * steps * w->energy_tolerance))
@@ -63,10 +63,10 @@ EM_COLD int em_look_at_energy(em_walk *w) {
 }
 
 /* Whether energy and constraints at t_new are what they may be. 0, or -1 and w->reason. */
-EM_INLINE int em_check_witness(em_walk *w) {
+EM_INLINE int em_check_energy(em_run_state *w) {
     if (w->run->n_rhs < w->next_witness && w->t_new != w->run->t_end) return 0;
-    w->next_witness = w->run->n_rhs + EM_WITNESS_EVERY;
-    return em_look_at_drift(w) || em_look_at_energy(w) ? -1 : 0;
+    w->next_witness = w->run->n_rhs + EM_ENERGY_EVERY;
+    return em_measure_drift(w) || em_measure_energy(w) ? -1 : 0;
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* em_kept_rows.h: which constraint rows a run solves for where some depend on others ("least_norm", em_rank.h). */
+/* em_kept_rows.h: the independent constraint rows that a run solves for ("least_norm", em_rank.h). */
 #ifndef EM_KEPT_ROWS_H
 #define EM_KEPT_ROWS_H
 
@@ -8,7 +8,7 @@
 
 /* A row of B that is not kept is one of the others' to rounding. What is a little different states another motion, which
  * squares, of which Delta is made, do not show. 0, or -1 and w->reason, which names it. */
-static int em_check_dropped(em_walk *w, const double *B, int kept) {
+static int em_check_dropped(em_run_state *w, const double *B, int kept) {
     double Q[w->n_rows * w->n], r[w->n];
     int count = 0;
     for (int number = 0; number < 2 * w->n_rows; ++number) {
@@ -27,7 +27,7 @@ static int em_check_dropped(em_walk *w, const double *B, int kept) {
 }
 
 /* What becomes of dependent rows in a run at its start: em_run.least_norm. */
-static int em_shares(em_walk *w) {
+static int em_shares(em_run_state *w) {
     int rows[em_some(w->n_rows)];
     if (w->bare || w->n_rows == 0) return w->asked == EM_SHARED ? EM_SHARED : EM_REFUSED;
     if (w->asked != EM_SHARED_FROM_START) return w->asked;
@@ -35,7 +35,7 @@ static int em_shares(em_walk *w) {
 }
 
 /* A row that was kept, and follows from the others here. */
-static int em_fail_dependent_here(em_walk *w, int kept) {
+static int em_fail_dependent_here(em_run_state *w, int kept) {
     int row = 0;
     while (row + 1 < w->n_rows && !(w->run->kept & ~kept & EM_FIRST_KEPT << row)) ++row;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
@@ -43,7 +43,7 @@ static int em_fail_dependent_here(em_walk *w, int kept) {
 
 /* run->kept <- rows that are independent at x, of which there are as many as at the start. -1 and w->reason where there
  * are more, on the constraints: it was a singular position, and the rows kept do not hold what starts there. */
-static int em_keep_constraints(em_walk *w, double t, const double *x) {
+static int em_keep_constraints(em_run_state *w, double t, const double *x) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
     int kept;
@@ -62,7 +62,7 @@ static int em_keep_constraints(em_walk *w, double t, const double *x) {
 }
 
 /* The same at the nearest point on the constraints: off them rows are independent that are not on them. */
-static int em_keep_constraints_at_start(em_walk *w) {
+static int em_keep_constraints_at_start(em_run_state *w) {
     double x[w->n];
     if (w->bare) return 0;
     memcpy(x, w->y, sizeof x);

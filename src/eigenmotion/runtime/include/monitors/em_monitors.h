@@ -1,4 +1,4 @@
-/* em_monitors.h: what the end of a step is worth, all checks of it together. */
+/* em_monitors.h: all checks of a step whose error is small enough. */
 #ifndef EM_MONITORS_H
 #define EM_MONITORS_H
 
@@ -7,7 +7,7 @@
 #include "monitors/em_energy_monitor.h"
 
 /* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */
-static int em_check_settled(em_walk *w) {
+static int em_check_settled(em_run_state *w) {
     const int n = w->n;
     double *const v = w->spare, *const moved = w->argument;
     if (em_xdot(w, w->mode, em_clock(w, w->t_new), w->y_raw, v, &w->reason)) return -1;
@@ -20,13 +20,13 @@ static int em_check_settled(em_walk *w) {
 
 /* Whether the step under way, settled, is one of the motion asked for; of what is bare there are no terms to hold it
  * against. 0, or -1 and w->reason. */
-static int em_check_step(em_walk *w) {
-    if (!w->bare && em_check_chart(w)) return -1;
+static int em_check_step(em_run_state *w) {
+    if (!w->bare && em_check_singularity(w)) return -1;
     if (!w->bare && w->n_positions > 0 && em_check_positions(w)) return -1;
     if (!w->bare && w->n_rows > 0 && w->run->least_norm && em_check_dependent(w)) return -1;
     if (w->n_rows > 0 && w->run->stabilise && em_check_settled(w)) return -1;
     if (!w->bare && w->n_positions > 0 && !(w->run->stabilise) && em_check_drift(w, w->y_new, w->f_new)) return -1;
-    return (!w->bare && em_check_factors(w)) || em_check_witness(w) ? -1 : 0;
+    return (!w->bare && em_check_factors(w)) || em_check_energy(w) ? -1 : 0;
 }
 
 #endif

@@ -1,5 +1,5 @@
-/* em_singularity_limits.h: which steps are looked at for a singularity of the coordinates nearby, and what is asked of M within them: by
- * numbers (em_singularity_monitor.h) and on lanes (em_lane_singularity.h). */
+/* em_singularity_limits.h: thresholds of the singularity monitor, scalar (em_singularity_monitor.h) and on lanes
+ * (em_lane_singularity.h). */
 #ifndef EM_SINGULARITY_LIMITS_H
 #define EM_SINGULARITY_LIMITS_H
 

@@ -1,6 +1,7 @@
-/* em_singularity_monitor.h: whether a step sees the motion where steps have become short, as near a singularity of the coordinates.
- * eta may be constant to all digits while v = L^-T eta grows beyond bounds within the tolerance on x, and what rounding
- * makes of a small pivot of M no tolerance removes: the error of a step shows neither. */
+/* em_singularity_monitor.h: the singularity monitor: do steps that have become short still resolve the motion near a
+ * singularity of the coordinates? There eta may be constant to all digits while v = L^-T eta grows beyond bounds
+ * within the tolerance on x, and no tolerance removes the rounding of a small pivot of M: the error of a step shows
+ * neither. */
 #ifndef EM_SINGULARITY_MONITOR_H
 #define EM_SINGULARITY_MONITOR_H
 
@@ -26,7 +27,7 @@ EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) 
 }
 
 /* The same of M at x; where it is small, as most are, by loops that unroll. */
-static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
+static void em_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
     double M[w->n * w->n];
     w->of->factored(t, x, w->run->prepared, M);
     switch (w->n) {
@@ -39,7 +40,7 @@ static void em_pivots(const em_walk *w, double t, const double *x, double *pivot
 }
 
 /* The same at the start of the step under way, where the step before has ended as a rule. */
-static void em_pivots_at_start(const em_walk *w, double *pivots) {
+static void em_pivots_at_start(const em_run_state *w, double *pivots) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     double diagonal[w->n];
     if (w->seen && w->seen_t == w->t && !memcmp(w->seen_x, w->y, size)) memcpy(pivots, w->seen_pivots, size);
@@ -47,7 +48,7 @@ static void em_pivots_at_start(const em_walk *w, double *pivots) {
 }
 
 /* and at its end. */
-static void em_pivots_at_end(em_walk *w, double *pivots, double *diagonal) {
+static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
     w->seen = 1;
@@ -65,7 +66,7 @@ static int em_first_unresolved(int n, const double *before, const double *after,
 
 /* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1; pivots and
  * diagonal (n) <- at x_new. No passage through 0 between two of three points is so small in all of them. */
-static int em_unresolved(const em_walk *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
+static int em_unresolved(const em_run_state *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
                          double *diagonal) {
     double middle[w->n], before[2][w->n];
     for (int k = 0; k < w->n; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
@@ -77,7 +78,7 @@ static int em_unresolved(const em_walk *w, double t, const double *x, double t_n
 }
 
 /* x (n) at the part s of the step under way, by the cubic through both ends. */
-static void em_within(const em_walk *w, double s, double *x) {
+static void em_within(const em_run_state *w, double s, double *x) {
     const double r = 1.0 - s, h = w->h;
     for (int k = 0; k < w->n; ++k)
         x[k] = r * r * ((1.0 + 2.0 * s) * w->y[k] + s * h * w->K[0][k]) +
@@ -85,7 +86,7 @@ static void em_within(const em_walk *w, double s, double *x) {
 }
 
 /* The first coordinate whose pivot changes by more than `most` within one of so many equal parts of the step, or -1. */
-static int em_unresolved_within(em_walk *w, int parts, double most) {
+static int em_unresolved_within(em_run_state *w, int parts, double most) {
     double x[w->n], pivots[2][w->n], diagonal[w->n];
     em_pivots_at_start(w, pivots[0]);
     for (int j = 1; j < parts; ++j) {
@@ -99,27 +100,27 @@ static int em_unresolved_within(em_walk *w, int parts, double most) {
 }
 
 /* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
-static int em_rounded(const em_walk *w, const double *pivots, const double *diagonal) {
+static int em_rounded(const em_run_state *w, const double *pivots, const double *diagonal) {
     for (int k = 0; k < w->n; ++k)
         if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
     return -1;
 }
 
-EM_COLD int em_look_at_chart(em_walk *w) {
+EM_NOINLINE int em_measure_pivots(em_run_state *w) {
     double pivots[w->n], diagonal[w->n];
     int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
     if (lost < 0) lost = em_rounded(w, pivots, diagonal);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
-EM_COLD int em_look_across(em_walk *w) {
+EM_NOINLINE int em_measure_pivots_across(em_run_state *w) {
     if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
     const int lost = em_unresolved_within(w, EM_PARTS, EM_CROSSED);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
 /* Beside the first step from near a singularity no other is long. */
-static void em_begin_chart(em_walk *w) {
+static void em_begin_singularity_monitor(em_run_state *w) {
     const double rate = sqrt(em_weighted_squares(w->n, w->K[0], w->weight));
     double ahead[w->n], behind[w->n], pivots[w->n], diagonal[w->n];
     for (int k = 0; k < w->n; ++k) {
@@ -131,10 +132,10 @@ static void em_begin_chart(em_walk *w) {
 }
 
 /* Whether the step under way sees the motion. 0, or -1 and w->reason. */
-EM_INLINE int em_check_chart(em_walk *w) {
+EM_INLINE int em_check_singularity(em_run_state *w) {
     if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
-        return em_look_at_chart(w);
-    return w->rtol > EM_LOOSE || w->scheme.radau_iia != NULL ? em_look_across(w) : 0;
+        return em_measure_pivots(w);
+    return w->rtol > EM_LOOSE || w->scheme.radau_iia != NULL ? em_measure_pivots_across(w) : 0;
 }
 
 #endif

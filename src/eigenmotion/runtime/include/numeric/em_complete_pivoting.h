@@ -1,18 +1,18 @@
-/* em_complete_pivoting.h: elimination with complete pivoting, for the linear system of a mode of contacts and frictions. */
+/* em_complete_pivoting.h: elimination with complete pivoting, for the linear system of an active set. */
 #ifndef EM_COMPLETE_PIVOTING_H
 #define EM_COMPLETE_PIVOTING_H
 
 #include "numeric/em_linear.h"
 
 #ifndef EM_MIXED_ROWS
-#define EM_MIXED_ROWS EM_STRUCK_ROWS
+#define EM_MIXED_ROWS EM_IMPACT_ROWS
 #endif
 
 #define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows depend on each other */
 
 /* x (count) <- A^-1 x by elimination with the largest pivot of what is left. 0, or -1: the rows depend on each other. *sign, if
  * that is not NULL: of the determinant. */
-EM_COLD int em_solve_mode(int count, double *A, double *x, int *sign) {
+EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
     int column[EM_MIXED_ROWS], turns = 0;
     double y[EM_MIXED_ROWS];
     for (int k = 0; k < count; ++k) column[k] = k;

@@ -1,4 +1,5 @@
-/* em_dual_functions.h: C's functions by their names, of numbers with a derivative as well as of numbers alone.
+/* em_dual_functions.h: C's mathematical functions on dual numbers (a value and a derivative), under their usual
+ * names.
  *
  * f(a + i e a') = f(a) + i e f'(a) a'. What does not change has no derivative, whatever f' is there; where f' has two sides
  * it is that of one of them. */

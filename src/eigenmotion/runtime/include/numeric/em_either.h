@@ -1,4 +1,5 @@
-/* em_either.h: what is written with C's names is meant for numbers and, as EM_OF_REAL(name), for `real` that is not one. */
+/* em_either.h: C's mathematical functions under their usual names, for double and for a `real` that is not double
+ * (EM_OF_REAL(name)). */
 #ifndef EM_EITHER_H
 #define EM_EITHER_H
 

@@ -1,4 +1,4 @@
-/* em_elimination.h: one full linear system of numbers, with many right-hand sides beside it.
+/* em_elimination.h: Gaussian elimination of one full system with many right-hand sides.
  *
  * Elimination by four pivots at a time: what is to the right of them changes once for all four, so that a row is read and
  * written a quarter as often. What calls it is compiled twice, once for the vectors that many processors have, and which

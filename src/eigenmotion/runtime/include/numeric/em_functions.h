@@ -1,5 +1,5 @@
-/* em_functions.h: functions of expressions that C does not have, or not as a potential needs them. Comparisons are
- * numbers, 1 and 0, as they are where they are computed once per parameter set. */
+/* em_functions.h: functions of expressions that C does not have, or not in the form a potential needs. Comparisons
+ * are numbers, 1 and 0, as where they are computed once per parameter set. */
 #ifndef EM_FUNCTIONS_H
 #define EM_FUNCTIONS_H
 

@@ -1,4 +1,4 @@
-/* em_lane_functions.h: C's functions by their names, of vectors as well as of numbers.
+/* em_lane_functions.h: C's mathematical functions on vectors, under their usual names.
  *
  * sin and cos: a = n pi/2 + r, reduced by pi/2 in three parts of which n times the first two is exact, so that it does
  * not matter whether multiplication and subtraction are one operation (Cody & Waite 1980); then polynomials that are

@@ -1,5 +1,5 @@
-/* em_linear.h: small dense linear algebra: products, L L^T and L D L^T, and what solves with them. Dimensions are constants at every
- * call, so that the compiler unrolls what is small. Matrices are row-major. */
+/* em_linear.h: small dense linear algebra: products, L L^T and L D L^T, and solves with them. Dimensions are
+ * constants at every call, so that the compiler unrolls small ones. Matrices are row-major. */
 #ifndef EM_LINEAR_H
 #define EM_LINEAR_H
 
@@ -25,7 +25,7 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_F
 #define EM_SMALL_PIVOT 1e-4 /* below this part of the whole another pivot is looked for */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
-EM_RARE EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
+EM_COLD_PATH EM_NOINLINE int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
     fault->status = status;
     fault->first = first;
     fault->second = second;
@@ -37,7 +37,7 @@ EM_RARE EM_COLD int em_fail(em_fault *fault, em_status status, int first, int se
 enum { EM_LONG = 8 }; /* from here on rows of a factor are formed in vectors */
 
 /* em_factor row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
-EM_COLD int em_factor_along(int n, int roots, const double *restrict M, double *restrict L, double *restrict r,
+EM_NOINLINE int em_factor_along(int n, int roots, const double *restrict M, double *restrict L, double *restrict r,
                             double tolerance) {
     enum { WIDTH = EM_LANES };
     const int padded = (n + WIDTH - 1) / WIDTH;

@@ -113,15 +113,15 @@ EM_INLINE int em_complex_lu_solve_of(int n, const double *restrict G, const doub
         default: of(n, __VA_ARGS__);  \
     }
 
-EM_COLD int em_lu(int n, double *G, const double *unit, int *pivot) { EM_OF_SIZE(n, return em_lu_of, G, unit, pivot) }
+EM_NOINLINE int em_lu(int n, double *G, const double *unit, int *pivot) { EM_OF_SIZE(n, return em_lu_of, G, unit, pivot) }
 
-EM_COLD int em_lu_solve(int n, const double *G, const int *pivot, double *b) { EM_OF_SIZE(n, return em_lu_solve_of, G, pivot, b) }
+EM_NOINLINE int em_lu_solve(int n, const double *G, const int *pivot, double *b) { EM_OF_SIZE(n, return em_lu_solve_of, G, pivot, b) }
 
-EM_COLD int em_complex_lu(int n, double *G, double *H, const double *unit, int *pivot) {
+EM_NOINLINE int em_complex_lu(int n, double *G, double *H, const double *unit, int *pivot) {
     EM_OF_SIZE(n, return em_complex_lu_of, G, H, unit, pivot)
 }
 
-EM_COLD int em_complex_lu_solve(int n, const double *G, const double *H, const int *pivot, double *b, double *d) {
+EM_NOINLINE int em_complex_lu_solve(int n, const double *G, const double *H, const int *pivot, double *b, double *d) {
     EM_OF_SIZE(n, return em_complex_lu_solve_of, G, H, pivot, b, d)
 }
 

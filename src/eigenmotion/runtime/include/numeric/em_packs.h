@@ -1,4 +1,4 @@
-/* em_packs.h: numbers four at a time: rows of so many are padded, so that loops over them know no rest. */
+/* em_packs.h: arrays padded to packs of four numbers, so that loops over them have no remainder. */
 #ifndef EM_PACKS_H
 #define EM_PACKS_H
 

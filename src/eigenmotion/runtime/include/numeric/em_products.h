@@ -1,6 +1,6 @@
-/* em_products.h: products of small dense matrices, row-major. From four rows on, those of numbers are formed in vectors,
- * for a compiler that unrolls what is small is left with single numbers; what is smaller, and what is on lanes already,
- * is left to it. */
+/* em_products.h: products of small dense matrices, row-major. From four rows on, products of doubles are formed in
+ * vectors, since a compiler that unrolls small loops leaves single numbers. Smaller ones, and those on lanes, are
+ * left to the compiler. */
 #ifndef EM_PRODUCTS_H
 #define EM_PRODUCTS_H
 

@@ -1,4 +1,4 @@
-/* em_real.h: `real`, what a right-hand side computes with.
+/* em_real.h: `real`, the scalar type of right-hand sides: a double, a vector, or a dual number.
  *
  * NAME.c as it stands computes with numbers. Compiled a second time with EM_ON_LANES defined it computes with vectors of
  * EM_LANES numbers, at the price of one: as many states side by side, which know nothing of each other. What cannot go
@@ -19,11 +19,11 @@
 #else /* a copy at every call would gain nothing, and take the compiler half as long again */
 #define EM_INLINE static inline __attribute__((unused))
 #endif
-#define EM_COLD static __attribute__((noinline, unused))
-#define EM_BY_ITSELF EM_COLD /* so long that a call is nothing beside it, while copies take compilers long */
+#define EM_NOINLINE static __attribute__((noinline, unused))
+#define EM_NOINLINE_KERNEL EM_NOINLINE /* so long that a call is nothing beside it, while copies take compilers long */
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
-#define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
+#define EM_COLD_PATH __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
 #define EM_HOT __attribute__((hot)) /* for speed, though it is called beside what is rare, which compilers conclude from */
 
 /* What an object file holds of NAME.c: all of it, or the units that -DEM_UNIT=... names (docs/architecture.md). What goes
@@ -36,13 +36,13 @@
 #ifdef EM_UNIT
 #define EM_ALONE(unit) ((EM_UNIT) == (unit))
 #define EM_HOLDS(unit) ((EM_UNIT) & (unit))
-#define EM_ACROSS
-#define EM_BY_ITSELF_ACROSS __attribute__((noinline))
+#define EM_EXPORT
+#define EM_NOINLINE_KERNEL_EXPORT __attribute__((noinline))
 #else
 #define EM_ALONE(unit) 0
 #define EM_HOLDS(unit) 1
-#define EM_ACROSS EM_UNUSED static
-#define EM_BY_ITSELF_ACROSS EM_BY_ITSELF
+#define EM_EXPORT EM_UNUSED static
+#define EM_NOINLINE_KERNEL_EXPORT EM_NOINLINE_KERNEL
 #endif
 
 /* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */

@@ -1,11 +1,11 @@
-/* em_acceleration_jacobian.h: how the acceleration a(t, x, v) of the constrained motion changes with x and with v. */
+/* em_acceleration_jacobian.h: Jacobian blocks da/dx and da/dv of the constrained acceleration a(t, x, v). */
 #ifndef EM_ACCELERATION_JACOBIAN_H
 #define EM_ACCELERATION_JACOBIAN_H
 
 #include "stepper/em_failure_location.h"
 
 /* A model written by hand states no derivatives: differences, which an iteration needs no better. */
-static int em_bare_rate(em_walk *w, double t, const double *z, double *rate) {
+static int em_bare_rate(em_run_state *w, double t, const double *z, double *rate) {
     const int n = w->n;
     double y[w->width], dy[w->width], memory[em_padded(w->n_memory)];
     memset(y, 0, sizeof y);
@@ -19,7 +19,7 @@ static int em_bare_rate(em_walk *w, double t, const double *z, double *rate) {
 }
 
 /* Column k: over both sides, or the one on which there are rates. */
-static int em_bare_slope(em_walk *w, double t, double *at, int k, const double *here, double *J) {
+static int em_bare_slope(em_run_state *w, double t, double *at, int k, const double *here, double *J) {
     double up[2 * w->n], down[2 * w->n], z = at[k], high = z + 1e-3 * fmax(1.0, fabs(z)), low = z - (high - z);
     at[k] = high;
     if (em_bare_rate(w, t, at, up)) high = z, memcpy(up, here, sizeof up);
@@ -30,7 +30,7 @@ static int em_bare_slope(em_walk *w, double t, double *at, int k, const double *
     return high > low ? 0 : -1;
 }
 
-static int em_bare_slopes(em_walk *w, double t, const double *z, double *J) {
+static int em_bare_slopes(em_run_state *w, double t, const double *z, double *J) {
     double at[2 * w->n], here[2 * w->n];
     memcpy(at, z, sizeof at);
     if (em_bare_rate(w, t, at, here)) return -1;
@@ -40,7 +40,7 @@ static int em_bare_slopes(em_walk *w, double t, const double *z, double *J) {
 }
 
 /* Of the model that the caller names, which may have derivatives that the stepper's own is without. */
-static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
+static int em_slopes_at(em_run_state *w, double t, const double *z, double *J) {
     const em_run *const run = w->run;
     const em_model *const model = run->model ? run->model : w->model;
     if (w->bare) return em_bare_slopes(w, t, z, J);
@@ -48,7 +48,7 @@ static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
 }
 
 /* K (n, n) = da/dx and D (n, n) = da/dv at z = (x, v), signals in w->u. 0, or -1 and w->reason */
-static int em_acceleration_slopes(em_walk *w, double t, const double *z, double *K, double *D) {
+static int em_acceleration_slopes(em_run_state *w, double t, const double *z, double *K, double *D) {
     const int n = w->n;
     double J[4 * n * n];
     ++w->run->n_jacobians;

@@ -1,5 +1,4 @@
-/* em_collocation.h: a step of a Radau IIA method on the motion (x, v): its stages, its error, how long the next one is, and
- * the states within.
+/* em_collocation.h: Radau IIA steps of the motion (x, v): stages, error, next step size and dense output.
  *
  * As in Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8: the error is that of a solution of order s,
  * multiplied by (1 - h J / mu_0)^-1, so that stiff parts do not count where they have died out; slopes are kept as long as
@@ -22,7 +21,7 @@ enum { EM_STEPS_ALONE = 16 }; /* with slopes of each stage, before others are tr
 /* --- the accelerations a step begins with --- */
 
 /* a <- the polynomial through the last accelerations at start + ratio c_i, in units of their step. */
-static void em_extend_last(const em_radau_iia *rk, em_walk *w, double start, double ratio) {
+static void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start, double ratio) {
     em_implicit *q = &w->stages;
     const int stride = w->stride;
     memset(q->a, 0, (size_t)(EM_MOST_NODES * stride) * sizeof *q->a);
@@ -40,7 +39,7 @@ static void em_extend_last(const em_radau_iia *rk, em_walk *w, double start, dou
 }
 
 /* The stages as the last step continues, or a rejected attempt has them; or with the acceleration at the start. */
-static void em_guess_stages(const em_radau_iia *rk, em_walk *w) {
+static void em_guess_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->known && w->t == q->t) em_extend_last(rk, w, 0.0, w->h / q->h);
     else if (q->known && w->t == q->t_new) em_extend_last(rk, w, 1.0, w->h / q->h);
@@ -53,7 +52,7 @@ static void em_guess_stages(const em_radau_iia *rk, em_walk *w) {
 /* --- their solution --- */
 
 /* With slopes that stages share, taken anew where old ones do not serve. EM_SOLVED and so on. */
-static int em_solve_shared(const em_radau_iia *rk, em_walk *w) {
+static int em_solve_shared(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     for (int old = q->sloped && !q->outdated;; old = 0) {
         if (!old && em_take_slopes(w)) return EM_NO_RATE;
@@ -64,7 +63,7 @@ static int em_solve_shared(const em_radau_iia *rk, em_walk *w) {
     }
 }
 
-static int em_solve_coupled(const em_radau_iia *rk, em_walk *w) {
+static int em_solve_coupled(const em_radau_iia *rk, em_run_state *w) {
     int singular = 0;
     em_guess_stages(rk, w);
     if (em_couple_stages(rk, w, &singular)) return EM_NO_RATE;
@@ -72,7 +71,7 @@ static int em_solve_coupled(const em_radau_iia *rk, em_walk *w) {
 }
 
 /* What converges, in the order of the cost; what converged before, first. */
-static int em_solve_stages(const em_radau_iia *rk, em_walk *w) {
+static int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->own > 0) return em_solve_coupled(rk, w);
     const int found = em_solve_shared(rk, w);
@@ -84,7 +83,7 @@ static int em_solve_stages(const em_radau_iia *rk, em_walk *w) {
 /* --- the error --- */
 
 /* error (2 n) <- (1 - h J / mu_0)^-1 (h / mu_0 rate + h sum_i e_i rate_i), `rate` (2 n) at the start of the step. */
-static void em_filtered_error(const em_radau_iia *rk, em_walk *w, const double *rate, double *error) {
+static void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const double *rate, double *error) {
     em_implicit *q = &w->stages;
     const double sigma = rk->mu[0][0] / w->h;
     double raw[w->n];
@@ -102,7 +101,7 @@ static void em_filtered_error(const em_radau_iia *rk, em_walk *w, const double *
 
 /* 0, or -1 and w->reason. A large error at the start of a motion, or of an attempt after another, is looked at again:
  * it may be of parts that die out. */
-static int em_estimate_stages(const em_radau_iia *rk, em_walk *w) {
+static int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double rate[w->width], shifted[2 * w->n + EM_PACK];
     em_copy_state(w, rate, w->K[0]);
@@ -119,7 +118,7 @@ static int em_estimate_stages(const em_radau_iia *rk, em_walk *w) {
 
 /* What the next step is chosen by: this error, also beside the one before; more where the iteration took long; and what
  * leaves the size as it is where slopes and factors still serve. */
-static double em_size_by(const em_radau_iia *rk, const em_walk *w, double error) {
+static double em_size_by(const em_radau_iia *rk, const em_run_state *w, double error) {
     const em_implicit *q = &w->stages;
     const double order = rk->stages + 1, most = em_most_iterations(rk);
     double size = error * pow((2.0 * most + q->iterations) / (2.0 * most + 1.0), order);
@@ -132,7 +131,7 @@ static double em_size_by(const em_radau_iia *rk, const em_walk *w, double error)
 /* --- the step --- */
 
 /* The step before, once it has been accepted. */
-static void em_remember_stages(em_walk *w) {
+static void em_remember_stages(em_run_state *w) {
     em_implicit *q = &w->stages;
     if (!q->known || q->t_new != w->t || w->retries) return;
     q->before_h = q->h;
@@ -142,14 +141,14 @@ static void em_remember_stages(em_walk *w) {
 }
 
 /* An attempt whose stages are not found: the next one is shorter. */
-static int em_give_up(const em_radau_iia *rk, em_walk *w) {
+static int em_give_up(const em_radau_iia *rk, em_run_state *w) {
     em_copy_state(w, w->y_new, w->y);
     w->error_norm = w->size_norm = pow(EM_SAFE / EM_NOT_SO_LONG, rk->stages + 1);
     return 0;
 }
 
 /* y_new, the error and what the next size follows from. 0, or -1 and w->reason */
-static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
+static int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     em_copy_state(w, w->y_new, w->y);
     memcpy(w->y_new, q->X + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->X);
@@ -165,7 +164,7 @@ static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
     return 0;
 }
 
-static int em_collocation_step(em_walk *w) {
+static int em_collocation_step(em_run_state *w) {
     const em_radau_iia *const rk = w->scheme.radau_iia;
     em_remember_stages(w);
     em_weigh_start(w);
@@ -179,7 +178,7 @@ static int em_collocation_step(em_walk *w) {
 /* --- the states within --- */
 
 /* F <- the collocation polynomial's coefficients, by powers of theta. */
-static int em_collocation_interpolate(em_walk *w) {
+static int em_collocation_interpolate(em_run_state *w) {
     const em_radau_iia *const rk = w->scheme.radau_iia;
     const em_implicit *q = &w->stages;
     em_clear_interpolant(w);
@@ -192,7 +191,7 @@ static int em_collocation_interpolate(em_walk *w) {
     return 0;
 }
 
-static int em_collocation_sketch(em_walk *w) { return em_collocation_interpolate(w), w->scheme.terms; }
+static int em_collocation_sketch(em_run_state *w) { return em_collocation_interpolate(w), w->scheme.terms; }
 
 static void em_collocation_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
     memset(y, 0, (size_t)n_state * sizeof *y);

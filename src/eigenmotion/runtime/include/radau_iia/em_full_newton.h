@@ -1,4 +1,4 @@
-/* em_full_newton.h: the same with the slopes of each stage, s n numbers square.
+/* em_full_newton.h: Newton's method for all stages together, with a Jacobian for each stage: s n unknowns.
  *
  * With slopes that stages share the iteration converges only where stiff directions turn by less than about
  * 1 / (h sqrt(k)) in a step, k the stiffness per mass: steps of a stiff link that swings would be no longer than
@@ -9,7 +9,7 @@
 #include "radau_iia/em_simplified_newton.h"
 
 /* Rows of the matrix: of stage i, with its slopes in K and D. */
-static void em_put_rows(const em_radau_iia *rk, em_walk *w, int i) {
+static void em_put_rows(const em_radau_iia *rk, em_run_state *w, int i) {
     em_implicit *q = &w->stages;
     const int s = rk->stages;
     for (int j = 0; j < s; ++j) {
@@ -26,7 +26,7 @@ static void em_put_rows(const em_radau_iia *rk, em_walk *w, int i) {
 
 /* The matrix with slopes at the states that stages have at present, and its factors; K, D and G[0] <- of the last stage.
  * 0, or -1 and w->reason; *singular <- whether there are no factors */
-static int em_couple_stages(const em_radau_iia *rk, em_walk *w, int *singular) {
+static int em_couple_stages(const em_radau_iia *rk, em_run_state *w, int *singular) {
     em_implicit *q = &w->stages;
     double unit[EM_MOST_NODES * w->n];
     q->sloped = 0;
@@ -46,7 +46,7 @@ static int em_couple_stages(const em_radau_iia *rk, em_walk *w, int *singular) {
 }
 
 /* change (stages, n) of the accelerations that removes the residuals r */
-static void em_coupled_changes(const em_radau_iia *rk, em_walk *w, double *change) {
+static void em_coupled_changes(const em_radau_iia *rk, em_run_state *w, double *change) {
     const int n = w->n, stages = rk->stages;
     double all[stages * n]; /* without what pads rows */
     for (int i = 0; i < stages * n; ++i) all[i] = w->stages.r[i / n * w->stride + i % n];

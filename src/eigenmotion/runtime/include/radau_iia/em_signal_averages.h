@@ -1,13 +1,13 @@
-/* em_signal_averages.h: steps across samples of linear signals. Inside such a step each signal is a polynomial, with the value that
- * the signal has at the end, and its integrals against Legendre's polynomials but the last. So the step takes in all
- * that the samples say, and no stage sees a kink. What the motion is off inside the step is estimated; where it is too
- * much the step ends at a sample. */
+/* em_signal_averages.h: steps across samples of linear signals. Inside such a step each signal is a polynomial with
+ * the value of the signal at the end, and with its integrals against all of Legendre's polynomials but the last. So
+ * the step takes in all that the samples say, and no stage sees a kink. The error inside the step is estimated; where
+ * it is too large the step ends at a sample. */
 #ifndef EM_SIGNAL_AVERAGES_H
 #define EM_SIGNAL_AVERAGES_H
 
 #include "stepper/em_error_norm.h"
 
-#define EM_ROUGH 0.5 /* of the tolerances, to what the motion may be off inside a step */
+#define EM_SIGNAL_ERROR 0.5 /* of the tolerances, to what the motion may be off inside a step */
 
 /* The samples of a signal inside the step, in the order of the run, and its value between them. */
 typedef struct em_inside_step {
@@ -27,14 +27,14 @@ static double em_value_at(const em_inside_step *in, long k) {
     return k < in->count ? in->u->values[in->first + k * in->stride] : in->end;
 }
 
-static em_inside_step em_samples_inside(const em_walk *w, const em_signal *u) {
+static em_inside_step em_samples_inside(const em_run_state *w, const em_signal *u) {
     const int forward = w->direction > 0.0;
-    const long here = em_signal_piece(u, w->t, w->direction), there = em_signal_piece(u, w->t_new, -w->direction);
+    const long here = em_signal_interval(u, w->t, w->direction), there = em_signal_interval(u, w->t_new, -w->direction);
     const long first = forward ? here + 1 : here, beyond = forward ? there + 1 : there;
     const long count = u->kind == EM_LINEAR ? (forward ? beyond - first : first - beyond) : 0;
     return (em_inside_step){u, first, count > 0 ? count : 0, forward ? 1 : -1, w->t, w->h,
-                            em_signal_at(u, em_signal_piece(u, w->t, w->direction), w->t),
-                            em_signal_at(u, em_signal_piece(u, w->t_new, w->direction), w->t_new)};
+                            em_signal_at(u, em_signal_interval(u, w->t, w->direction), w->t),
+                            em_signal_at(u, em_signal_interval(u, w->t_new, w->direction), w->t_new)};
 }
 
 /* P (count) <- Legendre's polynomials at theta in [0, 1] */
@@ -52,7 +52,7 @@ static double em_series_at(int count, const double *series, double theta) {
 }
 
 /* sum (count) <- with the integrals of u P_l over the piece after sample k, by Gauss's formula: exact up to l = 4. */
-static void em_add_piece(const em_inside_step *in, long k, int count, double *sum) {
+static void em_add_interval(const em_inside_step *in, long k, int count, double *sum) {
     static const double place[] = {0.1127016653792583, 0.5, 0.8872983346207417}, share[] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
     const double from = em_part_at(in, k), to = em_part_at(in, k + 1);
     const double before = em_value_at(in, k), after = em_value_at(in, k + 1);
@@ -67,7 +67,7 @@ static void em_add_piece(const em_inside_step *in, long k, int count, double *su
 /* series (count) <- the polynomial's coefficients of Legendre's */
 static void em_average(const em_inside_step *in, int count, double *series) {
     memset(series, 0, (size_t)count * sizeof *series);
-    for (long k = -1; k < in->count; ++k) em_add_piece(in, k, count - 1, series);
+    for (long k = -1; k < in->count; ++k) em_add_interval(in, k, count - 1, series);
     series[count - 1] = in->end;
     for (int l = 0; l < count - 1; ++l) {
         series[l] *= 2 * l + 1;
@@ -89,7 +89,7 @@ static double em_left_out(const em_inside_step *in, int count, const double *ser
 }
 
 /* How far v may be off inside the step where signal i is so, in tolerances. 0 where that has no rate. */
-static double em_off_inside(em_walk *w, int i, double left_out) {
+static double em_off_inside(em_run_state *w, int i, double left_out) {
     double dy[w->width], off[w->n];
     em_signals(w, w->t);
     w->u[i] += left_out;
@@ -99,7 +99,7 @@ static double em_off_inside(em_walk *w, int i, double left_out) {
 }
 
 /* The values of signal i at the start and the stages; how far that is off. */
-static double em_average_signal(const em_radau_iia *rk, em_walk *w, int i) {
+static double em_average_signal(const em_radau_iia *rk, em_run_state *w, int i) {
     double series[EM_MOST_NODES];
     const em_inside_step in = em_samples_inside(w, &w->run->inputs[i]);
     if (in.count == 0) {
@@ -117,7 +117,7 @@ static double em_average_signal(const em_radau_iia *rk, em_walk *w, int i) {
 }
 
 /* The step ends at a sample: the middle one of those of the signal that has most. */
-static void em_end_at_sample(em_walk *w) {
+static void em_end_at_sample(em_run_state *w) {
     em_inside_step most = {NULL, 0, 0, 1, 0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < w->n_inputs; ++i) {
         const em_inside_step in = em_samples_inside(w, &w->run->inputs[i]);
@@ -128,12 +128,12 @@ static void em_end_at_sample(em_walk *w) {
 }
 
 /* Signals for the stages; the step gets shorter where they are too rough. */
-static void em_average_signals(const em_radau_iia *rk, em_walk *w) {
-    for (double off = 1.0; w->n_inputs > 0 && off > EM_ROUGH;) {
+static void em_average_signals(const em_radau_iia *rk, em_run_state *w) {
+    for (double off = 1.0; w->n_inputs > 0 && off > EM_SIGNAL_ERROR;) {
         w->stages.averaged = 0;
         off = 0.0;
         for (int i = 0; i < w->n_inputs; ++i) off = em_max(off, em_average_signal(rk, w, i));
-        if (off > EM_ROUGH) em_end_at_sample(w);
+        if (off > EM_SIGNAL_ERROR) em_end_at_sample(w);
     }
 }
 

@@ -1,5 +1,5 @@
-/* em_simplified_newton.h: what one iteration changes in the stages of a step that share their slopes, those at the start of this
- * step or of one before: by systems of n numbers, along the eigenvectors of A^-1. */
+/* em_simplified_newton.h: the simplified Newton iteration: one Jacobian for all stages, taken at the start of this
+ * step or of an earlier one; systems of n unknowns, along the eigenvectors of A^-1. */
 #ifndef EM_SIMPLIFIED_NEWTON_H
 #define EM_SIMPLIFIED_NEWTON_H
 
@@ -28,14 +28,14 @@ static void em_by_stages(const em_radau_iia *rk, double h, int stride, const dou
 }
 
 /* unit (count of n) <- what rows of the systems count in */
-static void em_stage_units(const em_walk *w, int count, double *unit) {
+static void em_stage_units(const em_run_state *w, int count, double *unit) {
     for (int k = 0; k < count * w->n; ++k) unit[k] = em_min(w->weight[w->n + k % w->n], 1e100);
 }
 
-static int em_slopes_are_fresh(const em_walk *w) { return w->stages.sloped && w->stages.slopes_t == w->t; }
+static int em_slopes_are_fresh(const em_run_state *w) { return w->stages.sloped && w->stages.slopes_t == w->t; }
 
 /* K and D at the start of the step. 0, or -1 and w->reason */
-static int em_take_slopes(em_walk *w) {
+static int em_take_slopes(em_run_state *w) {
     em_implicit *q = &w->stages;
     if (w->n_inputs > 0) em_signals(w, w->t);
     if (em_acceleration_slopes(w, w->t, w->y, q->K, q->D)) return -1;
@@ -47,7 +47,7 @@ static int em_take_slopes(em_walk *w) {
 }
 
 /* G + i H (n, n) <- sigma^2 - sigma D - K, sigma = re + i im; H may be NULL */
-static void em_stage_matrix(const em_walk *w, double re, double im, double *G, double *H) {
+static void em_stage_matrix(const em_run_state *w, double re, double im, double *G, double *H) {
     const em_implicit *const q = &w->stages;
     const int n = w->n;
     for (int k = 0; k < n * n; ++k) G[k] = -re * q->D[k] - q->K[k];
@@ -57,7 +57,7 @@ static void em_stage_matrix(const em_walk *w, double re, double im, double *G, d
 }
 
 /* The real one's factors. 0, or -1: it is singular */
-static int em_factor_real(const em_radau_iia *rk, em_walk *w) {
+static int em_factor_real(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double unit[w->n];
     em_stage_units(w, 1, unit);
@@ -66,7 +66,7 @@ static int em_factor_real(const em_radau_iia *rk, em_walk *w) {
 }
 
 /* The factors for a step of this size. 0, or -1: a matrix is singular */
-static int em_factor_shared(const em_radau_iia *rk, em_walk *w) {
+static int em_factor_shared(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double unit[w->n];
     if (q->factored_h == w->h) return 0;
@@ -83,7 +83,7 @@ static int em_factor_shared(const em_radau_iia *rk, em_walk *w) {
 }
 
 /* re + i im (n) <- sigma^2 (sigma^2 - sigma D - K)^-1 of r along an eigenvector, the first of which is real */
-static void em_solve_along(const em_radau_iia *rk, em_walk *w, int p, double *re, double *im) {
+static void em_solve_along(const em_radau_iia *rk, em_run_state *w, int p, double *re, double *im) {
     em_implicit *q = &w->stages;
     const double a = rk->mu[p][0] / w->h, b = rk->mu[p][1] / w->h, square = a * a - b * b, twice = 2.0 * a * b;
     const int n = w->n, stride = w->stride;
@@ -98,7 +98,7 @@ static void em_solve_along(const em_radau_iia *rk, em_walk *w, int p, double *re
 }
 
 /* change (stages, n) of the accelerations that removes the residuals r */
-static void em_shared_changes(const em_radau_iia *rk, em_walk *w, double *change) {
+static void em_shared_changes(const em_radau_iia *rk, em_run_state *w, double *change) {
     const int n = w->n, stride = w->stride;
     double re[n], im[n];
     memset(change, 0, (size_t)(rk->stages * stride) * sizeof *change);

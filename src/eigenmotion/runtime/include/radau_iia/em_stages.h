@@ -1,4 +1,4 @@
-/* em_stages.h: the equations of an implicit step's stages, and the simplified Newton iteration that solves them.
+/* em_stages.h: the stage equations of an implicit step, and the iteration that solves them.
  *
  * Unknown are the accelerations a_i at the stages; from them follow V = v + h A a and X = x + h A V. With slopes
  * K = da/dx and D = da/dv that all stages share, an eigenvalue mu of A^-1 and sigma = mu / h, the equations fall apart
@@ -24,7 +24,7 @@ enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* no rate: somewhere; w->reason 
 static int em_most_iterations(const em_radau_iia *rk) { return 7 + 5 * (rk->stages - 3) / 2; }
 
 /* X, V of the stages, from their accelerations. */
-static void em_stage_states(const em_radau_iia *rk, em_walk *w) {
+static void em_stage_states(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     em_by_stages(rk, w->h, w->stride, w->y + w->n, q->a, q->V);
     em_by_stages(rk, w->h, w->stride, w->y, q->V, q->X);
@@ -40,7 +40,7 @@ static double em_square_of_motion(int n, const double *M, const double *v) {
 /* What counts in x and v, from the start of the step to its end. Where there is no absolute tolerance it is one of the
  * rounding of the motion as a whole, in the mass metric: a solution of equations mixes what others leave of rounding into a
  * coordinate that does not move. */
-static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
+static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     const em_implicit *q = &w->stages;
     const double *const v = q->V + (rk->stages - 1) * w->stride, *const atol = w->run->atol;
     double M[w->n * w->n], least[2 * w->n];
@@ -61,7 +61,7 @@ static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
 
 /* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h where the step
  * crosses samples. 0, or -1 and w->reason */
-static int em_rate_of_stage(em_walk *w, int i, double t, const double *x, const double *v, double *dy) {
+static int em_rate_of_stage(em_run_state *w, int i, double t, const double *x, const double *v, double *dy) {
     em_implicit *q = &w->stages;
     em_copy_packs(w->n, w->argument, x);
     em_copy_packs(w->n, w->argument + w->n, v); /* over what the last pack has left there */
@@ -72,7 +72,7 @@ static int em_rate_of_stage(em_walk *w, int i, double t, const double *x, const 
 }
 
 /* r (n) of every stage <- its rate less its acceleration. 0, or -1 and w->reason */
-static int em_stage_residuals(const em_radau_iia *rk, em_walk *w) {
+static int em_stage_residuals(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double dy[w->width];
     for (int i = 0; i < rk->stages; ++i) {
@@ -84,7 +84,7 @@ static int em_stage_residuals(const em_radau_iia *rk, em_walk *w) {
 
 /* Takes over changes of the accelerations; X and V anew, for what a bad guess would leave in them of rounding. Returns how
  * large the changes of x and v are, in tolerances. */
-static double em_take_changes(const em_radau_iia *rk, em_walk *w, const double *change) {
+static double em_take_changes(const em_radau_iia *rk, em_run_state *w, const double *change) {
     em_implicit *q = &w->stages;
     const int n = w->n, stride = w->stride, last = (rk->stages - 1) * stride;
     double faster[EM_MOST_NODES * stride], farther[EM_MOST_NODES * stride], sum = 0.0;
@@ -102,7 +102,7 @@ static double em_take_changes(const em_radau_iia *rk, em_walk *w, const double *
 }
 
 /* What rounding of x and v may move the stages by, in tolerances. */
-static double em_stage_noise(const em_walk *w) {
+static double em_stage_noise(const em_run_state *w) {
     double sum = em_weighted_squares(2 * w->n, w->y, w->weight);
     for (int k = 0; k < w->n; ++k) {
         const double shaken = w->y[k] / w->h * w->weight[w->n + k];
@@ -112,19 +112,19 @@ static double em_stage_noise(const em_walk *w) {
 }
 
 /* What the residuals would make of the velocities if nothing were stiff, in tolerances. */
-static double em_size_of_residuals(const em_radau_iia *rk, const em_walk *w) {
+static double em_size_of_residuals(const em_radau_iia *rk, const em_run_state *w) {
     double sum = 0.0;
     for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n);
     return fabs(w->h) * sqrt(em_mean(sum, 2 * w->n * rk->stages));
 }
 
 /* Whether slopes of an earlier state may be all that makes changes small: too stiff ones leave residuals as they are. */
-static int em_trusts_slopes(const em_walk *w, double residual, double before) {
+static int em_trusts_slopes(const em_run_state *w, double residual, double before) {
     return em_slopes_are_fresh(w) || residual <= EM_NEAR_ENOUGH || residual <= EM_STAGNANT * before;
 }
 
 /* Iterates until little is left; q->contraction <- how fast. */
-static int em_iterate_stages(const em_radau_iia *rk, em_walk *w) {
+static int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);
     double change[EM_MOST_NODES * w->stride], before = 0.0, left = 1.0, residual = 0.0;

@@ -1,4 +1,4 @@
-/* em_variation_control.h: steps of the equations of variation, each as long as their own error lets it be. */
+/* em_variation_control.h: step-size control of the equations of variation, by their own error. */
 #ifndef EM_VARIATION_CONTROL_H
 #define EM_VARIATION_CONTROL_H
 
@@ -7,7 +7,7 @@
 #define EM_LONGEST 2.0 /* times as many steps of the run as make one here at first: features that the run has seen count */
 #define EM_NEARLY 0.6  /* of the length of a step: what is given away for its end to be one of the run's */
 #define EM_MENDS 4     /* rounds of Newton's method for a motion of a step's own */
-#define EM_ROUGH 100.0 /* tolerances, by which accelerations of a smooth motion may seem to jump */
+#define EM_JUMP_TOLERANCES 100.0 /* tolerances, by which accelerations of a smooth motion may seem to jump */
 
 #define EM_CRAWLS 1e7  /* so many steps to go are more than anybody waits for */
 
@@ -122,7 +122,7 @@ static double em_error_of(em_pass *p, double from, double to) {
 
 /* How rough accelerations are in a step, in what a smooth motion may seem to be; where that is more than one, less what is rounding. */
 static double em_rough_of(em_pass *p, double to) {
-    const double most = EM_ROUGH * p->of->tolerance;
+    const double most = EM_JUMP_TOLERANCES * p->of->tolerance;
     memset(p->wobble, 0, p->n * sizeof *p->wobble);
     const double found = em_force_rough(p) / most;
     return found <= 1.0 || em_rounding_of(p, to, p->none) ? found : em_force_rough(p) / most;

@@ -1,4 +1,4 @@
-/* em_variation_error.h: how far a step of the equations of variation is off.
+/* em_variation_error.h: the error of a step of the equations of variation.
  *
  * Within a step K = S_v' is a polynomial of degree 7. What it is off the equations at the beginning of the step, where it was
  * not asked to satisfy them, is twice the next coefficient of its series in Legendre's polynomials, k_8. So within the step
@@ -11,7 +11,7 @@
 
 #include "sensitivity/em_variation_rounding.h"
 
-#define EM_WITHIN (1.0 / 32.0)
+#define EM_STEP_SHARE (1.0 / 32.0)
 #define EM_SAFELY 2.0
 
 /* The sizes of the coefficients of one direction that its error is made of, relative to its size. */
@@ -23,7 +23,7 @@ typedef struct em_series_size {
 EM_INLINE double em_direction_error(const em_series_size *s, int within) {
     const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
     const double falls = before > after ? after / before : 1.0; /* by this every two terms */
-    const double off = EM_WITHIN * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
+    const double off = EM_STEP_SHARE * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
     return within ? fmax(end, off * sqrt(falls)) : end;
 }
 

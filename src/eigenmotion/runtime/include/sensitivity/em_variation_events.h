@@ -1,4 +1,4 @@
-/* em_variation_events.h: what becomes of directions at events.
+/* em_variation_events.h: directions across events.
  *
  * The time of an event changes by dt = -dg / gdot. What happens there is then that much later, and the motion after it, too:
  *
@@ -11,7 +11,7 @@
 
 #include "sensitivity/em_variation_control.h"
 
-#define EM_BESIDE 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
+#define EM_EVENT_MARGIN 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
 #define EM_SAME_RATE 1e-6 /* relative: rates on one side of a jump, at it and beside it */
 #define EM_SAME_STATE 1e-8 /* relative: what events made of a state in the run, and in the pass */
 
@@ -88,7 +88,7 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
     const int n = p->n, k = p->columns;
     const double t = w->t[stop], near = fabs(beside), *const next = w->z + (stop + 1) * 2 * n;
     double P[w->n_given * k], after[2 * n], v[n], of_break[k], by_break[2 * n];
-    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    const int breaks = em_time_event_at(p, stop, near, of_break, by_break);
     if (breaks < 0) return -1;
     if (breaks && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
     memcpy(v, p->z + n, sizeof v);
@@ -98,9 +98,9 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
         for (int j = 0; j < k; ++j) p->S[i * k + j] += before[i] * dt[j];
     if (w->model->act_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, fired, p->pile, k, p->S, P, &w->fault))
         return -1;
-    if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_BESIDE)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
+    if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_EVENT_MARGIN)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
     memcpy(p->z, next, 2 * n * sizeof *next);
-    const int breaks_then = em_break_at(p, stop, near, of_break, by_break);
+    const int breaks_then = em_time_event_at(p, stop, near, of_break, by_break);
     if (breaks_then < 0) return -1;
     if (breaks_then && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
     if (em_rate_on_side(p, t, beside, after)) return -1;
@@ -126,7 +126,7 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events
     const int n = p->n, k = p->columns;
     const double t = p->of->t[stop], near = fabs(beside);
     double after[2 * n], of_break[k], by_break[2 * n], rest[2 * n];
-    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    const int breaks = em_time_event_at(p, stop, near, of_break, by_break);
     if (breaks < 0 || em_rate_on_side(p, t, beside, after)) return -1;
     if (em_is_same_rate(n, before, after)) return 0;
     for (int i = 0; breaks && i < 2 * n; ++i) rest[i] = before[i] - by_break[i];

@@ -1,4 +1,4 @@
-/* em_variation_motion.h: the motion along which the equations of variation go, within a step of theirs.
+/* em_variation_motion.h: the motion along which the equations of variation are integrated, within a step of theirs.
  *
  * It is what the run keeps between its rows, which is as exact as the run asked for, or less: so it is held against the
  * equations of motion. By how much it is off at the nodes of a step is what collocation makes of its accelerations there,

@@ -1,4 +1,4 @@
-/* em_variation_pass.h: what a pass of the equations of variation is asked, and works with (em_variations.h). */
+/* em_variation_pass.h: the task and the memory of one pass of the equations of variation (em_variations.h). */
 #ifndef EM_VARIATION_PASS_H
 #define EM_VARIATION_PASS_H
 
@@ -76,7 +76,7 @@ static double em_signal_rate(const em_signal *u, long piece, double t) {
     if (u->kind == EM_LINEAR && piece >= 0 && piece < last)
         return (u->values[piece + 1] - u->values[piece]) / (u->times[piece + 1] - u->times[piece]);
     if (u->kind != EM_CUBIC || t < u->times[0] || t > u->times[last]) return 0.0;
-    long at = em_signal_piece(u, t, 1.0);
+    long at = em_signal_interval(u, t, 1.0);
     if (at > last - 1) at = last - 1;
     const double *b = u->values + 4 * at, x = t - u->times[at];
     return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
@@ -94,7 +94,7 @@ static void em_pass_inputs(em_pass *p, double t) {
 static int em_pass_pieces(em_pass *p, double t) {
     int other = 0;
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const long piece = em_signal_piece(&p->of->inputs[i], t, p->of->direction);
+        const long piece = em_signal_interval(&p->of->inputs[i], t, p->of->direction);
         other |= piece != p->piece[i];
         p->piece[i] = piece;
     }

@@ -1,4 +1,4 @@
-/* em_variation_rounding.h: what of the rates of directions, and of accelerations, is rounding.
+/* em_variation_rounding.h: rounding errors of rates of directions, and of accelerations.
  *
  * A second look at the same place with other last digits tells, where numbers of the state are what is rounded. What rows hold
  * back cancels against their multipliers, and nothing but rounding is left of it, wherever one looks: of a coordinate that does

@@ -1,4 +1,4 @@
-/* em_variation_rows.h: directions within a step, by the polynomial of their rates and what is known where these begin. */
+/* em_variation_rows.h: directions within a step, from the polynomial of their rates. */
 #ifndef EM_VARIATION_ROWS_H
 #define EM_VARIATION_ROWS_H
 

@@ -1,4 +1,4 @@
-/* em_variations.h: how a motion changes with what it starts from and what it is given.
+/* em_variations.h: sensitivities of a motion to its start, parameters and inputs, by the equations of variation.
  *
  *     d/dt dx = dv,   d/dt dv = a_x dx + a_v dv + a_p dp
  *
@@ -12,7 +12,7 @@
 #include "sensitivity/em_variation_events.h"
 
 /* The spans between two stops, which keep `beside` of them if events happen there. */
-static int em_variation_leg(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double beside) {
+static int em_variation_segment(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double beside) {
     em_variations *const w = p->of;
     em_pass_pieces(p, w->t[stop]);
     em_pass_side(p, w->t[stop], fabs(beside), 1);
@@ -36,13 +36,13 @@ static int em_variation_stops(em_pass *p) {
         const int more = stop + 1 < w->n_stops, meets = em_is_marked(w, mark, stop);
         const double length = more ? w->t[stop + 1] - w->t[stop] : 0.0;
         em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
-        const int acted = meets ? em_variation_marks(p, stop, &mark, beside != 0.0 ? beside : EM_BESIDE * length) : 0;
+        const int acted = meets ? em_variation_marks(p, stop, &mark, beside != 0.0 ? beside : EM_EVENT_MARGIN * length) : 0;
         if (acted < 0) return -1;
         leaves |= meets;
         if (acted || !more) continue; /* the next stop is what has come of this one */
         if (meets) em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
-        beside = EM_BESIDE * length;
-        if (em_variation_leg(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), beside)) return -1;
+        beside = EM_EVENT_MARGIN * length;
+        if (em_variation_segment(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), beside)) return -1;
         leaves = 0;
     }
     return 0;

@@ -1,5 +1,5 @@
-/* em_error_norm.h: how large an error is beside the tolerances, in x and v whatever the formulation carries: the root mean square
- * of e_k / (atol_k + rtol max(|y_k| before, after)), to which eigenfactors add where nothing settles them. */
+/* em_error_norm.h: the error norm, in x and v for every formulation: the root mean square of e_k / (atol_k + rtol
+ * max(|y_k| before, after)); eigenfactors take part where nothing restores them. */
 #ifndef EM_ERROR_NORM_H
 #define EM_ERROR_NORM_H
 
@@ -28,7 +28,7 @@ EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const d
 }
 
 /* Eigenfactors, which count where nothing settles them: C is of size one, s scales with itself. */
-EM_COLD void em_weigh_factors(em_walk *w, const double *before, const double *after) {
+EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const double *after) {
     const int count[] = {w->of->n_C, w->of->n_s, w->of->n_C_delta, w->of->n_s_delta};
     for (int part = 0, k = 2 * w->n, end = k; part < 4; ++part)
         for (end += count[part]; k < end; ++k) {
@@ -38,37 +38,37 @@ EM_COLD void em_weigh_factors(em_walk *w, const double *before, const double *af
 }
 
 /* Whether errors of eigenfactors count: where they are integrated and nothing settles them. */
-EM_INLINE int em_counts_factors(const em_walk *w) {
+EM_INLINE int em_counts_factors(const em_run_state *w) {
     return w->n_state > 2 * w->n && (w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise));
 }
 
 /* The weights of x and v (and, unless settled, of the eigenfactors) between two states and their right-hand sides. */
-EM_INLINE void em_set_weights_of(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
+EM_INLINE void em_set_weights_of(em_run_state *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_weigh(w->n, w->atol, w->rtol, y, y_new, w->weight);
     em_weigh(w->n, w->atol, w->rtol, dy, dy_new, w->weight + w->n); /* behind x, over what the last pack left there */
     if (em_counts_factors(w)) em_weigh_factors(w, y, y_new);
 }
 
-static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
+static void em_set_weights(em_run_state *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_set_weights_of(w, y, dy, y_new, dy_new);
 }
 
 /* Weights of the state at the start; what is 0 and has no absolute tolerance says nothing of its size. */
-static void em_weigh_start(em_walk *w) {
+static void em_weigh_start(em_run_state *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     for (int k = 0; k < w->n_state; ++k)
         if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
 }
 
 /* The weighted sum of squares of q (n_state): x, v and factors. */
-EM_INLINE double em_squares(const em_walk *w, const double *q) {
+EM_INLINE double em_squares(const em_run_state *w, const double *q) {
     double sum = em_weighted_squares(2 * w->n, q, w->weight);
     if (em_counts_factors(w)) sum += em_weighted_squares(w->n_state - 2 * w->n, q + 2 * w->n, w->weight + 2 * w->n);
     return sum;
 }
 
 /* The same of e, an error or a rate of the state, whose part of eta becomes one of v in place. */
-EM_INLINE double em_squares_of_error(const em_walk *w, double *restrict e) {
+EM_INLINE double em_squares_of_error(const em_run_state *w, double *restrict e) {
     if (!em_is_velocity_error(w)) {
         em_velocity_error(w, e + w->n, w->spare);
         memcpy(e + w->n, w->spare, (size_t)w->n * sizeof *e);
@@ -76,7 +76,7 @@ EM_INLINE double em_squares_of_error(const em_walk *w, double *restrict e) {
     return em_squares(w, e);
 }
 
-static int em_count(const em_walk *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
+static int em_count(const em_run_state *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
 
 /* sum / count: where that is a power of two by its inverse, which is exact, and there before the sum is. */
 EM_INLINE double em_mean(double sum, int count) {

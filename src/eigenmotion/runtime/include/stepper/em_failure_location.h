@@ -1,4 +1,4 @@
-/* em_failure_location.h: which coordinate or constraint row is to blame where a step is not what it should be. */
+/* em_failure_location.h: the coordinate or the constraint row that a failure is reported for. */
 #ifndef EM_FAILURE_LOCATION_H
 #define EM_FAILURE_LOCATION_H
 
@@ -12,7 +12,7 @@ static int em_non_finite_coordinate(int n, const double *y) {
 }
 
 /* -1 and w->reason: a state or its rate (n_state) is not finite, which names the coordinate. */
-EM_RARE EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
+EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, const double *rate) {
     int first = em_non_finite_coordinate(w->n, y);
     if (first < 0) first = em_non_finite_coordinate(w->n, rate);
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
@@ -20,7 +20,7 @@ EM_RARE EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rat
 
 /* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
  * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
-EM_RARE EM_COLD int em_blame(em_walk *w, double t, const double *y) {
+EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const double *y) {
     const int first = em_non_finite_coordinate(w->n, y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
     if (w->bare) return -1;
@@ -38,7 +38,7 @@ EM_RARE EM_COLD int em_blame(em_walk *w, double t, const double *y) {
 }
 
 /* The coordinate with the largest part of the last error estimate. */
-EM_UNUSED static int em_worst_coordinate(const em_walk *w) {
+EM_UNUSED static int em_worst_coordinate(const em_run_state *w) {
     int worst = 0;
     for (int k = 1; k < 2 * w->n; ++k)
         if (fabs(w->error[k] * w->weight[k]) > fabs(w->error[worst] * w->weight[worst])) worst = k;

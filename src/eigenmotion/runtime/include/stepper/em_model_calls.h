@@ -1,78 +1,78 @@
-/* em_model_calls.h: what a walk asks of its model on the way: rates, velocities, rows, and that a state be settled. */
+/* em_model_calls.h: calls of a run to its model: rates, velocities, rows, and settling of a state. */
 #ifndef EM_MODEL_CALLS_H
 #define EM_MODEL_CALLS_H
 
 #include "stepper/em_motion.h"
 #include "stepper/em_run_state.h"
 
-EM_INLINE void em_copy_state(const em_walk *w, double *restrict to, const double *restrict from) {
+EM_INLINE void em_copy_state(const em_run_state *w, double *restrict to, const double *restrict from) {
     em_copy_packs(w->width, to, from);
 }
 
-EM_INLINE void em_copy_memory(const em_walk *w, double *restrict to, const double *restrict from) {
+EM_INLINE void em_copy_memory(const em_run_state *w, double *restrict to, const double *restrict from) {
     em_copy_packs(w->n_memory, to, from);
 }
 
-EM_INLINE void em_copy_events(const em_walk *w, double *restrict to, const double *restrict from) {
+EM_INLINE void em_copy_events(const em_run_state *w, double *restrict to, const double *restrict from) {
     memcpy(to, from, (size_t)w->n_events * sizeof *to);
 }
 
 /* The time at which the model is asked for what holds at t in the step under way (em_time_events.h). */
-EM_INLINE double em_clock(const em_walk *w, double t) { return em_min(em_max(t, w->inside[0]), w->inside[1]); }
+EM_INLINE double em_clock(const em_run_state *w, double t) { return em_min(em_max(t, w->inside[0]), w->inside[1]); }
 
-static void em_signals(em_walk *w, double t) {
+static void em_signals(em_run_state *w, double t) {
     for (int i = 0; i < w->n_inputs; ++i) {
         const em_signal *u = &w->run->inputs[i];
         const int crosses = u->kind == EM_LINEAR && w->scheme.averages;
-        w->u[i] = em_signal_at(u, crosses ? em_signal_piece(u, t, w->direction) : w->piece[i], t);
+        w->u[i] = em_signal_at(u, crosses ? em_signal_interval(u, t, w->direction) : w->piece[i], t);
     }
 }
 
 /* F <- y alone */
-static void em_clear_interpolant(em_walk *w) {
+static void em_clear_interpolant(em_run_state *w) {
     const size_t states = (size_t)w->n_state;
     memset(w->F[0], 0, EM_DENSE_COEFFICIENTS * states * sizeof *w->y);
     memcpy(w->F[0], w->y, states * sizeof *w->y);
 }
 
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_constraint_monitor.h). */
-EM_RARE static int em_blame(em_walk *w, double t, const double *y);
+EM_COLD_PATH static int em_locate_failure(em_run_state *w, double t, const double *y);
 
 /* What is asked of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
 
 /* dy <- (v, a) at a state of the motion, with the signals in w->u. */
-EM_COLD int em_motion_rate_here(em_walk *w, double t, const double *y, double *dy) {
+EM_NOINLINE int em_motion_rate_here(em_run_state *w, double t, const double *y, double *dy) {
     em_run *run = w->run;
     ++run->n_rhs;
     const int flags = em_constraint_flags(run);
     return em_motion_rhs(w->model, em_clock(w, t), y, run->prepared, w->u, w->memory, flags, dy, &w->reason)
-               ? em_blame(w, t, y) : 0;
+               ? em_locate_failure(w, t, y) : 0;
 }
 
 /* dy <- f(t, y) with the signals at t. */
-EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, double *memory, double *dy) {
+EM_INLINE int em_rhs(em_run_state *w, int mode, double t, const double *y, double *memory, double *dy) {
     em_run *run = w->run;
     if (w->n_inputs > 0) em_signals(w, t);
     if (mode == EM_MOTION && !em_carries_motion(w->model)) return em_motion_rate_here(w, t, y, dy);
     ++run->n_rhs;
     t = em_clock(w, t);
     return w->of->rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason)
-               ? em_blame(w, t, y) : 0;
+               ? em_locate_failure(w, t, y) : 0;
 }
 
 /* v (n) <- xdot. 0, or -1 and *fault */
-static int em_xdot(const em_walk *w, int mode, double t, const double *y, double *v, em_fault *fault) {
+static int em_xdot(const em_run_state *w, int mode, double t, const double *y, double *v, em_fault *fault) {
     if (mode != EM_MOTION) return w->of->velocity(mode, t, y, w->run->prepared, v, fault);
     memcpy(v, y + w->n, (size_t)w->n * sizeof *v);
     return 0;
 }
 
 /* Whether what y[n .. 2 n) is off is what xdot is. */
-EM_INLINE int em_is_velocity_error(const em_walk *w) { return w->mode == EM_MOTION || em_carries_motion(w->model); }
+EM_INLINE int em_is_velocity_error(const em_run_state *w) { return w->mode == EM_MOTION || em_carries_motion(w->model); }
 
 /* ev (n) <- what an error e (n) of y[n .. 2 n) makes of xdot */
-static void em_velocity_error(const em_walk *w, const double *e, double *ev) {
+static void em_velocity_error(const em_run_state *w, const double *e, double *ev) {
     if (em_is_velocity_error(w)) memcpy(ev, e, (size_t)w->n * sizeof *ev);
     else w->of->velocity_error(w->mode, w->y, w->run->prepared, w->memory, e, ev);
 }
@@ -94,7 +94,7 @@ static int em_settle(const em_model *model, const em_run *run, int *mode, int fl
 }
 
 /* The published state in w->y as that of the scheme's mode, settled. As em_settle. */
-static int em_enter_mode(em_walk *w) {
+static int em_enter_mode(em_run_state *w) {
     double v[w->n];
     if (w->scheme.mode == EM_MOTION) {
         if (em_xdot(w, 0, w->t, w->y, v, &w->reason)) return -1;
@@ -106,7 +106,7 @@ static int em_enter_mode(em_walk *w) {
 
 /* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,
  * an argument that is off them by e has rates that are off by e over the square of what is left; on them they are not. */
-EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
+EM_NOINLINE int em_settled_rhs(em_run_state *w, double t, const double *y, double *dy) {
     double settled[w->width], memory[em_padded(w->n_memory)];
     int mode = w->mode;
     em_copy_state(w, settled, y);
@@ -116,25 +116,25 @@ EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
 }
 
 /* dy <- f within a step. */
-EM_COLD int em_any_stage_rate(em_walk *w, double t, const double *y, double *dy) {
+EM_NOINLINE int em_any_stage_rate(em_run_state *w, double t, const double *y, double *dy) {
     return w->near && w->n_positions > 0 ? em_settled_rhs(w, t, y, dy) : em_rhs(w, w->mode, t, y, w->memory, dy);
 }
 
 /* Whether that is what the model has for the rates at a state, as it stands: so most steps ask for them. */
-EM_INLINE int em_is_plain(const em_walk *w) {
+EM_INLINE int em_is_plain(const em_run_state *w) {
     return w->n_inputs == 0 && w->model->n_breaks == 0 && !w->near && (w->mode != EM_MOTION || em_carries_motion(w->model));
 }
 
-EM_INLINE int em_stage_rate(em_walk *w, int plain, double t, const double *y, double *dy) {
+EM_INLINE int em_stage_rate(em_run_state *w, int plain, double t, const double *y, double *dy) {
     em_run *const run = w->run;
     if (!plain) return em_any_stage_rate(w, t, y, dy);
     ++run->n_rhs;
     return w->of->rhs(w->mode, t, y, run->prepared, w->u, w->memory, em_constraint_flags(run), dy, &w->reason)
-               ? em_blame(w, t, y) : 0;
+               ? em_locate_failure(w, t, y) : 0;
 }
 
 /* Whether a state, or a rate, is: NaN and infinity survive a product with zero. */
-EM_INLINE int em_all_finite(const em_walk *w, const double *restrict y) {
+EM_INLINE int em_all_finite(const em_run_state *w, const double *restrict y) {
     const int width = w->width;
     em_pack sum = {0.0};
     for (int k = 0; k < width; k += EM_PACK) sum += 0.0 * EM_PACK_AT(y + k);

@@ -1,5 +1,6 @@
-/* em_motion.h: the motion itself, x and v, whatever the formulation carries: the mode of methods that solve for it. There
- * y[n .. 2 n) is v, and eigenfactors are those of M(x): found anew after every accepted step and where a row is published.
+/* em_motion.h: the mode (x, v): the state of methods that solve for the motion itself, in every formulation. There
+ * y[n .. 2 n) is v, and eigenfactors are those of M(x), computed after every accepted step and where a row is
+ * published.
  *
  * A model written by hand that states no terms of its equations carries v in its mode 0. */
 #ifndef EM_MOTION_H
@@ -13,7 +14,7 @@ EM_INLINE int em_is_bare(const em_model *model) { return model->dynamics->factor
 EM_INLINE int em_carries_motion(const em_model *model) { return model->dynamics->second_order && !em_is_bare(model); }
 
 /* dy <- (v, a, 0). 0, or -1 and *fault */
-EM_COLD int em_motion_rhs(const em_model *model, double t, const double *y, const double *c, const double *u,
+EM_NOINLINE int em_motion_rhs(const em_model *model, double t, const double *y, const double *c, const double *u,
                           double *memory, int flags, double *dy, em_fault *fault) {
     const int n = model->n;
     double lambda[model->m + 1];
@@ -25,7 +26,7 @@ EM_COLD int em_motion_rhs(const em_model *model, double t, const double *y, cons
 }
 
 /* As em_dynamics.settle: constraints where they are to be kept, and eigenfactors, but for a state within a step. */
-EM_COLD int em_motion_settle(const em_model *model, int flags, double t, double *y, const double *c, double *memory,
+EM_NOINLINE int em_motion_settle(const em_model *model, int flags, double t, double *y, const double *c, double *memory,
                              double pace, em_fault *fault) {
     const em_dynamics *const of = model->dynamics;
     const int n = model->n;
@@ -42,14 +43,14 @@ EM_COLD int em_motion_settle(const em_model *model, int flags, double t, double 
 }
 
 /* row <- y in the published meaning */
-EM_COLD int em_motion_publish(const em_model *model, double t, const double *y, const double *c, double *row, em_fault *fault) {
+EM_NOINLINE int em_motion_publish(const em_model *model, double t, const double *y, const double *c, double *row, em_fault *fault) {
     if (em_is_bare(model)) return model->dynamics->publish(0, t, y, c, NULL, row, fault);
     memcpy(row, y, (size_t)model->n_state * sizeof *row);
     return em_carries_motion(model) ? 0 : model->state(t, y, y + model->n, c, row, fault);
 }
 
 /* M (n, n), or what is factored in its place; where nothing is stated, 1 */
-EM_COLD void em_mass_at(const em_model *model, double t, const double *x, const double *c, double *M) {
+EM_NOINLINE void em_mass_at(const em_model *model, double t, const double *x, const double *c, double *M) {
     const int n = model->n;
     if (!em_is_bare(model)) {
         model->dynamics->factored(t, x, c, M);

@@ -1,4 +1,4 @@
-/* em_run_memory.h: the memory of a walk, one block that is taken as it opens, and which of it is saved. */
+/* em_run_memory.h: the memory of a run: one block, taken when the run opens, and the parts of it that are saved. */
 #ifndef EM_RUN_MEMORY_H
 #define EM_RUN_MEMORY_H
 
@@ -30,21 +30,21 @@ static void em_take_rows(em_layout *at, double **rows, int count, size_t width) 
     for (int i = 0; i < count; ++i) rows[i] = first ? first + (size_t)i * width : NULL;
 }
 
-static void em_take_bundles(em_layout *at, em_bundle **rows, size_t width) {
-    for (int b = 0; b < EM_BUNDLES; ++b) rows[b] = em_take_bytes(at, width * sizeof(em_bundle));
+static void em_take_node_vectors(em_layout *at, em_node_vector **rows, size_t width) {
+    for (int b = 0; b < EM_BUNDLES; ++b) rows[b] = em_take_bytes(at, width * sizeof(em_node_vector));
 }
 
-static void em_lay_out_nodes(em_walk *w, em_layout *at) {
+static void em_lay_out_nodes(em_run_state *w, em_layout *at) {
     em_nodes *const q = &w->nodes;
     const size_t states = (size_t)w->n_state;
-    em_take_bundles(at, q->Y, states), em_take_bundles(at, q->F, states), em_take_bundles(at, q->a, states);
-    em_take_bundles(at, q->series, states), em_take_bundles(at, q->before, states);
-    em_take_bundles(at, q->u, (size_t)w->n_inputs);
-    q->times = em_take_bytes(at, EM_BUNDLES * sizeof(em_bundle));
+    em_take_node_vectors(at, q->Y, states), em_take_node_vectors(at, q->F, states), em_take_node_vectors(at, q->a, states);
+    em_take_node_vectors(at, q->series, states), em_take_node_vectors(at, q->before, states);
+    em_take_node_vectors(at, q->u, (size_t)w->n_inputs);
+    q->times = em_take_bytes(at, EM_BUNDLES * sizeof(em_node_vector));
     q->weight = em_take_numbers(at, states + EM_PACK), q->miss = em_take_numbers(at, states);
 }
 
-static void em_lay_out_stages(em_walk *w, em_layout *at) {
+static void em_lay_out_stages(em_run_state *w, em_layout *at) {
     em_implicit *const q = &w->stages;
     const size_t n = (size_t)w->n, all = EM_MOST_NODES * n, rows = EM_MOST_NODES * (size_t)w->stride;
     q->K = em_take_numbers(at, n * n), q->D = em_take_numbers(at, n * n);
@@ -56,7 +56,7 @@ static void em_lay_out_stages(em_walk *w, em_layout *at) {
     q->u = em_take_numbers(at, (1 + EM_MOST_NODES) * (size_t)w->n_inputs);
 }
 
-static void em_lay_out_events(em_walk *w, em_layout *at) {
+static void em_lay_out_events(em_run_state *w, em_layout *at) {
     const size_t events = (size_t)w->n_events;
     double **const numbers[] = {&w->g, &w->g_new, &w->noise, &w->zero, &w->rounding, &w->quiet};
     int **const whole[] = {&w->side, &w->side_new, &w->fired, &w->struck};
@@ -66,7 +66,7 @@ static void em_lay_out_events(em_walk *w, em_layout *at) {
     w->pile = em_take_bytes(at, events * sizeof *w->pile);
 }
 
-static void em_lay_out(em_walk *w, em_layout *at) {
+static void em_lay_out(em_run_state *w, em_layout *at) {
     const size_t width = (size_t)w->width, rows = (size_t)w->n_rows, n = (size_t)w->n;
     double **const states[] = {&w->y, &w->y_new, &w->f_new, &w->y_raw, &w->argument, &w->error, &w->weight, &w->spare};
     em_take_rows(at, w->K, EM_STAGES, width);
@@ -89,7 +89,7 @@ static void em_lay_out(em_walk *w, em_layout *at) {
 }
 
 /* What a walk knows of its model. */
-static void em_walk_sizes(em_walk *w, const em_model *model) {
+static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     static const em_lanes none = {0};
     w->model = model;
     w->of = model->dynamics;
@@ -102,50 +102,50 @@ static void em_walk_sizes(em_walk *w, const em_model *model) {
 }
 
 /* A walk of zeros, with its tables, on lines of its own; or NULL. */
-static em_walk *em_walk_take(const em_model *model) {
-    const size_t own = (sizeof(em_walk) + EM_LINE - 1) / EM_LINE * EM_LINE;
-    em_walk counted = {0};
+static em_run_state *em_run_state_allocate(const em_model *model) {
+    const size_t own = (sizeof(em_run_state) + EM_LINE - 1) / EM_LINE * EM_LINE;
+    em_run_state counted = {0};
     em_layout at = {NULL, 0};
-    em_walk_sizes(&counted, model);
+    em_run_state_sizes(&counted, model);
     em_lay_out(&counted, &at);
     void *const block = calloc(1, own + at.used + EM_LINE);
     if (block == NULL) return NULL;
     char *const place = (char *)(((uintptr_t)block + EM_LINE - 1) / EM_LINE * EM_LINE);
-    em_walk *const w = (em_walk *)place;
+    em_run_state *const w = (em_run_state *)place;
     at = (em_layout){place + own, 0};
-    em_walk_sizes(w, model);
+    em_run_state_sizes(w, model);
     em_lay_out(w, &at);
     w->block = block;
     return w;
 }
 
 /* What is saved, four pieces one after the other, which hold no pointers. */
-typedef struct em_piece {
+typedef struct em_memory_block {
     void *at;
     size_t size;
-} em_piece;
+} em_memory_block;
 enum { EM_PIECES = 4 };
 
-EM_COLD void em_saved_pieces(em_walk *w, em_piece *piece) {
-    piece[0] = (em_piece){w, offsetof(em_walk, run)};
-    piece[1] = (em_piece){&w->nodes, offsetof(em_nodes, Y)};
-    piece[2] = (em_piece){&w->stages, offsetof(em_implicit, K)};
-    piece[3] = (em_piece){w->tables, w->tables_size};
+EM_NOINLINE void em_saved_blocks(em_run_state *w, em_memory_block *piece) {
+    piece[0] = (em_memory_block){w, offsetof(em_run_state, run)};
+    piece[1] = (em_memory_block){&w->nodes, offsetof(em_nodes, Y)};
+    piece[2] = (em_memory_block){&w->stages, offsetof(em_implicit, K)};
+    piece[3] = (em_memory_block){w->tables, w->tables_size};
 }
 
 /* How many bytes they have. */
-EM_COLD size_t em_saved_size(const em_model *model) {
-    em_walk counted = {0};
+EM_NOINLINE size_t em_saved_size(const em_model *model) {
+    em_run_state counted = {0};
     em_layout at = {NULL, 0};
-    em_walk_sizes(&counted, model);
+    em_run_state_sizes(&counted, model);
     em_lay_out(&counted, &at);
-    return offsetof(em_walk, run) + offsetof(em_nodes, Y) + offsetof(em_implicit, K) + counted.tables_size;
+    return offsetof(em_run_state, run) + offsetof(em_nodes, Y) + offsetof(em_implicit, K) + counted.tables_size;
 }
 
 /* As it was when it was taken. */
-EM_COLD void em_walk_clear(em_walk *w) {
-    em_piece piece[EM_PIECES];
-    em_saved_pieces(w, piece);
+EM_NOINLINE void em_run_state_free(em_run_state *w) {
+    em_memory_block piece[EM_PIECES];
+    em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; ++i) memset(piece[i].at, 0, piece[i].size);
 }
 

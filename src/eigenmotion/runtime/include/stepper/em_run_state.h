@@ -1,4 +1,4 @@
-/* em_run_state.h: what a run carries from step to step; em_model_calls.h is what it asks of the model on the way. */
+/* em_run_state.h: the state of a run, carried from step to step. em_model_calls.h has its calls to the model. */
 #ifndef EM_RUN_STATE_H
 #define EM_RUN_STATE_H
 
@@ -21,7 +21,7 @@ enum {
     EM_BUNDLES = EM_NODE_COUNT / EM_LANES
 };
 
-typedef struct em_walk em_walk;
+typedef struct em_run_state em_run_state;
 
 enum { EM_FIRST_LEG = 1, EM_NEXT_LEG }; /* of a run, between events that act */
 
@@ -33,16 +33,16 @@ typedef struct em_scheme {
     double growth;                  /* and no step is longer than so many times the one before */
     int terms;                      /* of its interpolant */
     int fixed;                      /* whether steps are as long as told, whatever their error, and made once */
-    int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
-    int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
+    int (*step)(em_run_state *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
+    int (*judge)(em_run_state *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
                                        step alone does not tell; or NULL */
-    int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
-    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
+    int (*interpolate)(em_run_state *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
+    int (*sketch)(em_run_state *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(int n_state, const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
     int averages;                   /* whether steps cross the samples of linear signals */
     const em_radau_iia *radau_iia;  /* coefficients of an implicit method, else NULL */
-    void (*within)(em_walk *w);     /* error_norm, size_norm anew where a state within the step is asked for; or NULL */
+    void (*within)(em_run_state *w);     /* error_norm, size_norm anew where a state within the step is asked for; or NULL */
 } em_scheme;
 
 /* A number g at a time; two of different signs, and whose they are. */
@@ -57,9 +57,9 @@ typedef struct em_found {
 
 /* Numbers at EM_LANES nodes of a step (em_gauss_radau.h) in one register. */
 #if EM_LANES > 1
-typedef double em_bundle __attribute__((vector_size(8 * EM_LANES), may_alias));
+typedef double em_node_vector __attribute__((vector_size(8 * EM_LANES), may_alias));
 #else
-typedef double em_bundle; /* a loop over the state may then become vectors after all */
+typedef double em_node_vector; /* a loop over the state may then become vectors after all */
 #endif
 
 /* What a step by nodes carries from one to the next: numbers, and tables by bundles of nodes. */
@@ -71,10 +71,10 @@ typedef struct em_nodes {
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
     int drifted;                             /* whether the places at the nodes are those that the rates make */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
-    em_bundle *Y[EM_BUNDLES], *F[EM_BUNDLES]; /* (n_state) the states there and their rates */
-    em_bundle *a[EM_BUNDLES];                /* the rates that the states were made of */
-    em_bundle *series[EM_BUNDLES], *before[EM_BUNDLES]; /* Legendre's, of this step and the one before */
-    em_bundle *times, *u[EM_BUNDLES];        /* (EM_BUNDLES), (n_inputs) */
+    em_node_vector *Y[EM_BUNDLES], *F[EM_BUNDLES]; /* (n_state) the states there and their rates */
+    em_node_vector *a[EM_BUNDLES];                /* the rates that the states were made of */
+    em_node_vector *series[EM_BUNDLES], *before[EM_BUNDLES]; /* Legendre's, of this step and the one before */
+    em_node_vector *times, *u[EM_BUNDLES];        /* (EM_BUNDLES), (n_inputs) */
     double *weight;                          /* (n_state) what a rate counts */
     double *miss;                            /* by how much the polynomial misses the rate at the end of the step */
 } em_nodes;
@@ -99,7 +99,7 @@ typedef struct em_implicit {
 
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. What is saved of it is its
  * beginning, that of `nodes` and of `stages`, and all tables but the last (em_run_memory.h). */
-struct em_walk {
+struct em_run_state {
     double rtol, direction, t, t_new, h;
     double t_goal;                             /* where the loop goes now: no step goes beyond */
     long most_steps;                           /* accepted ones there may be on the way */
@@ -170,7 +170,7 @@ struct em_walk {
     long *piece;                               /* (n_inputs) of each signal, valid within the step */
     int *side, *side_new;                      /* (n_events) the last sign of g, 0: has been zero so far */
     int *fired, *struck;                       /* what acts, and whose number jumps; what has acted */
-    em_bundle *c;                              /* (n_prepared) for lanes */
+    em_node_vector *c;                              /* (n_prepared) for lanes */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* em_signals.h: the signals u(t) given at run time.
+/* em_signals.h: signals u(t), the inputs that are given at run time.
  *
  * Piece j of a sampled signal lies between times[j] and times[j + 1]; pieces -1 and count - 1 lie outside the samples,
  * where the value at the nearest end holds. A step never crosses a sample of EM_HOLD or EM_LINEAR, so that their
@@ -11,7 +11,7 @@
 #include "numeric/em_linear.h"
 
 /* The piece just after t in the direction of time: -1 .. count - 1. */
-static long em_signal_piece(const em_signal *u, double t, double direction) {
+static long em_signal_interval(const em_signal *u, double t, double direction) {
     size_t below = 0, above = u->count; /* times[0 .. below) are passed, times[above ..) are not */
     while (below < above) {
         const size_t middle = below + (above - below) / 2;
@@ -42,7 +42,7 @@ static double em_signal_linear(const em_signal *u, long piece, double t) {
 static double em_signal_cubic(const em_signal *u, double t) {
     const long last = (long)u->count - 2;
     const double inside = fmin(fmax(t, u->times[0]), u->times[u->count - 1]);
-    long piece = em_signal_piece(u, inside, 1.0);
+    long piece = em_signal_interval(u, inside, 1.0);
     if (piece > last) piece = last;
     const double *a = u->values + 4 * piece, x = inside - u->times[piece];
     return ((a[0] * x + a[1]) * x + a[2]) * x + a[3];

@@ -1,4 +1,5 @@
-/* em_smooth_intervals.h: the smooth pieces of what a motion is driven by: between samples of signals, and between breaks. */
+/* em_smooth_intervals.h: smooth intervals of what drives a motion: between samples of signals, and between time
+ * events. */
 #ifndef EM_SMOOTH_INTERVALS_H
 #define EM_SMOOTH_INTERVALS_H
 
@@ -8,42 +9,42 @@
 
 /* Whether a break is at w->t, or before the end, whose time rounding leaves open by a part of the way: that of
  * exp(-t / 1e20) < 1. */
-static int em_is_blurred(const em_walk *w, const double *at, double next) {
+static int em_is_blurred(const em_run_state *w, const double *at, double next) {
     const double goal = isfinite(w->run->t_end) ? w->run->t_end : w->t_goal;
     const double most = EM_BLUR * em_max(fabs(goal - w->run->t_start), 1e-3 * fabs(w->t));
-    const double there = isfinite(next) ? em_break_reach(w->model->n_breaks, at, next) : 0.0;
+    const double there = isfinite(next) ? em_time_event_reach(w->model->n_breaks, at, next) : 0.0;
     const int matters = w->direction * (next - goal) < there;
-    return most > 0.0 && (em_break_reach(w->model->n_breaks, at, w->t) > most || (matters && there > most));
+    return most > 0.0 && (em_time_event_reach(w->model->n_breaks, at, w->t) > most || (matters && there > most));
 }
 
 /* What holds after w->t of conditions in the time alone. Returns whether others did before, or -1 and w->reason. */
-static int em_enter_break(em_walk *w) {
+static int em_enter_time_event(em_run_state *w) {
     const int breaks = w->model->n_breaks;
     double at[em_some(3 * breaks)];
     if (breaks == 0) return 0;
     w->model->breaks(w->run->prepared, at);
     for (int i = 0; i < breaks; ++i)
-        if (em_break_is_blurred(at + 3 * i, w->t))
+        if (em_time_event_is_blurred(at + 3 * i, w->t))
             return w->crosses = em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, fabs(at[3 * i + 1]));
-    const double next = em_next_break(breaks, at, w->t, w->direction);
+    const double next = em_next_time_event(breaks, at, w->t, w->direction);
     if (em_is_blurred(w, at, next)) return w->crosses = em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, 0.0);
     if (w->direction * (next - w->pieces_end) < 0.0) w->pieces_end = next;
-    return w->crosses = em_break_sides(breaks, at, w->t, next, w->direction, w->inside);
+    return w->crosses = em_time_event_sides(breaks, at, w->t, next, w->direction, w->inside);
 }
 
 /* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too, or what ends the run. */
-static int em_enter_pieces(em_walk *w) {
+static int em_enter_interval(em_run_state *w) {
     int jumps = 0;
     w->pieces_end = w->direction * INFINITY;
     for (int i = 0; i < w->n_inputs; ++i) {
         const em_signal *u = &w->run->inputs[i];
         if (u->kind == EM_CONSTANT) continue;
-        w->piece[i] = em_signal_piece(u, w->t, w->direction);
+        w->piece[i] = em_signal_interval(u, w->t, w->direction);
         const double end = em_signal_end(u, w->piece[i], w->direction, w->scheme.averages);
         if (w->direction * (end - w->pieces_end) < 0.0) w->pieces_end = end;
         jumps |= u->kind == EM_HOLD;
     }
-    return em_enter_break(w) | jumps;
+    return em_enter_time_event(w) | jumps;
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* em_tables.h: the tables a run fills, growing by doubling, and their release. */
+/* em_tables.h: the tables that a run fills, which grow by doubling, and their release. */
 #ifndef EM_TABLES_H
 #define EM_TABLES_H
 
@@ -8,7 +8,7 @@
 #include "numeric/em_linear.h"
 
 /* *table <- room for `rows` rows of `width` numbers each. 0, or -1 without memory; *table stays valid. */
-EM_COLD int em_resize(double **table, size_t rows, size_t width, em_fault *fault) {
+EM_NOINLINE int em_resize(double **table, size_t rows, size_t width, em_fault *fault) {
     double *larger = NULL;
     if (rows <= SIZE_MAX / sizeof **table / width) larger = realloc(*table, rows * width * sizeof **table);
     if (larger == NULL) return em_fail(fault, EM_OUT_OF_MEMORY, -1, -1, (double)rows);
@@ -16,7 +16,7 @@ EM_COLD int em_resize(double **table, size_t rows, size_t width, em_fault *fault
     return 0;
 }
 
-EM_COLD int em_rows_grow(em_rows *rows, em_fault *fault) {
+EM_NOINLINE int em_rows_grow(em_rows *rows, em_fault *fault) {
     const size_t capacity = rows->capacity > 0 ? 2 * rows->capacity : 64;
     if (em_resize(&rows->t, capacity, 1, fault)) return -1;
     if (em_resize(&rows->y, capacity, rows->width, fault)) return -1;
@@ -33,7 +33,7 @@ static double *em_rows_next(em_rows *rows, em_fault *fault) {
 
 static void em_rows_keep(em_rows *rows, double t) { rows->t[rows->count++] = t; }
 
-EM_COLD int em_dense_grow(em_run *run, size_t n_state, em_fault *fault) {
+EM_NOINLINE int em_dense_grow(em_run *run, size_t n_state, em_fault *fault) {
     const size_t capacity = run->dense_capacity > 0 ? 2 * run->dense_capacity : 64;
     em_dense_step *steps = realloc(run->dense_steps, capacity * sizeof *steps);
     if (steps == NULL) return em_fail(fault, EM_OUT_OF_MEMORY, -1, -1, (double)capacity);
@@ -72,7 +72,7 @@ static void em_rows_free(em_rows *rows) {
 }
 
 /* em_model.release: frees what simulate allocated; may be called again, and after a failed run. */
-EM_RARE EM_ACROSS void em_release(const em_model *model, em_run *run) {
+EM_COLD_PATH EM_EXPORT void em_release(const em_model *model, em_run *run) {
     em_rows_free(&run->rows);
     for (int i = 0; run->events != NULL && i < model->n_events; ++i) em_rows_free(&run->events[i]);
     for (int i = 0; run->after != NULL && i < model->n_events; ++i) em_rows_free(&run->after[i]);

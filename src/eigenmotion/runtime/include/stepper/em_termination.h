@@ -1,4 +1,4 @@
-/* em_termination.h: how a run ends before t_end: with a fault, or because the caller wishes it. */
+/* em_termination.h: the end of a run before t_end: by a fault, or by the caller's wish. */
 #ifndef EM_TERMINATION_H
 #define EM_TERMINATION_H
 
@@ -7,12 +7,12 @@
 /* What a function of the loop answers: go on, or the run has ended with run->fault. */
 enum { EM_GO_ON = 0, EM_END = -1 };
 
-static int em_end_with(em_walk *w, em_fault fault) {
+static int em_end_with(em_run_state *w, em_fault fault) {
     w->run->fault = fault;
     return EM_END;
 }
 
-static int em_end(em_walk *w, em_status status) { return em_end_with(w, (em_fault){status, -1, -1, 0.0}); }
+static int em_end(em_run_state *w, em_status status) { return em_end_with(w, (em_fault){status, -1, -1, 0.0}); }
 
 static double em_seconds_since(const struct timespec *then, const struct timespec *now) {
     return difftime(now->tv_sec, then->tv_sec) + 1e-9 * (double)(now->tv_nsec - then->tv_nsec);
@@ -20,14 +20,14 @@ static double em_seconds_since(const struct timespec *then, const struct timespe
 
 /* Looking at the clock costs as much as a small right-hand side: look so seldom that it costs nothing, and so often
  * that a millisecond or a single step passes between two looks. */
-static void em_pace_looks(em_walk *w, double seconds) {
+static void em_pace_looks(em_run_state *w, double seconds) {
     enum { AT_MOST = 1024 };
     if (seconds > 2e-3) w->looks_every = 1;
     else if (seconds < 5e-4 && w->looks_every < AT_MOST) w->looks_every *= 2;
 }
 
 /* Calls poll about every 20 ms. A clock that was set back counts as time passed. */
-static int em_poll(em_walk *w) {
+static int em_poll(em_run_state *w) {
     const em_run *run = w->run;
     struct timespec now;
     if (run->poll == NULL || ++w->attempts_since_look < w->looks_every) return EM_GO_ON;

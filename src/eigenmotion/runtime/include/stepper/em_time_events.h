@@ -1,4 +1,4 @@
-/* em_time_events.h: breaks, the times at which conditions in the time alone change.
+/* em_time_events.h: time events: times at which conditions in the time alone change.
  *
  * A break is three numbers: at, period, terms. It is at + k period, k whole; with period 0 one time; eps terms is the
  * rounding of `at`. One that is not finite is none. Steps end at breaks, and what is asked of the model within a step is
@@ -12,64 +12,64 @@
 
 #include "numeric/em_real.h"
 
-#define EM_BREAK_ROUNDINGS (8.0 * DBL_EPSILON)
+#define EM_TIME_EVENT_ROUNDINGS (8.0 * DBL_EPSILON)
 
 /* How far from a break at about t its condition may change. */
-EM_UNUSED static double em_break_slack(const double *b, double t) {
+EM_UNUSED static double em_time_event_slack(const double *b, double t) {
     const double size = fabs(t) + fabs(b[0]);
-    return EM_BREAK_ROUNDINGS * (b[2] > size && b[2] < INFINITY ? b[2] : size) + DBL_MIN / DBL_EPSILON; /* at t = 0 too */
+    return EM_TIME_EVENT_ROUNDINGS * (b[2] > size && b[2] < INFINITY ? b[2] : size) + DBL_MIN / DBL_EPSILON; /* at t = 0 too */
 }
 
-EM_UNUSED static int em_is_break(const double *b) { return isfinite(b[0]) && isfinite(b[1]); }
+EM_UNUSED static int em_is_time_event(const double *b) { return isfinite(b[0]) && isfinite(b[1]); }
 
 /* Whether the times of a break come back faster than rounding at about t tells them apart. */
-EM_UNUSED static int em_break_is_blurred(const double *b, double t) {
-    return em_is_break(b) && b[1] != 0.0 && fabs(b[1]) <= 2.0 * em_break_slack(b, t);
+EM_UNUSED static int em_time_event_is_blurred(const double *b, double t) {
+    return em_is_time_event(b) && b[1] != 0.0 && fabs(b[1]) <= 2.0 * em_time_event_slack(b, t);
 }
 
 /* The time of a break that is nearest to t. */
-EM_UNUSED static double em_nearest_break(const double *b, double t) {
+EM_UNUSED static double em_nearest_time_event(const double *b, double t) {
     return b[1] != 0.0 ? b[0] + round((t - b[0]) / b[1]) * b[1] : b[0];
 }
 
 /* The next time of a break that is more than its slack beyond t; infinite: there is none. That of one that is blurred is anywhere. */
-EM_UNUSED static double em_break_after(const double *b, double t, double direction) {
-    const double slack = em_break_slack(b, t), clear = t + direction * slack;
+EM_UNUSED static double em_time_event_after(const double *b, double t, double direction) {
+    const double slack = em_time_event_slack(b, t), clear = t + direction * slack;
     double next = b[0];
-    if (em_break_is_blurred(b, t)) return clear;
+    if (em_time_event_is_blurred(b, t)) return clear;
     if (b[1] != 0.0) {
         const double period = fabs(b[1]), turns = (clear - b[0]) / period;
         next = b[0] + (direction > 0.0 ? floor(turns) + 1.0 : ceil(turns) - 1.0) * period;
         if (!(direction * (next - clear) > 0.0)) next += direction * period;
     }
-    return em_is_break(b) && direction * (next - clear) > 0.0 ? next : direction * INFINITY;
+    return em_is_time_event(b) && direction * (next - clear) > 0.0 ? next : direction * INFINITY;
 }
 
 /* The next of `count` breaks (count, 3) beyond t; infinite: there is none. */
-EM_UNUSED static double em_next_break(int count, const double *at, double t, double direction) {
+EM_UNUSED static double em_next_time_event(int count, const double *at, double t, double direction) {
     double next = direction * INFINITY;
     for (int i = 0; i < count; ++i) {
-        const double after = em_break_after(at + 3 * i, t, direction);
+        const double after = em_time_event_after(at + 3 * i, t, direction);
         if (direction * (after - next) < 0.0) next = after;
     }
     return next;
 }
 
 /* How far from t the breaks there reach, which are no further than their slack or `near`; 0: t is no break. */
-EM_UNUSED static double em_break_reach_near(int count, const double *at, double t, double near) {
+EM_UNUSED static double em_time_event_reach_near(int count, const double *at, double t, double near) {
     double reach = 0.0;
     for (int i = 0; i < count && isfinite(t); ++i) {
-        const double *const b = at + 3 * i, slack = em_break_slack(b, t), apart = fabs(t - em_nearest_break(b, t));
-        if (em_is_break(b) && apart <= fmax(slack, near)) reach = fmax(reach, apart + slack);
+        const double *const b = at + 3 * i, slack = em_time_event_slack(b, t), apart = fabs(t - em_nearest_time_event(b, t));
+        if (em_is_time_event(b) && apart <= fmax(slack, near)) reach = fmax(reach, apart + slack);
     }
     return reach;
 }
 
-EM_UNUSED static double em_break_reach(int count, const double *at, double t) { return em_break_reach_near(count, at, t, 0.0); }
+EM_UNUSED static double em_time_event_reach(int count, const double *at, double t) { return em_time_event_reach_near(count, at, t, 0.0); }
 
 /* inside (2) <- between which times a step from t on, up to the break `next`, asks the model. Returns whether t is a break. */
-EM_UNUSED static int em_break_sides(int count, const double *at, double t, double next, double direction, double *inside) {
-    const double here = em_break_reach(count, at, t), there = em_break_reach(count, at, next);
+EM_UNUSED static int em_time_event_sides(int count, const double *at, double t, double next, double direction, double *inside) {
+    const double here = em_time_event_reach(count, at, t), there = em_time_event_reach(count, at, next);
     double begin = here > 0.0 ? t + direction * here : -direction * INFINITY, end = next - direction * there;
     if (direction * (end - begin) < 0.0) begin = end = t + (next - t) / 2.0;
     inside[0] = direction > 0.0 ? begin : end;

@@ -1,4 +1,4 @@
-/* em_butcher.h: the coefficients of the explicit Runge-Kutta methods.
+/* em_butcher.h: Butcher tableaux of the explicit Runge-Kutta methods.
  *
  *     K_0 = f(t, y),   K_i = f(t + c_i h, y + h sum_j a_ij K_j),   y(t + h) = y + h sum_j a_bj K_j
  *

@@ -1,5 +1,5 @@
-/* em_radau_iia.h: the coefficients of Radau IIA methods, of order 2 s - 1 with s stages: L-stable, and what a step ends
- * with is its last stage (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8).
+/* em_radau_iia.h: coefficients of Radau IIA methods, of order 2 s - 1 with s stages: L-stable, and the last stage is
+ * the end of the step (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8).
  *
  *     V_i = v + h sum_j a_ij a(t + c_j h, X_j, V_j),   X_i = x + h sum_j a_ij V_j
  *

@@ -1,4 +1,5 @@
-/* em_radau_nodes.h: the eight left Radau nodes on [0, 1], and what integrates the polynomial through values there.
+/* em_radau_nodes.h: the eight left Radau nodes on [0, 1], and the weights that integrate the polynomial through
+ * values there.
  *
  * Zeros of P_7 + P_8 (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5): a polynomial of degree 14 is
  * integrated exactly, and the first node is the start. tests/methods/test_gauss_radau.py computes all of them anew. */
