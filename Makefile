@@ -57,12 +57,12 @@ docs: $(DOCS) $(WORKED) $(SHOWN)
 	@echo "the site: build/site/index.html"
 
 # A page of the documentation, worked through: what its snippets draw is shown on it
-$(WORKED): docs/made/%.done: docs/%.md docs/making/work.py docs/making/snippets.py $(wildcard src/eigenmotion/live/page/*) | $(READY)
+$(WORKED): docs/made/%.done: docs/%.md docs/making/work.py docs/making/snippets.py $(wildcard src/eigenmotion/webpage/page/* src/eigenmotion/webpage/page/*/*) | $(READY)
 	$(BIN)/python docs/making/work.py $*
 	touch $@
 
 # A model of the gallery: its picture, its live page, and what a run takes
-$(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/eigenmotion/live/page/*) | $(READY)
+$(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/eigenmotion/webpage/page/* src/eigenmotion/webpage/page/*/*) | $(READY)
 	$(BIN)/python docs/making/exhibit.py $*
 	touch $@
 
@@ -120,7 +120,7 @@ $(READY): $(MADE_FROM) $(wildcard $(RUNTIME)/*.pyx $(RUNTIME)/*.pxd)
 	for module in $(RUNTIME)/*.so; do [ -e "$${module%%.*}.pyx" ] || rm -f "$$module"; done # of modules that are no more
 	$(BIN)/python $(if $(filter $(MADE_FROM),$?),$(INSTALL),setup.py --quiet build_ext --inplace)
 	$(BIN)/python -m compileall -q src codegen # where PYTHONDONTWRITEBYTECODE is set nothing else would keep it
-	env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -c "from eigenmotion.codegen.c import emit; emit.compile_templates()"
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -c "from eigenmotion.codegen.render import emit; emit.compile_templates()"
 	touch $@
 
 # What the site is made with, of no use to anybody else

@@ -20,7 +20,7 @@ from common.timing import interleaved, ratio
 from common.timing import spread as spread_of
 
 from eigenmotion import System, build, load_model, simulate_ensemble
-from eigenmotion.reference.classical import classical, explicit
+from eigenmotion.reference.lagrange_equations import classical, explicit
 from eigenmotion.report.peers import functions_of
 
 MODELS = Path(__file__).parents[1] / "models"

@@ -24,9 +24,9 @@ from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.errors import BuildError
-from eigenmotion.building.extension import compile_and_link, load
-from eigenmotion.building.parts import whole
+from eigenmotion.building.lazy_units import whole
 from eigenmotion.building.request import request
+from eigenmotion.building.shared_library import compile_and_link, load
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
 from eigenmotion.reference.motion import Reference
 from eigenmotion.report.measure import Budget, Judge, Measurement, measure

@@ -18,7 +18,7 @@ from eigenmotion.models.dual_link import model
 from paper_scene import CERTIFIED, T_END, of_scipy
 
 from eigenmotion import System, build
-from eigenmotion.reference.classical import classical
+from eigenmotion.reference.lagrange_equations import classical
 from eigenmotion.report.peers import Peers, Start, peers
 
 TOLERANCES = (1e-6, 1e-9, 1e-12)

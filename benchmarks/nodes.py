@@ -2,7 +2,7 @@
 
 Time of whole calls in interleaved rounds over tolerances, and the largest error of x at eleven times; between them
 both are interpolated. Ratios are ra15 over dop853, at errors from 1e-3 to 1e-9 relative to the size of the motion. Last
-what "auto" (running/choosing.py) makes of it: the time of the method it takes over that of the better one.
+what "auto" (simulation/method_selection.py) makes of it: the time of the method it takes over that of the better one.
 """
 
 from __future__ import annotations

@@ -20,8 +20,8 @@ import numpy as np
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.request import request
-from eigenmotion.live.page import Run, page
-from eigenmotion.live.three import three
+from eigenmotion.webpage.page import Run, page
+from eigenmotion.webpage.three import three
 
 ROOT = Path(__file__).parents[1]
 sys.path.append(str(ROOT))

@@ -23,10 +23,10 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
-from eigenmotion.building import extension, proof
+from eigenmotion.building import shared_library, verification
 from eigenmotion.building.build import build, later
 from eigenmotion.building.cache import LOCATION
-from eigenmotion.building.parts import PARTS, WORDS
+from eigenmotion.building.lazy_units import PARTS, WORDS
 from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import Toolchain, toolchain
 
@@ -80,7 +80,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
         stack.enter_context(patch.object(Toolchain, "compile_unit", unit_by_unit(seconds)))
-        for place, name, title in ((proof, "prove", "proof"), (extension, "system_in", "library loaded")):
+        for place, name, title in ((verification, "prove", "proof"), (shared_library, "system_in", "library loaded")):
             stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)

@@ -25,7 +25,7 @@ from common.plain import compiled, generated, right_hand_side
 from common.timing import spread
 
 import eigenmotion as em
-from eigenmotion.running.methods import FIXED
+from eigenmotion.arguments.methods import FIXED
 
 MODELS = Path(__file__).parents[1] / "models"
 ROUNDS, COUNT, PERIOD, TOLERANCE = 31, 1000, 0.01, 1e-9

@@ -17,13 +17,13 @@ from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, Signal, build
-from eigenmotion.reference.classical import classical
+from eigenmotion.reference.lagrange_equations import classical
 from eigenmotion.reference.motion import reference
 from eigenmotion.report.measure import Budget, Judge, measure
 from eigenmotion.report.peers import Start, peers
 from eigenmotion.report.recommend import curves
 from eigenmotion.report.solvers import IMPLICIT, Problem, Solver, implicit_solvers
-from eigenmotion.stability.models import elastic_link
+from eigenmotion.stability.models.smooth import elastic_link
 
 TARGETS = (1e-4, 1e-6, 1e-8, 1e-10)
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 import hashlib
 from dataclasses import asdict, astuple
 
-from .c.emit import Sources, emit
-from .c.lower import Defaults, lower
-from .c.program import Program
 from .choices import STANDARD, Choices
+from .equations.derive import derive
+from .equations.specialise import ALL_SAVINGS, Saving, specialise
 from .model import Model, ModelError
-from .model.assumptions import ANY, allowed, declared
-from .model.depth import with_room
+from .model.check.assumptions import ANY, allowed, declared
 from .model.normalise import name_of
-from .physics.derive import derive
-from .physics.specialise import ALL_SAVINGS, Saving, specialise
+from .model.recursion_depth import with_room
+from .program.lower import Defaults, lower
+from .program.program import Program
+from .render.emit import Sources, emit
 
 
 def generate(

@@ -1,1 +1,1 @@
-"""Expressions with every subexpression once: what is made of them, what vanishes, what is computed once."""
+"""Expressions as a graph in which every subexpression stands once."""

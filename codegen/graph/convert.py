@@ -10,8 +10,8 @@ from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
 from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
 from ..model.model import ModelError
+from .coefficients import Number, exact
 from .graph import Graph
-from .numbers import Number, exact
 from .store import Kind, Node
 
 FUNCTIONS: dict[type[sympy.Basic], str] = {

@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import floor
 
-from .numbers import Number, content, is_whole, ratio, whole_power
+from .coefficients import Number, content, is_whole, ratio, whole_power
 from .store import Kind, Node, Store
 
 

@@ -7,7 +7,7 @@ from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple
 
-from .numbers import Number, exact
+from .coefficients import Number, exact
 
 Node = int
 

@@ -10,11 +10,11 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, 
 
 from ..model import Model, ModelError, t
 from ..model.normalise import name_of, shown
-from .given import system_of
+from .as_system import system_of
 from .loads import acting_on, weights_counted_twice
-from .rows import velocity_rows
+from .nonholonomic_correction import missing_forces
 from .speeds import Speeds, speeds_of
-from .taken_for_granted import missing_forces
+from .velocity_constraints import velocity_rows
 
 Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
 

@@ -21,7 +21,7 @@ from sympy.physics.mechanics import (
 
 from ..model import ModelError, t
 from .speeds import Speeds
-from .vanishing import vanish
+from .zero_test import vanish
 
 
 @dataclass(frozen=True, slots=True)

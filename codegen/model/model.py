@@ -8,16 +8,16 @@ from typing import Any, TypeVar
 
 import sympy
 
-from . import checks
-from .canonical import canonical_text
-from .contacts import contacts_of, normals_of, with_contacts
-from .depth import with_room
-from .drawing import drawing_of
-from .equations import Equations, equations_of
-from .event import Event
-from .mechanism import Mechanism, in_rates
+from .canonical_text import canonical_text
+from .check import checks
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
-from .rows import KINDS, NamedRows, check_names, numbered, rows_of
+from .recursion_depth import with_room
+from .statement.constraint_rows import KINDS, NamedRows, check_names, numbered, rows_of
+from .statement.contacts import contacts_of, normals_of, with_contacts
+from .statement.drawing import drawing_of
+from .statement.event import Event
+from .statement.mechanism import Mechanism, in_rates
+from .symbolic.equations import Equations, equations_of
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 

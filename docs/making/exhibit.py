@@ -10,8 +10,8 @@ from time import perf_counter
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.results.animation import still
-from eigenmotion.results.drawing import Drawing
+from eigenmotion.results.pictures.animation import still
+from eigenmotion.results.pictures.moving_shapes import Drawing
 
 ROOT = Path(__file__).parents[2]
 MADE = ROOT / "docs" / "made"

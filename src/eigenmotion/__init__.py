@@ -9,36 +9,36 @@ from typing import TYPE_CHECKING
 from .garbage import uncollected
 
 if TYPE_CHECKING:
+    from .analysis.equilibrium.assemble import assemble as assemble
+    from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
+    from .analysis.linear.linearization import Linearization as Linearization
     from .arguments.signals import Sampled as Sampled
     from .arguments.signals import Signal as Signal
+    from .batch.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .batch.stepper.steppers import Steppers as Steppers
     from .building.build import build as build
     from .building.errors import BuildError as BuildError
     from .building.errors import CompilerNotFoundError as CompilerNotFoundError
-    from .building.loading import load_model as load_model
-    from .building.proof import ProofError as ProofError
+    from .building.model_file import load_model as load_model
+    from .building.verification import ProofError as ProofError
     from .codegen.mechanics import from_mechanics as from_mechanics
     from .codegen.model import Contact as Contact
     from .codegen.model import Event as Event
     from .codegen.model import Friction as Friction
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
-    from .codegen.model import draw as draw
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
-    from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
-    from .ensembles.steppers import Steppers as Steppers
+    from .codegen.model.statement import draw as draw
     from .fmu.export import export_fmu as export_fmu
-    from .linear.assemble import assemble as assemble
-    from .linear.equilibrium import find_equilibrium as find_equilibrium
-    from .linear.linearization import Linearization as Linearization
-    from .live.shown import show as show
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
-    from .running.simulate import simulate as simulate
-    from .running.stepper import Stepper as Stepper
     from .runtime import EvaluationError as EvaluationError
     from .runtime import StopReason as StopReason
+    from .simulation.simulate import simulate as simulate
+    from .simulation.stepper import Stepper as Stepper
     from .system.system import System as System
+    from .webpage.page_object import show as show
 
 _HOME = {
     "BuildError": ".building.errors",
@@ -48,28 +48,28 @@ _HOME = {
     "EvaluationError": ".runtime",
     "Event": ".codegen.model",
     "Friction": ".codegen.model",
-    "Linearization": ".linear.linearization",
+    "Linearization": ".analysis.linear.linearization",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
-    "ProofError": ".building.proof",
+    "ProofError": ".building.verification",
     "Sampled": ".arguments.signals",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
-    "Stepper": ".running.stepper",
-    "Steppers": ".ensembles.steppers",
+    "Stepper": ".simulation.stepper",
+    "Steppers": ".batch.stepper.steppers",
     "StopReason": ".runtime",
     "System": ".system.system",
-    "assemble": ".linear.assemble",
+    "assemble": ".analysis.equilibrium.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",
-    "find_equilibrium": ".linear.equilibrium",
+    "find_equilibrium": ".analysis.equilibrium.equilibrium",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",
-    "load_model": ".building.loading",
+    "load_model": ".building.model_file",
     "multiplier": ".codegen.model",
-    "show": ".live.shown",
-    "simulate": ".running.simulate",
-    "simulate_ensemble": ".ensembles.simulate_ensemble",
+    "show": ".webpage.page_object",
+    "simulate": ".simulation.simulate",
+    "simulate_ensemble": ".batch.simulate_ensemble",
     "t": ".codegen.model",
 }
 

@@ -134,7 +134,7 @@ def test_a_run_without_rows_says_so():
 
 
 def test_a_second_run_that_ends_before_the_first_row_says_so(monkeypatch):
-    module = sys.modules["eigenmotion.running.simulate"]
+    module = sys.modules["eigenmotion.simulation.simulate"]
     plain, methods = module.run_task, []
 
     def run(task, method):

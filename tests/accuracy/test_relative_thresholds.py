@@ -3,12 +3,12 @@
 import mpmath
 import numpy as np
 import pytest
-from eigenmotion.codegen.model.pivots import is_singular
+from eigenmotion.codegen.model.check.elimination import is_singular
 from sympy import Expr, atan2, cos, exp, lambdify, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.failing_runs import X, Y, plane
 from ..support.generation import FORMULATIONS, system_for

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from eigenmotion.analysis.linear.linearization import written
 from eigenmotion.cli import main
-from eigenmotion.linear.linearization import written
 
 AT_REST = """\
 from sympy import Symbol

@@ -13,7 +13,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Event, Model, Signal, StopReason, simulate_ensemble
-from eigenmotion.ensembles import memory
+from eigenmotion.batch import memory
 from eigenmotion.runtime.ensemble import Chunk, Stop
 
 from ..support.generation import system_for, system_of

@@ -14,7 +14,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion import simulate_ensemble
-from eigenmotion.ensembles import executors
+from eigenmotion.batch import executors
 
 from ..support.generation import system_of
 from .test_ensemble import bits

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from eigenmotion.batch.sweep.unfinished_store import Parts
 from eigenmotion.cli import main
 from eigenmotion.results.columns import columns, moving
-from eigenmotion.results.parts import Parts
 
 from .killed_commands import changes, killed_after, killed_at
 
@@ -289,7 +289,7 @@ MANY = ["--sweep", "g=1:2:9000", "--sample", "m=uniform(1,2)", "-n", "90000"]
 def test_what_is_asked_twice_or_goes_beyond_memory_is_told_before_anything_runs(
     scene, capsys, monkeypatch, arguments, words
 ):
-    monkeypatch.setattr("eigenmotion.ensembles.memory.available", lambda: 10**10)
+    monkeypatch.setattr("eigenmotion.batch.memory.available", lambda: 10**10)
     assert (
         main([*SWEEP[:6], *(["--chunk", "4"] if "--chunk" not in arguments else []), *arguments, "-o", "runs.npz"]) == 2
     )

@@ -11,14 +11,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from eigenmotion.codegen.c.emit import Sources
+from eigenmotion.codegen.render.emit import Sources
 from sympy import cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.building.build import cached_sources, compiled, make
-from eigenmotion.building.extension import load
 from eigenmotion.building.request import generator_hash, request
+from eigenmotion.building.shared_library import load
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, OPTIMISED, Toolchain, toolchain
 
 ROOT = Path(__file__).parents[2]

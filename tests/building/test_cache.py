@@ -76,7 +76,7 @@ DAMAGED = """
 import os, sys
 from pathlib import Path
 import eigenmotion as em
-import eigenmotion.building.proof, eigenmotion.codegen.compiler # once for all
+import eigenmotion.building.verification, eigenmotion.codegen.compiler # once for all
 
 def in_another_process():
     inside = os.fork()

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 import eigenmotion as em
-from eigenmotion.building import extension, parts
+from eigenmotion.building import lazy_units, shared_library
 from eigenmotion.building.build import all_of, cached_sources, later, make
-from eigenmotion.building.extension import load
-from eigenmotion.building.proof import verdict
 from eigenmotion.building.request import request
+from eigenmotion.building.shared_library import load
 from eigenmotion.building.toolchain import UNITS, Toolchain, toolchain
+from eigenmotion.building.verification import verdict
 
 from ..support.generation import model_of
 
@@ -53,7 +53,7 @@ def units(monkeypatch):
 
 def forget(monkeypatch):
     """As in a new process: what is loaded next has no part but the first."""
-    monkeypatch.setattr(extension, "_loaded", {})
+    monkeypatch.setattr(shared_library, "_loaded", {})
 
 
 def test_each_part_is_compiled_once_and_nothing_changes(own_cache, units, monkeypatch):
@@ -221,7 +221,7 @@ def test_what_is_compiled_later_is_proved_then(part, methods, own_cache, monkeyp
     em.build(asked.model)
     assert held == list(EXPLICIT)
     if methods:
-        words = rf"a run by {methods[0]} is made up(.|\n)*{parts.WORDS[part]} of pendulum"
+        words = rf"a run by {methods[0]} is made up(.|\n)*{lazy_units.WORDS[part]} of pendulum"
         with pytest.raises(em.ProofError, match=words):
             later(asked, toolchain(), part)
     else:
@@ -245,7 +245,7 @@ def test_what_extrapolates_has_its_derivatives_at_first():
     system.compiled.later = None
     with pytest.raises(em.ModelError, match="coincide at x0"):
         system.simulate((0.0, 1.0))
-    alone = extension.system_in(make(request(model_of("pendulum")), toolchain()))
+    alone = shared_library.system_in(make(request(model_of("pendulum")), toolchain()))
     with pytest.raises(RuntimeError, match="pendulum has been compiled without derivatives"):
         alone.mass_matrix_gradient([0.3])
 

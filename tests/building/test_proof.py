@@ -11,23 +11,23 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 import sympy
+from eigenmotion.codegen.calculus.identity_test import Zeros
 from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.compiler import generate
 from eigenmotion.codegen.graph import convert
+from eigenmotion.codegen.graph.coefficients import exact
 from eigenmotion.codegen.graph.graph import Graph
-from eigenmotion.codegen.graph.numbers import exact
 from eigenmotion.codegen.graph.store import Kind
-from eigenmotion.codegen.graph.zeros import Zeros
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import t
 from eigenmotion.building.build import compiled
-from eigenmotion.building.proof import ProofError, prove
-from eigenmotion.building.proof.evaluate import Evaluation
-from eigenmotion.building.proof.hyperdual import FUNCTIONS, RELATIONS, given
 from eigenmotion.building.toolchain import INCLUDE, toolchain
-from eigenmotion.stability.degenerate_models import quaternion_body
+from eigenmotion.building.verification import ProofError, prove
+from eigenmotion.building.verification.evaluate import Evaluation
+from eigenmotion.building.verification.hyperdual import FUNCTIONS, RELATIONS, given
+from eigenmotion.stability.models.degenerate import quaternion_body
 
 from ..equations.test_random_mechanisms import SHAPES, mechanism
 from ..support.generation import FORMULATIONS, NAMES, loaded, model_of, system_for, system_of
@@ -292,7 +292,7 @@ def test_a_function_without_a_counterpart_is_named_and_the_rest_is_proved(caplog
     model = two(qd**2 + rd**2, potential_energy=sympy.erf(q) + r)
     faulty = loaded(changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*"), "-O0")
     fewer = {name: function for name, function in FUNCTIONS.items() if name != "erf"}
-    with patch("eigenmotion.building.proof.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
+    with patch("eigenmotion.building.verification.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
         prove(model, system_for(model))
         assert "two: not proved where erf stands" in caplog.text
         assert "the equation of motion of q" in caplog.text

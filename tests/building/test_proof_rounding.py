@@ -14,10 +14,10 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, System
-from eigenmotion.building.proof import ProofError, prove
-from eigenmotion.building.proof.evaluate import Evaluation
-from eigenmotion.building.proof.hyperdual import given
-from eigenmotion.building.proof.rounded import EPS, FACTOR, Rounded, inverse, root, rounded
+from eigenmotion.building.verification import ProofError, prove
+from eigenmotion.building.verification.evaluate import Evaluation
+from eigenmotion.building.verification.hyperdual import given
+from eigenmotion.building.verification.rounding_bounds import EPS, FACTOR, Rounded, inverse, root, rounded
 
 from ..support.generation import FORMULATIONS, loaded, system_for
 from ..support.random_mechanisms import Maker

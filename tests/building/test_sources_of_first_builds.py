@@ -5,7 +5,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.building.build import cached_sources, first_sources
-from eigenmotion.building.parts import ALL_AT_FIRST
+from eigenmotion.building.lazy_units import ALL_AT_FIRST
 from eigenmotion.building.request import request
 
 from ..support.generation import model_of

@@ -4,7 +4,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.cli.new import TEMPLATES
+from eigenmotion.cli.generation.new import TEMPLATES
 
 
 @pytest.mark.parametrize("template", TEMPLATES)

@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import eigenmotion as em
+from eigenmotion.batch.sweep import unfinished_store as kept_parts
+from eigenmotion.batch.sweep.design import Design, Distribution
 from eigenmotion.cli import main
-from eigenmotion.ensembles.design import Design, Distribution
 from eigenmotion.progress import duration, words
-from eigenmotion.results import parts as kept_parts
 
 SWEEP = ["sweep", "scene.py", "--formulation", "lagrange", "--t-end", "1", "--chunk", "7"]
 GRID = ["--sweep", "g=1,9.81,20", "--sweep", "angle'=0:2:4", "--sample", "angle=normal(0.5,0.1)", "-n", "3"]

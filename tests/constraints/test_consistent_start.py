@@ -8,7 +8,7 @@ from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 from sympy import log, sin, sqrt
 
-from eigenmotion.running.start import start_state
+from eigenmotion.simulation.initial_state.consistency import start_state
 
 from ..support.failing_runs import X, Y, plane
 from ..support.generation import system_for, system_of

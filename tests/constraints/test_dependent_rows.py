@@ -8,7 +8,7 @@ from sympy import Max, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System, t
-from eigenmotion.results.summary import summary
+from eigenmotion.results.output.summary import summary
 from eigenmotion.runtime import StopReason
 
 from ..support.failing_runs import X, check_honest, plane

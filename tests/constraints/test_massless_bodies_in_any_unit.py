@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.equations.derive import derive
 
 from eigenmotion import System
 

@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, System, t
-from eigenmotion.results.summary import summary
+from eigenmotion.results.output.summary import summary
 
 from ..support.generation import FORMULATIONS, system_for
 

@@ -8,7 +8,7 @@ from sympy import Rational, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Contact, Model, Solution, System, t
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_for, system_of
 

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from eigenmotion.stability.contact_models import woodpecker
-from eigenmotion.stability.pecking import ROWS
+from eigenmotion.stability.expectation.woodpecker import ROWS
+from eigenmotion.stability.models.contacts import woodpecker
 
 from ..oracles import woodpecker as published
 from ..oracles.hybrid import Leg, legs, rows

@@ -90,7 +90,7 @@ def test_the_site_names_everything_public():
     assert [name for name in dir(eigenmotion) if name in eigenmotion._HOME and f"eigenmotion.{name}\n" not in said] == [
         "draw"
     ]
-    assert "eigenmotion.codegen.model.draw" in said
+    assert "eigenmotion.codegen.model.statement.draw" in said
 
 
 WRONG = {

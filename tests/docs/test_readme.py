@@ -8,7 +8,7 @@ import pytest
 
 from eigenmotion.building.errors import BuildError
 from eigenmotion.cli import main
-from eigenmotion.live.wasm import wasm_compiler
+from eigenmotion.webpage.wasm import wasm_compiler
 
 README = (Path(__file__).parents[2] / "README.md").read_text()
 
@@ -22,7 +22,7 @@ def block(heading: str, language: str) -> str:
 def pendulum(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
-    monkeypatch.setattr("eigenmotion.pages.figures.find_spec", lambda name: None)
+    monkeypatch.setattr("eigenmotion.presentation.figures.find_spec", lambda name: None)
     Path("pendulum.py").write_text(block("A model file", "python"))
 
 

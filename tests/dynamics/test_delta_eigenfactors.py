@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.emit import SourceFile, Sources
-from eigenmotion.codegen.c.program import Program
 from eigenmotion.codegen.choices import Choices
+from eigenmotion.codegen.program.program import Program
+from eigenmotion.codegen.render.emit import SourceFile, Sources
 from scipy.linalg import expm
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols

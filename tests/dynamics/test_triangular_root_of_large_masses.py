@@ -8,8 +8,8 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c import kernel
 from eigenmotion.codegen.choices import Choices
+from eigenmotion.codegen.kernel import kernel
 
 from eigenmotion import build, simulate_ensemble
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.equations.derive import derive
 from sympy import Heaviside, Max, Rational, cos, diff, exp, sin, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.choices import FORMULATIONS
-from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
+from eigenmotion.codegen.equations.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, t
 

@@ -6,9 +6,9 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.calculus.derivatives import gradient
 from eigenmotion.codegen.choices import Choices
-from eigenmotion.codegen.graph.derivatives import gradient
-from eigenmotion.codegen.physics.terms import Terms
+from eigenmotion.codegen.equations.terms import Terms
 from sympy import Rational, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

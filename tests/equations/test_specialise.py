@@ -5,8 +5,8 @@ from functools import cache
 import pytest
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.choices import Choices
-from eigenmotion.codegen.physics import derive as physics
-from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Kind, Saving, specialise
+from eigenmotion.codegen.equations import derive as physics
+from eigenmotion.codegen.equations.specialise import ALL_SAVINGS, Kind, Saving, specialise
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

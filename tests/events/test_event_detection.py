@@ -8,9 +8,9 @@ from sympy import Abs, Heaviside, Max, Rational, exp, log, pi, sin, sqrt, symbol
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, t
+from eigenmotion.arguments.methods import METHODS
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.solution import Solution
-from eigenmotion.running.methods import METHODS
 from eigenmotion.runtime import StopReason
 
 from ..support.generation import system_for

@@ -9,8 +9,8 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, multiplier, t
+from eigenmotion.arguments.methods import IMPLICIT, METHODS
 from eigenmotion.arguments.signals import Signal
-from eigenmotion.running.methods import IMPLICIT, METHODS
 from eigenmotion.runtime import StopReason
 
 from ..support.generation import FORMULATIONS, system_for

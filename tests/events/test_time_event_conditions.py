@@ -7,7 +7,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, StopReason, t
-from eigenmotion.building.proof import prove
+from eigenmotion.building.verification import prove
 
 from ..support.generation import system_for
 

@@ -8,7 +8,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Contact, Event, Model, ModelError, StopReason, simulate_ensemble, t
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_for
 

@@ -12,10 +12,10 @@ import pytest
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError, CompilerNotFoundError
 from eigenmotion.building.request import request
-from eigenmotion.live import wasm
-from eigenmotion.live.page import Run, page
-from eigenmotion.live.shown import Page
-from eigenmotion.live.three import three
+from eigenmotion.webpage import wasm
+from eigenmotion.webpage.page import Run, page
+from eigenmotion.webpage.page_object import Page
+from eigenmotion.webpage.three import three
 
 from ..support.browser import Browser, chromium
 
@@ -273,15 +273,15 @@ def test_space_moves_and_turns(opened, by):
 
 
 def test_three_js_is_what_its_hash_says(monkeypatch, own_cache):
-    monkeypatch.setattr("eigenmotion.live.three._SHA512", "no hash")
-    monkeypatch.setattr("eigenmotion.live.three.run", lambda _, folder: (folder / "three.tgz").write_bytes(b"else"))
-    monkeypatch.setattr("eigenmotion.live.three.shutil.which", lambda name: name)
+    monkeypatch.setattr("eigenmotion.webpage.three._SHA512", "no hash")
+    monkeypatch.setattr("eigenmotion.webpage.three.run", lambda _, folder: (folder / "three.tgz").write_bytes(b"else"))
+    monkeypatch.setattr("eigenmotion.webpage.three.shutil.which", lambda name: name)
     with pytest.raises(BuildError, match="its hash is another one"):
         three()
     assert not list((own_cache / "three").glob("*/*.txt"))
 
 
 def test_without_npm_three_js_is_missed_by_name(monkeypatch, own_cache):
-    monkeypatch.setattr("eigenmotion.live.three.shutil.which", lambda _: None)
+    monkeypatch.setattr("eigenmotion.webpage.three.shutil.which", lambda _: None)
     with pytest.raises(BuildError, match=r"npm, which brings three\.js, is not on the PATH"):
         three()

@@ -10,9 +10,9 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.live.faces import around
-from eigenmotion.live.mathml import label
-from eigenmotion.live.page import Run, about, summary
+from eigenmotion.webpage.faces import around
+from eigenmotion.webpage.mathml import label
+from eigenmotion.webpage.page import Run, about, summary
 
 MODELS = Path(__file__).parents[2] / "models"
 

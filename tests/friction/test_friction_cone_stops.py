@@ -12,7 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion
 from eigenmotion import Friction, Model
-from eigenmotion.stability.cones import billiard_ball, rolls
+from eigenmotion.stability.cases.cones import billiard_ball, rolls
 
 METHODS = ("radau5", "radau9", "auto", "dop853", "ra15")
 TOLERANCES = (1e-6, 1e-8, 1e-10, 1e-12)

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from eigenmotion.running import start
-from eigenmotion.running.methods import METHODS, STEPPED
+from eigenmotion.arguments.methods import METHODS, STEPPED
 from eigenmotion.runtime import StopReason
-from eigenmotion.runtime.faults import Detail
+from eigenmotion.runtime.status.stop_reasons import Detail
+from eigenmotion.simulation.initial_state import consistency
 
 from ..support.stepping import COMPILER, INCLUDE
 from ..support.structures import KINDS, NUMBERS, enumerators
@@ -114,11 +114,11 @@ def test_refusals_of_starts_are_those_of_c():
         .partition("EM_MAY_START = 0,")[2]
         .partition("}")[0]
     )
-    assert re.findall(r"EM_(\w+)", text) == [refusal.name for refusal in start._Refusal]
+    assert re.findall(r"EM_(\w+)", text) == [refusal.name for refusal in consistency._Refusal]
 
 
 SAID_TWICE = {
-    "dynamics/em_close_eigenvalues.h EM_EPSILON": start._CLOSE,
+    "dynamics/em_close_eigenvalues.h EM_EPSILON": consistency._CLOSE,
 }
 
 

@@ -4,7 +4,7 @@ import sys
 
 import jinja2
 import pytest
-from eigenmotion.codegen.c import bytecode
+from eigenmotion.codegen.render import template_cache
 
 TEXT = "{{ 2 * number }}"
 
@@ -13,7 +13,7 @@ TEXT = "{{ 2 * number }}"
 def place(tmp_path, monkeypatch):
     """Return where the one template here is kept."""
     path = tmp_path / "kept" / "template.pyc"
-    monkeypatch.setattr(bytecode, "_place", lambda bucket: path)
+    monkeypatch.setattr(template_cache, "_place", lambda bucket: path)
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
     return path
 
@@ -28,7 +28,7 @@ def compilations(monkeypatch):
 
 def rendered(text=TEXT):
     """Render in an environment that has seen nothing."""
-    made = jinja2.Environment(loader=jinja2.DictLoader({"template": text}), bytecode_cache=bytecode.Bytecode())
+    made = jinja2.Environment(loader=jinja2.DictLoader({"template": text}), bytecode_cache=template_cache.Bytecode())
     return made.get_template("template").render(number=3)
 
 
@@ -59,7 +59,7 @@ def test_another_text_is_compiled_itself(compilations):
 @pytest.mark.usefixtures("place")
 def test_another_version_of_our_filters_is_another_template(compilations, monkeypatch):
     rendered()
-    monkeypatch.setattr(bytecode, "_readers", lambda: "another")
+    monkeypatch.setattr(template_cache, "_readers", lambda: "another")
     rendered()
     assert compilations == [TEXT, TEXT]
 

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c import program as codegen_program
-from eigenmotion.codegen.c import roles
-from eigenmotion.codegen.c.emit import TEMPLATES, environment
-from eigenmotion.codegen.c.kernel import Kernel
-from eigenmotion.codegen.c.names import c_identifier, c_identifiers
-from eigenmotion.codegen.c.program import BlockView, EventView, Place, Program, Slice
-from eigenmotion.codegen.c.roles import Kernels, Stages
 from eigenmotion.codegen.choices import Choices
+from eigenmotion.codegen.kernel.identifiers import c_identifier, c_identifiers
+from eigenmotion.codegen.kernel.kernel import Kernel
+from eigenmotion.codegen.program import kernel_roles
+from eigenmotion.codegen.program import program as codegen_program
+from eigenmotion.codegen.program.kernel_roles import Kernels, Stages
+from eigenmotion.codegen.program.program import BlockView, EventView, Place, Program, Slice
+from eigenmotion.codegen.render.emit import TEMPLATES, environment
 from jinja2 import meta, nodes
 from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
@@ -29,7 +29,7 @@ from eigenmotion.building.toolchain import INCLUDE, toolchain
 from ..support.generation import FORMULATIONS, NAMES, STRICT, loaded, model_of, relative, states, system_for
 
 TEMPLATE_FOLDER = Path(__file__).parents[2] / "templates"
-PARTS = sorted(path.name for path in TEMPLATE_FOLDER.glob("*.jinja"))
+PARTS = sorted(str(path.relative_to(TEMPLATE_FOLDER)) for path in TEMPLATE_FOLDER.rglob("*.jinja"))
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
@@ -81,7 +81,7 @@ def test_every_function_says_what_it_is(systems):
 
 RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": Place, "kernel": Kernel,
            "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
-OTHERS = tuple(kind for kind in {**vars(codegen_program), **vars(roles)}.values() if is_dataclass(kind))
+OTHERS = tuple(kind for kind in {**vars(codegen_program), **vars(kernel_roles)}.values() if is_dataclass(kind))
 
 
 def attributes():

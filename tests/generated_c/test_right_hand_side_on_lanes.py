@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.printer import IN_VECTORS
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
+from eigenmotion.codegen.kernel.printer import IN_VECTORS
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, build, simulate
-from eigenmotion.building.extension import compile_and_link
+from eigenmotion.building.shared_library import compile_and_link
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, toolchain
 
 from ..support.generation import NAMES, STRICT, choices_for, model_of, states, system_in, system_of

@@ -4,10 +4,10 @@ import subprocess
 
 import pytest
 import sympy
-from eigenmotion.codegen.c.emit import commented, quoted
-from eigenmotion.codegen.c.names import c_identifier
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.compiler import generate
+from eigenmotion.codegen.kernel.identifiers import c_identifier
+from eigenmotion.codegen.render.emit import commented, quoted
 
 import eigenmotion as em
 from eigenmotion.building.request import request

@@ -9,11 +9,11 @@ from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.compiler import generate
 from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
 from eigenmotion.codegen.graph.graph import Graph
-from eigenmotion.codegen.model.depth import ORDINARY, with_room
+from eigenmotion.codegen.model.recursion_depth import ORDINARY, with_room
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model
-from eigenmotion.building.proof import prove
+from eigenmotion.building.verification import prove
 
 from ..support.generation import system_for
 

@@ -4,11 +4,11 @@ from fractions import Fraction
 
 import pytest
 import sympy
+from eigenmotion.codegen.calculus.identity_test import Zeros
+from eigenmotion.codegen.calculus.trigonometry import expansion
 from eigenmotion.codegen.graph.rewrite import Rewriter, Substitution
-from eigenmotion.codegen.graph.schedule import schedule
 from eigenmotion.codegen.graph.store import Kind
-from eigenmotion.codegen.graph.trigonometry import expansion
-from eigenmotion.codegen.graph.zeros import Zeros
+from eigenmotion.codegen.schedule.schedule import schedule
 from hypothesis import given
 from sympy import Rational, cos, exp, sin, sqrt, tan
 

@@ -3,7 +3,7 @@
 import mpmath
 import pytest
 import sympy
-from eigenmotion.codegen.graph.derivatives import Tangent, gradient
+from eigenmotion.codegen.calculus.derivatives import Tangent, gradient
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import cos, log, sin, sqrt

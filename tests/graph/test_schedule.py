@@ -5,14 +5,14 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 import pytest
+from eigenmotion.codegen.equations.derive import derive
+from eigenmotion.codegen.equations.specialise import specialise
+from eigenmotion.codegen.equations.terms import Terms
 from eigenmotion.codegen.graph.convert import FromSympy
 from eigenmotion.codegen.graph.graph import Graph
-from eigenmotion.codegen.graph.operations import Cost, operands_of
-from eigenmotion.codegen.graph.schedule import schedule
 from eigenmotion.codegen.graph.store import Kind
-from eigenmotion.codegen.physics.derive import derive
-from eigenmotion.codegen.physics.specialise import specialise
-from eigenmotion.codegen.physics.terms import Terms
+from eigenmotion.codegen.schedule.operations import Cost, operands_of
+from eigenmotion.codegen.schedule.schedule import schedule
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Max, Piecewise, Rational, cos, exp, sin, sqrt, symbols

@@ -2,8 +2,8 @@
 
 import pytest
 import sympy
-from eigenmotion.codegen.graph.zeros import Zeros
-from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.calculus.identity_test import Zeros
+from eigenmotion.codegen.equations.derive import derive
 from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan
 from sympy.physics.mechanics import dynamicsymbols
 

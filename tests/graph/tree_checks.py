@@ -13,11 +13,11 @@ from fractions import Fraction
 
 import mpmath
 import sympy
+from eigenmotion.codegen.calculus.derivatives import Tangent, gradient
+from eigenmotion.codegen.calculus.identity_test import Zeros
 from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
-from eigenmotion.codegen.graph.derivatives import Tangent, gradient
 from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.store import Kind, Node
-from eigenmotion.codegen.graph.zeros import Zeros
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.codegen.model.normalise import expression
 

@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from eigenmotion.running.choosing import automatic
+from eigenmotion.simulation.method_selection import automatic
 
 from ..support.mechanism_in_c import Mechanism
 from ..support.stepping import FINISHED, INCLUDE, PENDULUM, Build, builder, pendulum_angle, signal, simulate

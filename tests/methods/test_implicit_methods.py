@@ -11,7 +11,7 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.running.methods import IMPLICIT
+from eigenmotion.arguments.methods import IMPLICIT
 
 from ..support.generation import system_for, system_of
 from ..support.models_table import BY_NAME

@@ -14,7 +14,7 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_for, system_of
 from ..support.stepping import FINISHED, PENDULUM, Build, Mechanism, builder, pendulum_angle, simulate

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import DOP853, RK45
 from scipy.special import ellipk
 
-from eigenmotion.running.methods import METHODS as TABLE
+from eigenmotion.arguments.methods import METHODS as TABLE
 
 from ..support.stepping import (
     CIRCLE,

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients
 
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.stepping import INCLUDE, PENDULUM, RUNGE_KUTTA, Array, Build, Tableau, builder
 

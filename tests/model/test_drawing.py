@@ -13,8 +13,8 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import draw
 from eigenmotion.cli import main
-from eigenmotion.results.drawing import Drawing
-from eigenmotion.results.outlines import nodes, outlines
+from eigenmotion.results.pictures.moving_shapes import Drawing
+from eigenmotion.results.pictures.outlines import nodes, outlines
 
 from ..support.generation import system_of
 
@@ -150,7 +150,7 @@ def refused(capsys, *command):
 
 def test_the_command_line_refuses_pictures_before_the_run(tmp_path, capsys, monkeypatch):
     pytest.importorskip("matplotlib")
-    monkeypatch.setattr("eigenmotion.results.animation.shutil.which", lambda _: None)
+    monkeypatch.setattr("eigenmotion.results.pictures.animation.shutil.which", lambda _: None)
     folder = Path(__file__).parents[2] / "models"
     pendulum, veering = str(folder / "pendulum.py"), str(folder / "veering.py")
     assert "known endings are .mp4, .gif, .html" in refused(

@@ -10,7 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
 from eigenmotion.cli.options import values
-from eigenmotion.results.saving import save
+from eigenmotion.results.output.saving import save
 
 from ..support.generation import FORMULATIONS, model_of, system_for, system_of
 

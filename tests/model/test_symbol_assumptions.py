@@ -6,7 +6,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from eigenmotion.codegen.model.assumptions import ANY, allowed, declared, holds
+from eigenmotion.codegen.model.check.assumptions import ANY, allowed, declared, holds
 from sympy import Symbol, sqrt
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -8,7 +8,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, System
 from eigenmotion.runtime import StopReason
 from eigenmotion.stability import CASES
-from eigenmotion.stability.case import Trial
+from eigenmotion.stability.cases.case import Trial
 
 from ..support.failing_runs import X, check_honest, plane
 from ..support.generation import FORMULATIONS, system_for

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.emit import SourceFile, Sources
+from eigenmotion.codegen.render.emit import SourceFile, Sources
 from sympy import Piecewise, atan, cos, log, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -9,7 +9,7 @@ from sympy import cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System, t
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 from eigenmotion.runtime import StopReason
 
 from ..support.failing_runs import FORMULATIONS, X, Y, check_honest, plane

@@ -8,9 +8,9 @@ from sympy import Symbol
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.pages.figures import save
-from eigenmotion.results import spread
-from eigenmotion.results.plot import coordinates
+from eigenmotion.presentation.figures import save
+from eigenmotion.results.output import ensemble_plot
+from eigenmotion.results.output.plot import coordinates
 
 from ..support.generation import system_for, system_of
 
@@ -104,9 +104,9 @@ def test_any_name_can_be_read_in_a_picture(tmp_path, name):
     values = np.array([1.0, 2.0, 3.0])
     x = np.ones((3, 1, 2))
     pictures = [
-        spread.over_time(name.replace("$", ""), [name], values[:2], x),
-        spread.ends("ends", [name], {name: values}, x[:, :, 0]),
-        spread.over_grid("grid", [name], {"b": [1.0], name: values.tolist()}, x[:, :, 0]),
+        ensemble_plot.over_time(name.replace("$", ""), [name], values[:2], x),
+        ensemble_plot.ends("ends", [name], {name: values}, x[:, :, 0]),
+        ensemble_plot.over_grid("grid", [name], {"b": [1.0], name: values.tolist()}, x[:, :, 0]),
     ]
     for picture in pictures:
         root = ElementTree.parse(save(picture, tmp_path / "ends.svg")).getroot()

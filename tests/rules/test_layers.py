@@ -5,6 +5,7 @@ import importlib.util
 import re
 import sys
 import tomllib
+from collections import Counter
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -56,93 +57,246 @@ def imports(module: str, file: Path, types: bool = True) -> Iterator[str]:
 
 MODULES = modules()
 ROOMS: dict[str, tuple[str, ...]] = {
-    "codegen.model": (),
+    "codegen.model.normalise": (),
+    "codegen.model.statement": ("codegen.model.normalise",),
+    "codegen.model.check": ("codegen.model.normalise", "codegen.model.statement"),
+    "codegen.model.symbolic": ("codegen.model.normalise", "codegen.model.statement"),
+    "codegen.model": (
+        "codegen.model.normalise",
+        "codegen.model.statement",
+        "codegen.model.check",
+        "codegen.model.symbolic",
+    ),
     "codegen.graph": ("codegen.model",),
-    "codegen.mechanics": ("codegen.model", "codegen.graph"),
-    "codegen.physics": ("codegen.model", "codegen.graph"),
+    "codegen.calculus": ("codegen.graph",),
+    "codegen.schedule": ("codegen.graph",),
+    "codegen.mechanics": ("codegen.model.normalise", "codegen.model", "codegen.graph", "codegen.calculus"),
+    "codegen.equations": (
+        "codegen.model.normalise",
+        "codegen.model.statement",
+        "codegen.model.check",
+        "codegen.model",
+        "codegen.graph",
+        "codegen.calculus",
+        "codegen.schedule",
+    ),
     "codegen.choices": ("codegen.model",),
-    "codegen.c": ("codegen.model", "codegen.graph", "codegen.physics", "codegen.choices"),
-    "codegen": ("codegen.model", "codegen.physics", "codegen.c", "codegen.choices"),
-    "runtime": (),
-    "arguments": ("codegen.model", "runtime"),
-    "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
-    "running": ("codegen.model", "runtime", "arguments", "results"),
-    "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
-    "system": ("codegen.model", "runtime", "arguments", "running", "ensembles", "linear", "pages"),
-    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "cores", "progress"),
-    "building": (
+    "codegen.kernel": ("codegen.graph", "codegen.schedule"),
+    "codegen.program": (
+        "codegen.model.statement",
         "codegen.model",
-        "codegen.c",
-        "codegen",
-        "runtime",
-        "arguments",
-        "results",
-        "running",
+        "codegen.graph",
+        "codegen.calculus",
+        "codegen.schedule",
+        "codegen.equations",
         "codegen.choices",
-        "system",
-        "cores",
-        "files",
-        "garbage",
+        "codegen.kernel",
     ),
-    "reference": ("codegen.model", "arguments"),
-    "pages": ("codegen.model", "files"),
-    "fmu": ("codegen.model", "running", "building", "files"),
-    "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building", "files"),
-    "report": (
+    "codegen.render": ("codegen.kernel", "codegen.program"),
+    "codegen": (
+        "codegen.model.normalise",
+        "codegen.model.check",
         "codegen.model",
-        "codegen.physics",
+        "codegen.equations",
         "codegen.choices",
-        "arguments",
-        "results",
-        "running",
-        "system",
-        "building",
-        "reference",
-        "pages",
-        "progress",
-    ),
-    "stability": (
-        "codegen.model",
-        "codegen.choices",
-        "models",
-        "runtime",
-        "arguments",
-        "results",
-        "running",
-        "system",
-        "building",
-        "reference",
-        "pages",
-        "progress",
-    ),
-    "paper": ("models", "arguments", "results", "system", "building", "pages"),
-    "cli": (
-        "",
-        "codegen.model",
-        "codegen.choices",
-        "codegen.c",
-        "runtime",
-        "arguments",
-        "results",
-        "running",
-        "ensembles",
-        "linear",
-        "system",
-        "building",
-        "pages",
-        "live",
-        "fmu",
-        "report",
-        "stability",
-        "files",
-        "progress",
+        "codegen.program",
+        "codegen.render",
     ),
     "cores": (),
     "files": (),
     "garbage": (),
     "progress": (),
+    "runtime.status": (),
+    "runtime": ("runtime.status",),
+    "arguments": ("codegen.model.normalise", "runtime"),
+    "presentation": ("codegen.model", "files"),
+    "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "arguments", "presentation"),
+    "results": ("codegen.model.normalise", "runtime", "arguments", "presentation", "results.pictures"),
+    "results.output": ("files", "arguments", "presentation", "results.pictures", "results"),
+    "simulation.initial_state": ("codegen.model.normalise", "codegen.model", "runtime", "arguments", "results"),
+    "simulation.sensitivity": ("codegen.model.normalise", "runtime", "arguments", "results"),
+    "simulation": (
+        "codegen.model.normalise",
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "results",
+        "simulation.initial_state",
+        "simulation.sensitivity",
+    ),
+    "analysis": (),
+    "analysis.state": ("codegen.model.normalise", "runtime", "arguments", "simulation.initial_state"),
+    "analysis.linear": (
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "presentation",
+        "simulation.initial_state",
+        "analysis.state",
+    ),
+    "analysis.equilibrium": (
+        "codegen.model.normalise",
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "presentation",
+        "simulation.initial_state",
+        "analysis.state",
+        "analysis.linear",
+    ),
+    "batch": (
+        "codegen.model.normalise",
+        "cores",
+        "progress",
+        "runtime",
+        "arguments",
+        "results",
+        "simulation.initial_state",
+        "simulation.sensitivity",
+        "simulation",
+    ),
+    "batch.sweep": ("codegen.model.normalise", "files", "arguments", "presentation", "results"),
+    "batch.stepper": (
+        "codegen.model.normalise",
+        "cores",
+        "runtime",
+        "arguments",
+        "simulation.initial_state",
+        "simulation",
+        "batch",
+    ),
+    "system": (
+        "codegen.model.normalise",
+        "codegen.model.check",
+        "runtime",
+        "arguments",
+        "presentation",
+        "simulation.initial_state",
+        "simulation",
+        "analysis.linear",
+        "batch.stepper",
+    ),
+    "building.errors": ("codegen.model",),
+    "building.verification": (
+        "codegen.model.normalise",
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "results",
+        "system",
+        "building.errors",
+    ),
+    "building": (
+        "codegen.model",
+        "codegen.choices",
+        "codegen.render",
+        "codegen",
+        "cores",
+        "files",
+        "garbage",
+        "arguments",
+        "system",
+        "building.errors",
+        "building.verification",
+    ),
+    "reference": ("codegen.model.symbolic", "arguments"),
+    "fmu": ("codegen.model.normalise", "files", "arguments", "building"),
+    "webpage": (
+        "codegen.model.normalise",
+        "codegen.model.symbolic",
+        "codegen.model",
+        "codegen.render",
+        "codegen",
+        "files",
+        "runtime.status",
+        "arguments",
+        "building.errors",
+        "building",
+    ),
+    "report": (
+        "codegen.model.symbolic",
+        "codegen.model",
+        "codegen.equations",
+        "codegen.choices",
+        "progress",
+        "arguments",
+        "presentation",
+        "results",
+        "simulation",
+        "system",
+        "building.errors",
+        "building",
+        "reference",
+    ),
+    "stability.expectation": ("codegen.model.symbolic", "arguments", "reference"),
+    "stability.models": ("models", "codegen.model", "stability.expectation"),
+    "stability.cases": (
+        "models",
+        "codegen.model",
+        "codegen.choices",
+        "arguments",
+        "reference",
+        "stability.expectation",
+        "stability.models",
+    ),
+    "stability.evaluation": (
+        "codegen.model.statement",
+        "codegen.model",
+        "progress",
+        "runtime",
+        "arguments",
+        "results",
+        "simulation",
+        "system",
+        "building.errors",
+        "building",
+        "reference",
+        "stability.expectation",
+        "stability.cases",
+    ),
+    "stability.output": ("presentation", "building", "stability.cases", "stability.evaluation"),
+    "stability": ("stability.cases", "stability.evaluation", "stability.output"),
+    "paper": ("models", "arguments", "presentation", "results", "system", "building"),
+    "cli": ("", "codegen.model", "codegen.choices", "arguments", "batch", "batch.sweep", "building"),
+    "cli.generation": (
+        "codegen.model.normalise",
+        "codegen.model.check",
+        "codegen.render",
+        "files",
+        "progress",
+        "arguments",
+        "building.errors",
+        "building",
+        "fmu",
+        "webpage",
+        "cli",
+    ),
+    "cli.simulation": (
+        "codegen.model",
+        "progress",
+        "runtime",
+        "arguments",
+        "presentation",
+        "results.pictures",
+        "results",
+        "results.output",
+        "simulation",
+        "analysis.state",
+        "analysis.linear",
+        "analysis.equilibrium",
+        "batch",
+        "batch.sweep",
+        "system",
+        "building",
+        "report",
+        "stability",
+        "cli",
+    ),
 }
-"""What each room may import while the program runs, itself apart; "" is the package's own names, loaded when used."""
+"""What each room may import while the program runs, itself apart, and only from above.
+
+"" is the package's own names, loaded when used.
+"""
 
 
 def within(name: str, package: str) -> bool:
@@ -216,6 +370,38 @@ def test_a_room_imports_what_it_may(room):
             for name in running_imports(module)}  # fmt: skip
     assert not [words for other, words in used.items() if other not in (room, *ROOMS[room])]
     assert set(ROOMS[room]) <= set(used), "a room that may be imported is"
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_stands_below_what_it_imports(room):
+    above = list(ROOMS)[: list(ROOMS).index(room)]
+    assert set(ROOMS[room]) <= {"", "models", *above}
+
+
+FULL = 12
+COUNTED = (".py", ".pyx", ".jinja", ".js", ".css")
+
+
+def crowded(root: Path) -> dict[str, int]:
+    """Folders with more modules, templates or scripts than one can survey, and how many they have."""
+    files = (path for path in root.rglob("*") if path.suffix in COUNTED and path.name != "__init__.py")
+    counts = Counter(str(path.parent.relative_to(root)) for path in files if "__pycache__" not in path.parts)
+    return {folder: count for folder, count in counts.items() if count > FULL}
+
+
+@pytest.mark.parametrize("package", [name for name in PACKAGES if name != "eigenmotion.models"])
+def test_no_folder_is_crowded(package):
+    assert not crowded(PACKAGES[package])
+
+
+def test_a_crowded_folder_is_found(tmp_path):
+    (tmp_path / "room").mkdir()
+    for number in range(FULL):
+        (tmp_path / "room" / f"module_{number}.py").touch()
+    (tmp_path / "room" / "__init__.py").touch()
+    assert not crowded(tmp_path)
+    (tmp_path / "room" / "one_more.pyx").touch()
+    assert crowded(tmp_path) == {"room": FULL + 1}
 
 
 def test_every_room_is_there_and_has_its_rules():

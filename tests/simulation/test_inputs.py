@@ -10,9 +10,9 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
+from eigenmotion.arguments.methods import METHODS
 from eigenmotion.arguments.signals import Signal
-from eigenmotion.results.summary import summary
-from eigenmotion.running.methods import METHODS
+from eigenmotion.results.output.summary import summary
 
 from ..support.generation import FORMULATIONS, system_for, system_of
 

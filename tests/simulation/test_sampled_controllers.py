@@ -9,7 +9,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion import ModelError, Sampled, Signal, StopReason
-from eigenmotion.running.methods import METHODS
+from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_of
 from .test_inputs import TIGHT, oscillator

@@ -10,11 +10,11 @@ import pytest
 from eigenmotion.codegen.model import ModelError
 from scipy.interpolate import CubicSpline
 
+from eigenmotion.arguments.methods import METHODS
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.solution import Solution
-from eigenmotion.running.methods import METHODS
-from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
+from eigenmotion.simulation.simulate import simulate
 
 from ..support.hand_written import bead
 from ..support.hand_written.swing import START, TIGHT, L, pendulum

@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Model, Signal, StopReason
-from eigenmotion.running.methods import FIXED, METHODS, STEPPED
+from eigenmotion.arguments.methods import FIXED, METHODS, STEPPED
 from eigenmotion.runtime import EvaluationError
 
 from ..simulation.test_inputs import TIGHT, forced, oscillator

@@ -15,7 +15,7 @@ from eigenmotion.report.curves import _LOOKS as looks
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
-from eigenmotion.stability.models import elastic_link
+from eigenmotion.stability.models.smooth import elastic_link
 
 from .measuring import undisturbed
 
@@ -86,7 +86,7 @@ def test_every_implicit_method_has_looks_of_its_own():
 def stiff() -> Findings:
     """An elastic link of stiffness 1e9 with damping 1e5, in one formulation, without peers."""
     with undisturbed() as patch:
-        patch.setattr("eigenmotion.report.subject.FORMULATIONS", ("lagrange",))
+        patch.setattr("eigenmotion.report.formulations.FORMULATIONS", ("lagrange",))
         patch.setattr(importlib.import_module("eigenmotion.report.examine"), "peers", lambda *_: Peers((), ()))
         patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-5, 1e-7, 1e-9, 1e-11))
         ask = Ask(error=1e-6, t_end=0.5, tolerances=(1e-6,), settings=STIFF, budget=Budget(rounds=1))
@@ -120,7 +120,7 @@ def test_page_of_a_stiff_model(stiff, drawn, monkeypatch, tmp_path):
     """Its pictures, of which `test_report` has those of another model, at night."""
     pytest.importorskip("matplotlib")
     if not drawn:
-        monkeypatch.setattr("eigenmotion.report.writing.pictures", lambda found: [])
+        monkeypatch.setattr("eigenmotion.report.files.pictures", lambda found: [])
     write_report([stiff], tmp_path)
     page = (tmp_path / "report.html").read_text()
     assert "Set: k = 1e+09, d = 100000, q = 0.01." in page

@@ -10,14 +10,14 @@ from eigenmotion.codegen.model import ModelError
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.reference.classical import classical, double, explicit
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.elimination import accelerations
-from eigenmotion.reference.extended import extended
+from eigenmotion.reference.extended_precision import extended
 from eigenmotion.reference.integration import Midpoint, NotReachedError, followed
+from eigenmotion.reference.lagrange_equations import classical, double, explicit
 from eigenmotion.reference.motion import rates_of, reference, scaled_error
-from eigenmotion.stability.models import elastic_link
-from eigenmotion.stability.truth import Collocated
+from eigenmotion.stability.expectation.truth import Collocated
+from eigenmotion.stability.models.smooth import elastic_link
 
 from ..oracles import elliptic
 from ..support.generation import model_of

@@ -18,7 +18,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.cli import report as cli
+from eigenmotion.cli.simulation import report as cli
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation
 from eigenmotion.report.recommend import recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
@@ -265,7 +265,7 @@ def test_the_command_sets_parameters_and_starts(found, monkeypatch, tmp_path):
 
 def test_settings_reach_every_run_and_the_reference(monkeypatch):
     """A pendulum of another length let go elsewhere: every measurement agrees with its closed form."""
-    monkeypatch.setattr("eigenmotion.report.subject.FORMULATIONS", ("eigenfactor",))
+    monkeypatch.setattr("eigenmotion.report.formulations.FORMULATIONS", ("eigenfactor",))
     monkeypatch.setattr("eigenmotion.report.peers.DECADES", (1e-8,))
     monkeypatch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))
     monkeypatch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-8,))
@@ -289,7 +289,7 @@ def test_mistakes_in_the_call(arguments, capsys):
 
 
 def test_a_run_that_cannot_get_to_the_end_is_a_mistake(monkeypatch):
-    monkeypatch.setattr("eigenmotion.report.subject.FORMULATIONS", ("lagrange",))
+    monkeypatch.setattr("eigenmotion.report.formulations.FORMULATIONS", ("lagrange",))
     theta = dynamicsymbols("theta")
     falling = em.Model(name="falling", coordinates=[theta], kinetic_energy=theta.diff() ** 2 / 2,
                        potential_energy=-1 / theta, initial={theta: 1})  # fmt: skip

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from eigenmotion.reference.classical import classical
+from eigenmotion.reference.lagrange_equations import classical
 from eigenmotion.reference.motion import Reference, reference
 from eigenmotion.report import Budget, Measurement, peers
 from eigenmotion.report.measure import Judge, measure, skipped

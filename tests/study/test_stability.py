@@ -8,25 +8,26 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.c.emit import SourceFile, Sources
+from eigenmotion.codegen.render.emit import SourceFile, Sources
 from eigenmotion.models import chain as chain_model
 
 from eigenmotion import Model, build
 from eigenmotion.building.build import all_of
-from eigenmotion.building.extension import load
 from eigenmotion.building.request import request
+from eigenmotion.building.shared_library import load
 from eigenmotion.building.toolchain import toolchain
 from eigenmotion.reference.collocation import Collocation
-from eigenmotion.reference.extended import EPSILON
+from eigenmotion.reference.extended_precision import EPSILON
 from eigenmotion.reference.integration import NotReachedError, graded
-from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, matrix, survey, write_matrix
-from eigenmotion.stability.by_hand import chain
-from eigenmotion.stability.case import EXPLICIT
-from eigenmotion.stability.expected import expected_of
-from eigenmotion.stability.models import elastic_link
-from eigenmotion.stability.outcome import judged
-from eigenmotion.stability.truth import FINE, lagrange
-from eigenmotion.stability.variants import EXTRAPOLATE, PLAIN, UNSTABILISED
+from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
+from eigenmotion.stability.cases.case import EXPLICIT
+from eigenmotion.stability.cases.variants import EXTRAPOLATE, PLAIN, UNSTABILISED
+from eigenmotion.stability.evaluation import matrix
+from eigenmotion.stability.evaluation.expected_rows import expected_of
+from eigenmotion.stability.evaluation.outcome import judged
+from eigenmotion.stability.expectation.closed_forms import chain
+from eigenmotion.stability.expectation.truth import FINE, lagrange
+from eigenmotion.stability.models.smooth import elastic_link
 from eigenmotion.system.system import System
 
 EIGENFACTOR = Variant("eigenfactor")
@@ -48,7 +49,7 @@ def by_day() -> Matrix:
     By few formulations and options: all of them by night, and in processes, which take seconds to start.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("eigenmotion.stability.matrix._pool", lambda _: ThreadPoolExecutor(1))
+        patch.setattr("eigenmotion.stability.evaluation.matrix._pool", lambda _: ThreadPoolExecutor(1))
         for name, variants in BY_DAY.items():
             case = CASES[name]
             fewer = replace(case, reduced=case.reduced[-1:], max_steps=case.max_steps // 100, variants=variants)

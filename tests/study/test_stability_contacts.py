@@ -10,13 +10,14 @@ from scipy.integrate import quad, solve_ivp
 from sympy import cos, sin, symbols, sympify
 
 from eigenmotion import Solution
-from eigenmotion.stability import Outcome, Variant, bearings, cones, contacts, described, examine
-from eigenmotion.stability.by_pieces import Rocking, Rubbed
-from eigenmotion.stability.case import EXPLICIT, TOLERANCES, Case
-from eigenmotion.stability.conditions import missed
-from eigenmotion.stability.contact_models import painleves_rod
-from eigenmotion.stability.variants import CONTACTS, UNSTABILISED
-from eigenmotion.stability.watched import watched
+from eigenmotion.stability import Outcome, Variant, described, examine
+from eigenmotion.stability.cases import bearings, cones, contacts
+from eigenmotion.stability.cases.case import EXPLICIT, TOLERANCES, Case
+from eigenmotion.stability.cases.variants import CONTACTS, UNSTABILISED
+from eigenmotion.stability.evaluation.contact_conditions import missed
+from eigenmotion.stability.evaluation.contact_outputs import watched
+from eigenmotion.stability.expectation.piecewise_motion import Rocking, Rubbed
+from eigenmotion.stability.models.contacts import painleves_rod
 
 from ..oracles.bearings import Bearings, Rubs
 from ..support.generation import system_for

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
-from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
+from eigenmotion.codegen.equations.specialise import ALL_SAVINGS, Saving
+from eigenmotion.codegen.render.emit import Sources
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.cache import entry, key

@@ -3,8 +3,8 @@
 import string
 from dataclasses import dataclass
 
+from eigenmotion.arguments.methods import METHODS
 from eigenmotion.building.toolchain import INCLUDE
-from eigenmotion.running.methods import METHODS
 
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"

@@ -19,8 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline, PPoly
 from scipy.special import ellipj, ellipk
 
+from eigenmotion.arguments.methods import METHODS as TABLE
 from eigenmotion.building.toolchain import FLAGS
-from eigenmotion.running.methods import METHODS as TABLE
 
 from .mechanism_in_c import RUNGE_KUTTA as RUNGE_KUTTA
 from .mechanism_in_c import Mechanism as Mechanism

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runtime import CompiledModel
-from .differentiated import Differentiated
-from .names import Vector
+from .differentiation import Differentiated
+from .named_values import Vector
 from .options import Task
 from .signals import Inputs, Signal
 

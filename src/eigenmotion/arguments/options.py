@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..codegen.model.normalise import ModelError, number, real, shown
 from ..runtime import CompiledModel, Prepared
 from ..runtime.plain import MOST_STEPS
-from .names import Vector, overlay, unknown, vector
+from .named_values import Vector, overlay, unknown, vector
 from .signals import Inputs
 
 DEFAULT_ATOL = 1e-9

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..codegen.model.normalise import ModelError, number, shown
 from ..runtime import CompiledModel
-from .names import Vector, by_name, is_named, vector
+from .named_values import Vector, by_name, is_named, vector
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
 _KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind

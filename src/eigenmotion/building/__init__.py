@@ -1,1 +1,1 @@
-"""From a model file to a compiled module that is proved to be the model, and kept."""
+"""From a model file to a compiled library that is verified, and kept."""

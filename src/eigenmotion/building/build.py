@@ -7,14 +7,14 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..codegen.c.emit import SourceFile, Sources, body_hash
 from ..codegen.model import Model
+from ..codegen.render.emit import SourceFile, Sources, body_hash
 from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
-from .extension import compile_in, load, stepper_meanwhile
-from .parts import ALL_AT_FIRST, PARTS, WORDS, at_first
+from .lazy_units import ALL_AT_FIRST, PARTS, WORDS, at_first
 from .request import Request, request
+from .shared_library import compile_in, load, stepper_meanwhile
 from .toolchain import EXTENSION_SUFFIX, Toolchain, headers, toolchain
 
 if TYPE_CHECKING:
@@ -224,4 +224,4 @@ def _python() -> str:
 @cache
 def _proof() -> str:
     """Hash of what a module is held against before it is kept."""
-    return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "proof").glob("*.py"))))
+    return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "verification").glob("*.py"))))

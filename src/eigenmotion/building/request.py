@@ -9,13 +9,13 @@ from importlib.resources.abc import Traversable
 from os import PathLike
 from pathlib import Path
 
-from ..codegen.c.emit import Sources
 from ..codegen.choices import STANDARD, Choices
 from ..codegen.compiler import explain, generate, input_hash
 from ..codegen.model import Model, ModelError
+from ..codegen.render.emit import Sources
 from ..garbage import uncollected
 from .cache import key
-from .loading import load_model
+from .model_file import load_model
 
 SUFFIXES = (".h", ".c", ".pyx")
 OPTIONS = ("formulation", "close_eigenvalues", "schur", "output", "compiler", "flags")
@@ -79,7 +79,7 @@ def request(
     given = definitions or {}
     if isinstance(source, Model):
         if given:
-            from ..arguments.names import unknown  # noqa: PLC0415, for which compilers need not wait: it loads NumPy
+            from ..arguments.named_values import unknown  # noqa: PLC0415, for which compilers need not wait: it loads NumPy
 
             raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
         return Request(source, choices)

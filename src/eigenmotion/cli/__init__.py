@@ -25,6 +25,7 @@ COMMANDS = {
     "stability": "Drive every formulation and method to its limits.",
     "cache": "Show where compiled models are kept, and clear it.",
 }
+_SIMULATION = ("run", "sweep", "linearize", "equilibrium", "report", "stability")
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 
 EPILOG = """\b
@@ -39,6 +40,10 @@ EIGENMOTION_CACHE, EIGENMOTION_CFLAGS and CC choose the cache's folder, more com
 EIGENMOTION_DEBUG=1 shows tracebacks."""
 
 
+def _folder(command: str) -> str:
+    return "simulation" if command in _SIMULATION else "generation"
+
+
 class Commands(click.Group):
     """Commands whose modules are imported when they are called, not when they are listed."""
 
@@ -48,7 +53,7 @@ class Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command: object = import_module(f".{cmd_name}", __name__).command
+        command: object = import_module(f".{_folder(cmd_name)}.{cmd_name}", __name__).command
         return command if isinstance(command, click.Command) else None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import click
 
-from eigenmotion.arguments.names import spelled
+from eigenmotion.arguments.named_values import spelled
 from eigenmotion.building.request import Request, request
 from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR
 from eigenmotion.codegen.model import Model

@@ -21,6 +21,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from ..arguments.methods import FIXED, STEPPED, Method, method_of
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
 from ..building.request import Request, request
@@ -28,7 +29,6 @@ from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
 from ..codegen.model.normalise import real, shown
 from ..files import write
-from ..running.methods import FIXED, STEPPED, Method, method_of
 
 if TYPE_CHECKING:
     from ..system.system import System

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..arguments.names import Vector
-from ..pages.figures import COLOURS, apart, blank, uncluttered
+from ..arguments.named_values import Vector
+from ..presentation.figures import COLOURS, apart, blank, uncluttered
 
 WIDTH, HEIGHT = 7.5, 4.2
 FAINT = "0.88"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..building.build import build
 from ..models.dual_link import model
 from ..results.solution import Solution

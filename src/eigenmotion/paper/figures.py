@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.names import Vector
-from ..pages.figures import COLOURS, STYLES, save
+from ..arguments.named_values import Vector
+from ..presentation.figures import COLOURS, STYLES, save
 from .canvas import axes, draw
 from .experiment import PAIRS, Experiment, History, experiment
 from .findings import Finding, findings

@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from .experiment import PAIRS, Experiment, History
 
 SLIGHTLY = 2.0

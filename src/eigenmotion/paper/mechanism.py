@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.names import Vector
-from ..pages.figures import COLOURS, blank, uncluttered
+from ..arguments.named_values import Vector
+from ..presentation.figures import COLOURS, blank, uncluttered
 from .canvas import FAINT
 from .experiment import History
 

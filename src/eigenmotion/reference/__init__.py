@@ -1,1 +1,1 @@
-"""The same motion by equations and methods that share nothing with the generated code."""
+"""The same motion by equations and methods that share nothing with generated code."""

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.polynomial import legendre
 from scipy.linalg import lu_factor, lu_solve
 
-from ..arguments.names import Vector
-from .extended import Extended, Rhs
+from ..arguments.named_values import Vector
+from .extended_precision import Extended, Rhs
 
 _MOST = 20  # Newton steps
 _DIGITS = 40

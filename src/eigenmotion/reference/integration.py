@@ -10,8 +10,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ..arguments.names import Vector
-from .extended import Extended, Rhs
+from ..arguments.named_values import Vector
+from .extended_precision import Extended, Rhs
 
 MOST_STEPS = 20_000
 

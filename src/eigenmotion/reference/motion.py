@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..codegen.model import ModelError
-from ..codegen.model.lagrange import Lagrange
+from ..codegen.model.symbolic.lagrange import Lagrange
 from .collocation import Collocation, jacobian
-from .extended import EPSILON, Extended, Rhs, extended
+from .extended_precision import EPSILON, Extended, Rhs, extended
 from .integration import Midpoint, NotReachedError, Scheme, followed
 
 ROWS = 201

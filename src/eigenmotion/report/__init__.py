@@ -3,7 +3,7 @@
 from .examine import Ask as Ask
 from .examine import Findings as Findings
 from .examine import examine as examine
+from .files import write_report as write_report
 from .measure import Budget as Budget
 from .measure import Measurement as Measurement
-from .words import recommendation as recommendation
-from .writing import write_report as write_report
+from .text import recommendation as recommendation

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..pages.figures import BLACK, FORMULATIONS, ORANGE, SKY, Picture, blank, picture, uncluttered
-from ..running import methods
+from ..arguments import methods
+from ..presentation.figures import BLACK, FORMULATIONS, ORANGE, SKY, Picture, blank, picture, uncluttered
 from .examine import Findings
 from .recommend import Curve
 from .solvers import METHODS, OURS

@@ -5,19 +5,19 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..codegen.model import Model, ModelError
-from ..codegen.model.lagrange import Lagrange
+from ..codegen.model.symbolic.lagrange import Lagrange
 from ..progress import Progress, part
-from ..reference.classical import classical
+from ..reference.lagrange_equations import classical
 from ..reference.motion import Reference, reference
 from ..results.solution import Solution
 from ..system.system import System
+from .formulations import Subject, subject
 from .measure import Budget, Judge, Measurement, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
 from .solvers import OUR_TOLERANCES, Problem, Solver, explicit_solvers, implicit_solvers
-from .subject import Subject, subject
 
 
 @dataclass(frozen=True, slots=True)

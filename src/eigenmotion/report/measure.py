@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..progress import Progress
 from ..reference.motion import Reference, scaled_error
 from ..system.system import System

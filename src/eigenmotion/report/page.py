@@ -3,16 +3,16 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..pages.figures import Picture
-from ..pages.page import render
-from ..pages.tables import Row, Table
-from ..pages.words import number, seconds
+from ..presentation.figures import Picture
+from ..presentation.page import render
+from ..presentation.tables import Row, Table
+from ..presentation.text import number, seconds
 from .examine import Findings
 from .measure import SLOW, SLOW_TURNS, Measurement
 from .peers import LONGEST
 from .recommend import LEVELS, Curve
 from .solvers import IMPLICIT, MOST_STEPS, OURS
-from .words import recommendation, spread
+from .text import recommendation, spread
 
 _YARDSTICK = (OURS, "eigenfactor", "dop853")
 

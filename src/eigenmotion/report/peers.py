@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from ..arguments.names import Vector
-from ..codegen.model.lagrange import Lagrange
-from ..reference.classical import double, explicit
+from ..arguments.named_values import Vector
+from ..codegen.model.symbolic.lagrange import Lagrange
+from ..reference.lagrange_equations import double, explicit
 from .solvers import MOST_STEPS, Attempt, Solver, Track
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.names import Vector
+from ..arguments import methods
+from ..arguments.named_values import Vector
 from ..results.solution import Solution
-from ..running import methods
-from ..running.simulate import simulate
+from ..simulation.simulate import simulate
 from ..system.system import System
 
 METHODS = {name: method.order for name, method in methods.METHODS.items() if not method.implicit}

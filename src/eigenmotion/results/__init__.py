@@ -1,1 +1,1 @@
-"""What a run found: the solution, what follows from its rows, and how it is shown and kept."""
+"""What a run found: the solution, and what follows from its rows."""

@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arguments.members import Asked, Members
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError
-from ..pages.notebook import table
+from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
+from .batch_arrays import REASONS, Found, nothing
 from .dataset import dataset
-from .found import REASONS, Found, nothing
-from .not_unique import shared
+from .multiplier_uniqueness import shared
 from .sensitivity import Sensitivity
 from .solution import Solution
 from .trajectory import Trajectory

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 
 
 class _Rows(NamedTuple):

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, vector
+from ..arguments.named_values import Vector, vector
 from ..arguments.options import Task
 from ..codegen.model.normalise import ModelError
-from ..pages.figures import has_matplotlib
-from ..pages.notebook import image, table
+from ..presentation.figures import has_matplotlib
+from ..presentation.notebook import image, table
 from ..runtime import CompiledModel, StopReason
-from .animation import FRAMES_A_SECOND, animation, frame_times, still
-from .drawing import Drawing, require_drawing
+from .pictures.animation import FRAMES_A_SECOND, animation, frame_times, still
+from .pictures.moving_shapes import Drawing, require_drawing
 from .trajectory import Leg, Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]

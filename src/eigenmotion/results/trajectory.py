@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import scipy
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..arguments.options import Task
 from ..runtime import CompiledModel, Prepared
-from .drawing import Drawing
+from .pictures.moving_shapes import Drawing
 
 Leg = tuple[int, float, tuple[float, ...]]
 

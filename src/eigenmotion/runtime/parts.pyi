@@ -1,8 +1,8 @@
 from typing import Any
 
-from .faults import StopReason
 from .point import Vector
 from .run import Run
+from .status.stop_reasons import StopReason
 
 class RunInParts(Run):
     def __init__(self, task: Any, method: int) -> None: ...

@@ -5,7 +5,7 @@ from .abi cimport em_fault, em_status
 from .arrays cimport Numbers, zeros
 from .run cimport Run
 
-from .faults import StopReason
+from .status.stop_reasons import StopReason
 
 _REASONS = tuple(StopReason)
 

@@ -24,7 +24,7 @@ cdef class PointModel:
     cdef Numbers everywhere    # what plain.pyx made of one number last
     # returns, in any process, the System of this model; None where there is no way to it but the capsule
     cdef public object recipe
-    # part -> a CompiledModel that has what this one lacks, compiled where it is asked first (building/parts.py); None:
+    # part -> a CompiledModel that has what this one lacks, compiled where it is asked first (building/lazy_units.py); None:
     # there is no more
     cdef public object later
 

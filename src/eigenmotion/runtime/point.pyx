@@ -15,8 +15,8 @@ from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matri
 
 import numpy as np
 
-from .faults import EvaluationError, StopReason, named_rows
-from .refusals import told
+from .status.stop_reasons import EvaluationError, StopReason, named_rows
+from .status.refusals import told
 
 _REASONS = tuple(StopReason)
 

@@ -1,8 +1,8 @@
 from collections.abc import Sequence
 from typing import Any
 
-from .faults import StopReason
 from .point import PointModel, Vector
+from .status.stop_reasons import StopReason
 
 COUNTS: tuple[str, ...]
 

@@ -1,7 +1,7 @@
 # cython: language_level=3
 """What every run says of itself, whatever made it: the fields of a Solution (results/solution.py)."""
 
-from .faults import StopReason
+from .status.stop_reasons import StopReason
 
 COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
 """What a `Solution` counts."""

@@ -1,7 +1,7 @@
 from typing import Any
 
-from .faults import StopReason
 from .point import PointModel, Prepared, Vector
+from .status.stop_reasons import StopReason
 
 class Run:
     stop: StopReason

@@ -13,8 +13,8 @@ from .record cimport modes_of, record
 
 import numpy as np
 
-from .faults import StopReason, explain
-from .held_back import stiffness
+from .status.stop_reasons import StopReason, explain
+from .status.stiffness import stiffness
 
 cdef tuple _REASONS = tuple(StopReason)
 cdef object _FINISHED = StopReason.FINISHED
@@ -42,7 +42,7 @@ cdef class Run:
     task
         An `eigenmotion.arguments.options.Task`.
     method
-        em_method; see `eigenmotion.running.methods`.
+        em_method; see `eigenmotion.arguments.methods`.
 
     Attributes
     ----------

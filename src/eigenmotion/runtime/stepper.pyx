@@ -15,7 +15,7 @@ from .control cimport em_stepper, em_stepper_advance, em_stepper_close, em_stepp
 from .control cimport em_stepper_save, em_stepper_size
 from .point cimport PointModel, Prepared
 
-from .faults import EvaluationError, StopReason, explain
+from .status.stop_reasons import EvaluationError, StopReason, explain
 
 _REASONS = tuple(StopReason)
 

@@ -2,8 +2,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from .faults import StopReason
 from .point import Vector
+from .status.stop_reasons import StopReason
 
 class ManySteps:
     model: Any

@@ -17,7 +17,7 @@ from .steppers cimport em_steppers_state
 
 import numpy as np
 
-from .faults import StopReason, explain
+from .status.stop_reasons import StopReason, explain
 
 _REASONS = tuple(StopReason)
 

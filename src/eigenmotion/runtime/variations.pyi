@@ -2,9 +2,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .faults import EvaluationError
 from .point import PointModel, Prepared, Vector
 from .run import Run
+from .status.stop_reasons import EvaluationError
 
 def motion_derivatives(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: int

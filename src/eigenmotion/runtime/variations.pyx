@@ -14,7 +14,7 @@ from .run cimport Run
 
 import numpy as np
 
-from .faults import EvaluationError, StopReason, explain
+from .status.stop_reasons import EvaluationError, StopReason, explain
 
 
 cdef extern from "sensitivity/em_variations.h" nogil:

@@ -1,11 +1,11 @@
 """The stiff and extreme cases: every formulation, option and method, and what becomes of it."""
 
-from .cases import CASES as CASES
-from .examine import examine as examine
-from .matrix import Matrix as Matrix
-from .matrix import survey as survey
-from .outcome import Outcome as Outcome
-from .variants import Variant as Variant
-from .words import described as described
-from .words import summary as summary
-from .writing import write_matrix as write_matrix
+from .cases.catalogue import CASES as CASES
+from .cases.variants import Variant as Variant
+from .evaluation.examine import examine as examine
+from .evaluation.matrix import Matrix as Matrix
+from .evaluation.matrix import survey as survey
+from .evaluation.outcome import Outcome as Outcome
+from .output.files import write_matrix as write_matrix
+from .output.text import described as described
+from .output.text import summary as summary

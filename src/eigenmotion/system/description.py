@@ -1,6 +1,6 @@
 """What a compiled model says of itself."""
 
-from ..arguments.names import Vector
+from ..arguments.named_values import Vector
 from ..runtime import CompiledModel
 
 

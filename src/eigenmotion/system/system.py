@@ -8,20 +8,20 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, is_named, overlay, vector
+from ..analysis.linear.linearize import linearize
+from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import least_norm_of
 from ..arguments.signals import Inputs, Signal, bind, check_samples
+from ..batch.stepper.open_steppers import steppers
 from ..codegen.model.normalise import ModelError, number, real
-from ..ensembles.open_steppers import steppers
-from ..linear.linearize import linearize
-from ..pages.notebook import table
-from ..running.consistent import ConsistentState, Projection
-from ..running.simulate import simulate
-from ..running.stepper import stepper
+from ..presentation.notebook import table
 from ..runtime import CompiledModel, Prepared, plain
-from .derivatives import jacobian, ours, rhs_parameter_jacobian
+from ..simulation.initial_state.projection import ConsistentState, Projection
+from ..simulation.simulate import simulate
+from ..simulation.stepper import stepper
 from .description import Description
-from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
+from .eigenfactor_derivatives import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
+from .rhs_derivatives import jacobian, ours, rhs_parameter_jacobian
 from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, by_spelling, is_named, overlay, rate_name, unknown
+from ..arguments.named_values import Vector, by_spelling, is_named, overlay, rate_name, unknown
 from ..codegen.model import ModelError
-from ..codegen.model.pivots import is_singular
+from ..codegen.model.check.elimination import is_singular
 from ..runtime import CompiledModel, Prepared
 
 _SINGULAR = 1e-14  # the part of its terms below which a pivot of P leaves no digit of xdot = P^-1 y right

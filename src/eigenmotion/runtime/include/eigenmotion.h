@@ -21,7 +21,7 @@ typedef struct em_slice {
     int start, length;
 } em_slice;
 
-/* A part of a drawing: p[first .. first + count) are its points, and what else it has (codegen/model/drawing.py). */
+/* A part of a drawing: p[first .. first + count) are its points, and what else it has (codegen/model/statement/drawing.py). */
 typedef struct em_shape {
     const char *kind;
     int first, count;

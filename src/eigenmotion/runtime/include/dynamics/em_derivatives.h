@@ -4,7 +4,7 @@
  *
  * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same system as they themselves, with the same
  * factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
- * (derivatives.c.jinja); P is A, but where friction takes part of multipliers. Of rows that depend on each other those
+ * (derivatives/derivatives.c.jinja); P is A, but where friction takes part of multipliers. Of rows that depend on each other those
  * count that are independent here: off the constraints
  * these are the smooth system whose motion is the same. */
 #ifndef EM_DERIVATIVES_H

@@ -1,4 +1,4 @@
-/* em_assumptions.h: check of numbers against the assumptions of their symbols (codegen/model/assumptions.py). */
+/* em_assumptions.h: check of numbers against the assumptions of their symbols (codegen/model/check/assumptions.py). */
 #ifndef EM_ASSUMPTIONS_H
 #define EM_ASSUMPTIONS_H
 

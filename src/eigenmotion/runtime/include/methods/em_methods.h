@@ -2,7 +2,7 @@
  * em_run_state.h).
  *
  * Here a method of another kind finds its place: a header beside em_runge_kutta.h with its four functions, a number in
- * em_method of em_run.h and a line below; running/methods.py is the table for Python.
+ * em_method of em_run.h and a line below; arguments/methods.py is the table for Python.
  */
 #ifndef EM_METHODS_H
 #define EM_METHODS_H

@@ -1,1 +1,0 @@
-"""From the terms of the equations to the text of C files."""

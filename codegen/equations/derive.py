@@ -1,0 +1,251 @@
+"""From energies, forces and constraints to the terms of the equations of motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import sympy
+
+from ..calculus.derivatives import Tangent, gradient
+from ..calculus.identity_test import Zeros
+from ..graph.convert import FromSympy, ToSympy
+from ..graph.graph import Graph
+from ..graph.rewrite import Substitution
+from ..graph.store import Node
+from ..model.model import Model, ModelError
+from ..model.normalise import name_of
+from ..model.statement.drawing import Shape
+from .event_actions import Deeds, Impact, Reset
+from .mass_regularisation import weights
+from .plain_symbols import Names
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanics:
+    """The terms of (7)-(11) as SymPy expressions in plain symbols x, v = xdot, t, parameters and inputs.
+
+    n coordinates x_k [u_k], m constraint rows of which the first h are holonomic.
+
+    Attributes
+    ----------
+    x, v : (n,) symbols; v_k is named after x_k with `_dot` behind it.
+    M : (n, n), symmetric [J s^2 / (u_i u_j)] (5)
+    W : (m,) weights of the constraint rows in M + A^T W A, which is factored where M is singular; else all zero
+    G : (n,) [J s / u_i] (6)
+    kinetic_energy, T0, V : [J]; kinetic_energy is T(x, v, t) as given (4)
+    Q : (n,) [J / u_i]
+    A : (m, n); b : (m,) (8)
+    phi : (h,) the holonomic constraints
+    outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
+    drawing : the shapes, in x, t and parameters
+    quasi_velocities : (name, P(x, t) v) (3), n of them or none
+    impacts, resets : what events do
+    P : (m + r, n); multipliers, and r norms of them, push with -P^T (lambda, rho): A, less what forces take (friction)
+    norms : (r,) of which multipliers each rho is the root of the sum of squares
+    levels : (level, the limit at rest) of each switch of the model
+    """
+
+    name: str
+    x: tuple[sympy.Symbol, ...]
+    v: tuple[sympy.Symbol, ...]
+    time: sympy.Symbol
+    parameters: tuple[sympy.Symbol, ...]
+    inputs: tuple[sympy.Symbol, ...]
+    accelerations: tuple[sympy.Symbol, ...]
+    multipliers: tuple[sympy.Symbol, ...]
+    M: sympy.ImmutableDenseMatrix
+    W: tuple[sympy.Expr, ...]
+    G: tuple[sympy.Expr, ...]
+    kinetic_energy: sympy.Expr
+    T0: sympy.Expr
+    V: sympy.Expr
+    Q: tuple[sympy.Expr, ...]
+    A: sympy.ImmutableDenseMatrix
+    b: tuple[sympy.Expr, ...]
+    phi: tuple[sympy.Expr, ...]
+    outputs: tuple[tuple[str, sympy.Expr], ...]
+    events: tuple[tuple[str, sympy.Expr], ...]
+    quasi_velocities: tuple[tuple[str, sympy.Expr], ...]
+    drawing: tuple[Shape, ...]
+    impacts: tuple[Impact, ...]
+    resets: tuple[Reset, ...]
+    P: sympy.ImmutableDenseMatrix
+    norms: tuple[tuple[int, ...], ...]
+    levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+
+    @property
+    def pushes(self) -> bool:
+        """Whether forces take part of multipliers."""
+        return bool(self.P != self.A)
+
+    @property
+    def augmented(self) -> bool:
+        """Whether M + A^T W A is factored in place of M."""
+        return any(w != 0 for w in self.W)
+
+    @property
+    def factored(self) -> sympy.ImmutableDenseMatrix:
+        """What is factored: M + A^T W A (n, n), which is M where all weights are zero."""
+        added = [self.A[row, :].T * w * self.A[row, :] for row, w in enumerate(self.W) if w != 0]
+        return sum(added, self.M)
+
+    def mass_matrix_gradient(self) -> tuple[sympy.ImmutableDenseMatrix, ...]:
+        """Return dM/dx_k, k = 1 .. n, each (n, n)."""
+        return tuple(self.M.diff(symbol) for symbol in self.x)
+
+
+def derive(model: Model) -> Mechanics:
+    """Read M, G, T0, V, Q, A and b off the energies, forces and constraints.
+
+    T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0.
+    What does not vary is recognised: where M_ij does not depend on x_k although its form holds it,
+    x_k is put to a number there.
+
+    Raises
+    ------
+    ModelError
+        T is of higher than second degree in the velocities, a constraint not linear in them, or a symbol is
+        unknown; names it. Or a term divides by velocities, or holds a number that no double does.
+    """
+    try:
+        return _Derivation(model).mechanics()
+    except ZeroDivisionError as error:
+        raise ModelError(
+            f"model {model.name}: kinetic_energy or a nonholonomic constraint divides by what is zero at rest; "
+            "cancel the velocities in the denominators, with sympy.cancel or by hand"
+        ) from error
+    except OverflowError as error:
+        raise ModelError(
+            f"model {model.name}: a power of a number in it is beyond what C's double holds; choose other units"
+        ) from error
+
+
+class _Derivation:
+    """What the steps of one derivation share: the symbols and the graph."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.names = Names(model)
+        self.graph = Graph(symbol.name for symbol in self.names.parameters)
+        self.from_sympy = FromSympy(self.graph)
+        self.to_sympy = ToSympy(self.graph, self.names.by_name())
+        self.zeros = Zeros(self.graph, self.names.signs())
+        self.at_rest = Substitution(self.graph, {v.name: self.graph.zero for v in self.names.v})
+        self.along = {name: Tangent(self.graph, {name: self.graph.one})
+                      for name in (*(x.name for x in self.names.x), self.names.time.name)}  # fmt: skip
+
+    def mechanics(self) -> Mechanics:
+        model, names = self.model, self.names
+        T = self.node(model.kinetic_energy)
+        momenta = gradient(self.graph, T, [v.name for v in names.v])
+        M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
+        back = partial(map, self.to_sympy)
+        deeds = Deeds(model, self.graph, names, self.node, self.to_sympy)
+        Q, taken = deeds.forces()
+        A = sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)])
+        norms = tuple(dict.fromkeys(switch.presses for switch in model.switches if switch.presses))
+        P = A.col_join(sympy.ImmutableDenseMatrix.zeros(len(norms), len(names.x))) - taken
+        return Mechanics(
+            name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
+            accelerations=names.accelerations, multipliers=names.multipliers,
+            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
+            G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
+            kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
+            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=P,
+            b=tuple(back(b)), phi=tuple(back(phi)),
+            outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
+            events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
+            quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
+            drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(deeds.impacts()), resets=tuple(deeds.resets()),
+            norms=norms, levels=tuple(deeds.levels()),
+        )  # fmt: skip
+
+    def shape(self, given: Shape) -> Shape:
+        return replace(given, numbers=tuple(self.to_sympy(self.node(number)) for number in given.numbers))
+
+    def node(self, expression: sympy.Expr) -> Node:
+        try:
+            return self.from_sympy(self.names.plain(expression))
+        except ModelError as error:
+            raise ModelError(f"Model {self.model.name!r}: {error}") from error
+
+    def weights(self, M: list[list[Node]], A: list[list[Node]], phi: list[Node]) -> list[Node]:
+        start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
+        constants = {symbol.name: value for symbol, value in self.model.parameters}
+        return weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
+
+    def vanishing(self, nodes: Iterable[Node]) -> list[Node]:
+        """Put what is zero, but does not look it, to zero."""
+        return [self.graph.zero if self.zeros(node) else node for node in nodes]
+
+    def mass_matrix(self, momenta: Sequence[Node]) -> list[list[Node]]:
+        n = len(momenta)
+        M = [[self.graph.zero] * n for _ in range(n)]
+        for j, v in enumerate(self.names.v):
+            along = Tangent(self.graph, {v.name: self.graph.one})
+            for i in range(j, n):
+                M[i][j] = M[j][i] = self.independent(self.quadratic(along(momenta[i]), i, j))
+        return M
+
+    def quadratic(self, entry: Node, i: int, j: int) -> Node:
+        """Return M_ij without velocities, which it may hold in form only."""
+        rest = self.at_rest(entry)
+        if rest != entry and not self.zeros.equal(rest, entry):
+            held = [v.name for v in self.names.v if self.graph.depends(entry, v.name)]
+            raise ModelError(
+                f"model {self.model.name}: the kinetic energy is of higher than second degree in the velocities: "
+                f"d2T / d{self.names.v[i]} d{self.names.v[j]} still depends on {', '.join(held)}; "
+                "T must be T2 + T1 + T0, at most quadratic in them"
+            )
+        return rest
+
+    def independent(self, entry: Node) -> Node:
+        """Free an entry of the coordinates it holds in form only."""
+        if self.zeros(entry):
+            return self.graph.zero
+        for symbol in (*self.names.x, self.names.time):
+            if self.graph.depends(entry, symbol.name):
+                entry = self._without(entry, symbol.name)
+        return entry
+
+    def _without(self, entry: Node, name: str) -> Node:
+        if self.zeros(self.along[name](entry)):
+            for value in (self.graph.zero, self.graph.one):
+                candidate = self._with(entry, name, value)
+                if self.zeros.equal(candidate, entry):
+                    return candidate
+        return entry
+
+    def _with(self, entry: Node, name: str, value: Node) -> Node:
+        try:
+            return Substitution(self.graph, {name: value})(entry)
+        except ZeroDivisionError:
+            return self.graph.number(float("nan"))
+
+    def phi(self) -> list[sympy.Expr]:
+        return list(self.model.holonomic_constraints)
+
+    def constraints(self) -> tuple[list[list[Node]], list[Node]]:
+        """Return A (m, n) and b (m,): the holonomic rows dphi/dx, dphi/dt, then the rows given as velocities (8)."""
+        rows, b = [], []
+        xs, vs = [x.name for x in self.names.x], [v.name for v in self.names.v]
+        for phi in map(self.node, self.phi()):
+            rows.append(self.vanishing(gradient(self.graph, phi, xs)))
+            b.append(Tangent(self.graph, {self.names.time.name: self.graph.one})(phi))
+        for number, expression in enumerate(self.model.nonholonomic_constraints):
+            psi = self.node(expression)
+            row = gradient(self.graph, psi, vs)
+            rows.append(self.vanishing(self.linear(entry, number, expression) for entry in row))
+            b.append(self.at_rest(psi))
+        return rows, self.vanishing(b)
+
+    def linear(self, entry: Node, number: int, expression: sympy.Expr) -> Node:
+        rest = self.at_rest(entry)
+        if rest != entry and not self.zeros.equal(rest, entry):
+            raise ModelError(
+                f"model {self.model.name}: nonholonomic constraint {number} is not linear in the velocities: "
+                f"{expression}; write it as A(x, t) xdot + b(x, t)"
+            )
+        return rest

@@ -1,0 +1,94 @@
+"""What events and contacts do: impacts, resets, and the part of multipliers that friction takes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import chain
+
+import sympy
+
+from ..calculus.derivatives import Tangent, gradient
+from ..graph.graph import Graph
+from ..graph.rewrite import Substitution
+from ..graph.store import Node
+from ..model.model import Model, ModelError
+from ..model.normalise import name_of
+from .plain_symbols import Names
+
+
+@dataclass(frozen=True, slots=True)
+class Impact:
+    """What strikes as event number `event` happens: N v + rate, at which phi changes, becomes -restitution of that.
+
+    N : (n,) dphi/dx; rate : dphi/dt
+    """
+
+    event: int
+    N: tuple[sympy.Expr, ...]
+    rate: sympy.Expr
+    restitution: sympy.Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Reset:
+    """What event number `event` sets: after (2 n,), x and v, or x and quasi-velocities (3) where `quasi`."""
+
+    event: int
+    after: tuple[sympy.Expr, ...]
+    quasi: bool
+
+
+class Deeds:
+    """Reads them off a model."""
+
+    def __init__(
+        self,
+        model: Model,
+        graph: Graph,
+        names: Names,
+        node: Callable[[sympy.Expr], Node],
+        to_sympy: Callable[[Node], sympy.Expr],
+    ) -> None:
+        self.model, self.graph, self.names, self.node, self.to_sympy = model, graph, names, node, to_sympy
+
+    def forces(self) -> tuple[list[Node], sympy.ImmutableDenseMatrix]:
+        """Return Q without multipliers, and (m + r, n) by which they, and r norms of them, enter it."""
+        names = [symbol.name for symbol in (*self.names.multipliers, *self.names.norms.values())]
+        Q = [self.node(force.xreplace(self.names.norms)) for force in self.model.forces]
+        by = [gradient(self.graph, force, names) for force in Q]
+        for x, row in zip(self.model.coordinates, by, strict=True):
+            if any(self.graph.depends(entry, name) for entry in row for name in names):
+                raise ModelError(
+                    f"model {self.model.name}: forces[{name_of(x)}] is not linear in the multipliers; write it as one "
+                    "of them times what does not depend on any"
+                )
+        without = Substitution(self.graph, dict.fromkeys(names, self.graph.zero))
+        entries = list(map(self.to_sympy, chain(*by)))
+        return list(map(without, Q)), sympy.ImmutableDenseMatrix(len(Q), len(names), entries).T
+
+    def impacts(self) -> Iterator[Impact]:
+        """Yield what strikes, event by event."""
+        names = [x.name for x in self.names.x]
+        at_rest = Tangent(self.graph, {self.names.time.name: self.graph.one})
+        for number, (_, event) in enumerate(self.model.events):
+            if event.impact:
+                phi, restitution = map(self.node, event.impact)
+                N = tuple(map(self.to_sympy, gradient(self.graph, phi, names)))
+                yield Impact(number, N, self.to_sympy(at_rest(phi)), self.to_sympy(restitution))
+
+    def resets(self) -> Iterator[Reset]:
+        """Yield what is set, event by event."""
+        model = self.model
+        for number, (_, event) in enumerate(model.events):
+            if event.reset:
+                after, ys = dict(event.reset), [y for y, _ in model.quasi_velocities]
+                quasi = any(y in after for y in ys)
+                places = (*model.coordinates, *(ys if quasi else model.rates))
+                yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
+
+    def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
+        """Yield, switch by switch, up to which level it holds, and up to which force it sticks."""
+        for switch in self.model.switches:
+            level, at_rest = (self.to_sympy(self.node(expression)) for expression in (switch.level, switch.at_rest))
+            yield level, at_rest

@@ -1,0 +1,114 @@
+"""What takes the place of a mass matrix that is singular whatever x is, but regular along the constraints.
+
+A quaternion with |q| = 1, a massless coordinate that a constraint holds: M has no inverse, [M A^T; A 0] has one. With
+any weights W, as A a + gamma = 0, the same a and lambda solve it with M + A^T W A in place of M and f - A^T W gamma in
+place of f (the augmented Lagrangian's matrix). Here it is decided whether that is needed, for which rows and with which
+weights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+
+from ..graph.graph import Graph
+from ..graph.store import Node
+from ..model.check.elimination import without
+from .row_weights import Weights
+from .sample_states import Numbers, Rows, Samples
+
+DEPENDENT = 1e-11
+"""What is left of a diagonal entry when it is rounding."""
+ENOUGH = 0.1
+"""Some rows do for all where the least pivot that they leave is this part of the one that all leave."""
+
+
+def weights(
+    graph: Graph, M: Rows, A: Rows, phi: Sequence[Node], start: Mapping[str, float], constants: Mapping[str, float]
+) -> list[Node]:
+    """Return W (m,): what each row of A is weighed with in M + A^T W A; all zero where M itself is to be factored.
+
+    phi : (h,), of which the first rows of A are the gradients
+    start : coordinates and time -> their first values; constants : parameters -> their default values
+    """
+    samples = Samples(graph, M, A, phi, start, constants)
+    places = [samples.at(values) for values in samples.states()]
+    masses = [(place, numbers) for place in places if _finite(numbers := place.rows(M))]
+    none = [graph.zero] * len(A)
+    if not A or not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
+        return none
+    given = Weights(samples).all()
+    augmented = _Augmented([(m, place.rows(A), [place(w) for w in given]) for place, m in masses])
+    rows = augmented.enough(sorted(range(len(A)), key=lambda row: sum(entry != graph.zero for entry in A[row])))
+    return [given[row] if row in rows else graph.zero for row in range(len(A))]
+
+
+def _finite(rows: Iterable[Iterable[float]]) -> bool:
+    return all(math.isfinite(entry) for row in rows for entry in row)
+
+
+class _Augmented:
+    """M + A^T W A in numbers at several states, with the rows of A that are asked for."""
+
+    def __init__(self, states: Iterable[tuple[Numbers, Numbers, list[float]]]) -> None:
+        self.states = [state for state in states if _finite([*state[1], state[2]])]
+        self.wholes = [_sum(*state, range(len(state[1]))) for state in self.states]
+
+    def enough(self, rows: Sequence[int]) -> list[int]:
+        """Return rows, early ones first, that make up for what M lacks as well as all do; none if all do not."""
+        if max(self.soundness(rows), default=0.0) <= DEPENDENT:
+            return []
+        taken: list[int] = []
+        for row in rows:
+            if self.do(taken, rows):
+                break
+            if self.rank([*taken, row]) > self.rank(taken):
+                taken.append(row)
+        for row in rows:
+            if row not in taken and not self.do(taken, rows):
+                taken.append(row)
+        for row in rows[::-1]:
+            if row in taken and self.do(rest := [other for other in taken if other != row], rows):
+                taken = rest
+        return taken
+
+    def do(self, some: Sequence[int], rows: Sequence[int]) -> bool:
+        """Whether some rows do for all, state by state: at another state others may be those that do not."""
+        pairs = zip(self.soundness(some), self.soundness(rows), strict=True)
+        return all(part >= ENOUGH * whole for part, whole in pairs if whole > DEPENDENT)
+
+    def rank(self, rows: Iterable[int]) -> int:
+        return max((_rank(_sum(*state, rows)) for state in self.states), default=0)
+
+    def soundness(self, rows: Iterable[int]) -> list[float]:
+        """Return the least pivot of each state, beside what the diagonal is with all rows.
+
+        Beside its own, a row that alone holds a coordinate without inertia looks sound wherever its entry is not 0.
+        """
+        return [min(_pivots(_sum(*state, rows), whole)) for state, whole in zip(self.states, self.wholes, strict=True)]
+
+
+def _sum(M: Numbers, A: Numbers, W: Sequence[float], rows: Iterable[int]) -> Numbers:
+    for row in rows:
+        M = [
+            [entry + W[row] * a * b for entry, b in zip(line, A[row], strict=True)]
+            for line, a in zip(M, A[row], strict=True)
+        ]
+    return M
+
+
+def _rank(M: Numbers) -> int:
+    return sum(pivot > DEPENDENT for pivot in _pivots(M))
+
+
+def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
+    """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or its own) is ones."""
+    size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
+    rest = [[a * s * t for a, t in zip(row, size, strict=True)] for row, s in zip(M, size, strict=True)]
+    pivots: list[float] = []
+    while rest:
+        best = max(range(len(rest)), key=lambda k: rest[k][k])
+        pivots.append(max(rest[best][best], 0.0))
+        counts = pivots[-1] > DEPENDENT
+        rest = without(rest, best, best, [-a / rest[best][best] if counts else 0.0 for a in rest[best]])
+    return pivots

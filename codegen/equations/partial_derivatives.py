@@ -1,0 +1,100 @@
+"""Partial derivatives of what the equations of motion are made of, as nodes of the terms' graph.
+
+At fixed a and lambda those of
+
+    r = M a + P^T (lambda, rho) - bias,  s = A a + gamma                                                      (11) (39)
+
+are what the derivatives of a and lambda follow from: r and s vanish along the motion, so that M da + P^T dlambda = -dr
+and A da = -ds. All entries share their subexpressions; whether they come about forward, column by column, or in
+reverse, row by row, is decided by what they cost together.
+
+Where an expression has a kink its derivative is that of one side: of |x| and sign(x) at 0 that of x > 0, of Piecewise
+that of the piece that holds, of Min and Max that of the first of equal arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from ..calculus.derivatives import Tangent, gradient
+from ..graph.rewrite import Rewriter
+from ..graph.store import Kind, Node
+from ..schedule.schedule import weight
+from .terms import Rows, Terms
+
+MANY = 500
+"""Nodes from which on rows are not formed forward, too, to be counted: that takes long, and reverse is less work."""
+
+
+class Partials:
+    """Rows of partial derivatives, in the columns that are asked for."""
+
+    def __init__(self, terms: Terms) -> None:
+        self.terms = terms
+        mechanics = terms.scene.mechanics
+        self.state = (*terms.x, *terms.v)
+        self.given = (
+            *(symbol.name for symbol in mechanics.inputs),
+            *(symbol.name for symbol in mechanics.parameters),
+            mechanics.time.name,
+        )
+        self.solved = tuple(symbol.name for symbol in (*mechanics.accelerations, *mechanics.multipliers))
+        self._sided = _Sided(terms.graph)
+
+    @cached_property
+    def residual(self) -> tuple[Node, ...]:
+        """(n + m,) r, then s."""
+        terms, graph = self.terms, self.terms.graph
+        n, m = terms.scene.n, terms.scene.m
+        a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
+        pushing = [*multipliers, *terms.norms]
+        balance = [
+            graph.add(terms.dot(terms.factored[k], a), terms.dot((row[k] for row in terms.P), pushing),
+                      graph.negative(terms.bias[k]))
+            for k in range(n)
+        ]  # fmt: skip
+        return *balance, *(graph.add(terms.dot(terms.A[row], a), terms.gamma[row]) for row in range(m))
+
+    @cached_property
+    def blow(self) -> tuple[Node, ...]:
+        """(n + m,) M a + A^T lambda, then A a: what a change a of the velocities takes of impulses lambda."""
+        terms, graph = self.terms, self.terms.graph
+        n, m = terms.scene.n, terms.scene.m
+        a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
+        balance = [
+            graph.add(terms.dot(terms.factored[k], a), terms.dot((terms.A[row][k] for row in range(m)), multipliers))
+            for k in range(n)
+        ]
+        return *balance, *(terms.dot(row, a) for row in terms.A)
+
+    @cached_property
+    def constraints(self) -> tuple[Node, ...]:
+        """(h + m,) phi, then A v + b."""
+        terms, graph = self.terms, self.terms.graph
+        v = list(map(graph.symbol, terms.v))
+        return *terms.phi, *(graph.add(terms.dot(row, v), b) for row, b in zip(terms.A, terms.b, strict=True))
+
+    def of(self, roots: Sequence[Node], names: Sequence[str]) -> Rows:
+        """Return d root / d symbol, (roots, names)."""
+        graph = self.terms.graph
+        given = [self._sided(self.terms.expanded(root)) for root in roots]
+        reverse = tuple(gradient(graph, root, names) for root in given)
+        if len(graph.reachable(given)) > MANY:
+            return reverse
+        along = [Tangent(graph, {name: graph.one}) for name in names]
+        forward = tuple(tuple(rate(root) for rate in along) for root in given)
+        return min(reverse, forward, key=lambda rows: weight(graph, [entry for row in rows for entry in row]))
+
+
+class _Sided(Rewriter):
+    """|a| as a or -a, sign(a) as 1 or -1: their derivatives at 0 are those of one side, not the mean of both."""
+
+    def replacement(self, node: Node) -> Node | None:
+        """Return what stands for |a| or sign(a)."""
+        kind, operands = self.graph.records[node]
+        if kind is not Kind.CALL or operands[0] not in ("abs", "sign"):
+            return None
+        a = self(operands[1])
+        one = a if operands[0] == "abs" else self.graph.one
+        return self.graph.call("select", self.graph.call(">=", a, self.graph.zero), one, self.graph.negative(one))

@@ -1,0 +1,60 @@
+"""Plain symbols for what the user writes as functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy
+
+from ..model.model import Model, multiplier, t
+from ..model.normalise import name_of
+from ..model.statement.constraint_rows import normal_force
+
+
+class Names:
+    """Plain symbols for what the user writes as functions of time."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.parameters = tuple(symbol for symbol, _ in model.parameters)
+        self._taken = {symbol.name for symbol in self.parameters} | {"t"}
+        self.time = sympy.Symbol("t")
+        self.x = tuple(self._new(name_of(x)) for x in model.coordinates)
+        self.inputs = tuple(self._new(name_of(u)) for u, _ in model.inputs)
+        self.v = tuple(self._new(f"{x.name}_dot") for x in self.x)
+        self.accelerations = tuple(self._new(f"{x.name}_ddot") for x in self.x)
+        self.multipliers = tuple(self._new(f"lambda_{row}") for row in range(model.m))
+        self.norms = {normal_force(s.presses): self._new(f"rho_{s.name}") for s in model.switches if s.presses}
+        self._replacements = self._plain()
+
+    def _new(self, name: str) -> sympy.Symbol:
+        while name in self._taken:
+            name += "_"
+        self._taken.add(name)
+        return sympy.Symbol(name)
+
+    def by_name(self) -> Mapping[str, sympy.Symbol]:
+        """Return every plain symbol under its name."""
+        every = (*self.parameters, *self.x, *self.v, *self.inputs, *self.accelerations, *self.multipliers, self.time)
+        return {symbol.name: symbol for symbol in (*every, *self.norms.values())}
+
+    def signs(self) -> Mapping[str, int]:
+        """Return 1 or -1 for the parameters declared positive or negative; coordinates move through either sign."""
+        return {p.name: 1 if p.is_positive else -1 for p in self.parameters if p.is_positive or p.is_negative}
+
+    def _plain(self) -> tuple[dict[sympy.Basic, sympy.Expr], ...]:
+        """Return the replacements, highest derivatives first."""
+        model = self.model
+        second = dict(zip((x.diff(t, 2) for x in model.coordinates), self.accelerations, strict=True))
+        first = dict(zip(model.rates, self.v, strict=True))
+        functions = (*model.coordinates, *(u for u, _ in model.inputs), t)
+        zeroth = dict(zip(functions, (*self.x, *self.inputs, self.time), strict=True))
+        rows = {multiplier(row): symbol for row, symbol in enumerate(self.multipliers)}
+        return second, first, zeroth | rows
+
+    def plain(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression in plain symbols; quasi-velocities become what they are in xdot."""
+        expression = self.model.in_rates(expression)
+        for replacements in self._replacements:
+            expression = expression.xreplace(replacements)
+        return expression

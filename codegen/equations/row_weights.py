@@ -1,0 +1,80 @@
+"""What each constraint row is weighed with in M + A^T W A."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ..calculus.evaluation import At
+from ..graph.rewrite import Substitution
+from ..graph.store import Node
+from .sample_states import Samples
+
+
+class Weights:
+    """W of each row alone: 1 / sum_k A_rk^2 / M_kk, with the angles as at the start and beside it.
+
+    So a row weighs as much as the inertia it acts on, in any units; a coordinate without inertia gets that of the rows
+    that hold it. Parameters, and coordinates that are no angles, stay symbols: W follows lengths, in whatever unit they
+    are and however they change along the motion. Angles are numbers, since at some of them any one entry vanishes.
+    """
+
+    def __init__(self, samples: Samples) -> None:
+        self.samples, self.graph, self.A = samples, samples.graph, samples.A
+        M, graph = samples.M, samples.graph
+        self.inertia = {k: M[k][k] for k in range(len(M)) if M[k][k] != graph.zero}
+        self.places = [(samples.at(values), values) for values in (samples.start, samples.beside)]
+        lengths = [name for name in samples.unbounded if name in list(samples.start)[: len(M)]]
+        self.edges = list(_edges(lengths, samples))
+
+    def all(self) -> list[Node]:
+        """Return W (m,)."""
+        found: dict[int, Node] = {}
+        while len(found) < len(self.A):
+            new = {row: w for row in range(len(self.A)) if row not in found and (w := self.weight(row)) is not None}
+            if not new:
+                self.inertia = {k: self.inertia.get(k, self.graph.one) for k in range(len(self.A[0]))}
+                new = {row: self.graph.one for row in range(len(self.A))
+                       if row not in found and self.weight(row) is None}  # fmt: skip
+            found |= new
+            for row, w in new.items():
+                self.lend(row, w)
+        return [found[row] for row in range(len(self.A))]
+
+    def weight(self, row: int) -> Node | None:
+        """Return W of a row, if it acts on inertia; in numbers alone if it vanishes or is infinite somewhere."""
+        terms = list(self._terms(row, self.samples.unbounded))
+        if not terms:
+            return None
+        whole = self.graph.sum((term, 1) for term in terms)
+        if not all(0 < at(whole) < math.inf for at in self.edges):
+            whole = self.graph.sum((term, 1) for term in self._terms(row, ()))
+        return self.graph.power(whole, -1)
+
+    def _terms(self, row: int, symbols: tuple[str, ...]) -> Iterator[Node]:
+        """A_rk^2 / M_kk at both places, in parameters and the symbols named; the time is always a number."""
+        for at, values in self.places:
+            there = self._put(values, symbols)
+            for k, inertia in self.inertia.items():
+                square = self.graph.power(self.A[row][k], 2)
+                if at(square) > 0 and 0 < at(inertia) < math.inf:
+                    yield self.graph.mul(there(square), self.graph.power(there(inertia), -1))
+
+    def _put(self, values: Mapping[str, float], symbols: tuple[str, ...]) -> Substitution:
+        time = list(values)[-1]
+        numbers = {name: value for name, value in values.items() if name not in symbols or name == time}
+        return Substitution(self.graph, {name: self.graph.number(value) for name, value in numbers.items()})
+
+    def lend(self, row: int, w: Node) -> None:
+        """Coordinates without inertia in a row get the row's."""
+        for k, entry in enumerate(self.A[row]):
+            if k not in self.inertia and entry != self.graph.zero:
+                self.inertia[k] = self.graph.mul(w, self.graph.power(entry, 2))
+
+
+def _edges(lengths: list[str], samples: Samples) -> Iterator[At]:
+    """States in which lengths vanish: all, each, and all but each."""
+    beside = dict(samples.beside)
+    groups = [lengths, *([name] for name in lengths), *([o for o in lengths if o != name] for name in lengths)]
+    for group in groups:
+        yield samples.at({**beside, **dict.fromkeys(group, 0.0)})

@@ -1,0 +1,215 @@
+"""The terms of the equations of motion as nodes of one graph, in the cheapest of several equal forms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+import sympy
+
+from ..calculus.derivatives import Tangent, gradient
+from ..calculus.error_bound import Rounding
+from ..calculus.trigonometry import expansion
+from ..graph.convert import FromSympy
+from ..graph.graph import Graph
+from ..graph.rewrite import Rewriter
+from ..graph.store import Node
+from ..schedule.schedule import weight
+from .specialise import Scene
+from .time_events import Breaks
+
+ONE, MINUS, HALF = 1, -1, Fraction(1, 2)
+Rows = tuple[tuple[Node, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """Mdot : (n, n); force : (n,), what stands in (36) behind S^-1 C: 1/2 xdot^T M_x xdot + G_x^T xdot + F."""
+
+    Mdot: Rows
+    force: tuple[Node, ...]
+
+
+class Terms:
+    """Everything a right-hand side may need, as nodes; made when asked for."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        mechanics = self.mechanics = scene.mechanics
+        self.graph = Graph(symbol.name for symbol in mechanics.parameters)
+        self.node = FromSympy(self.graph)
+        self.x = [symbol.name for symbol in mechanics.x]
+        self.v = [symbol.name for symbol in mechanics.v]
+        rates = dict(zip(self.x, map(self.graph.symbol, self.v), strict=True))
+        self.along = Tangent(self.graph, rates | {mechanics.time.name: self.graph.one})
+
+        n = len(self.x)
+        self.M: Rows = _rows(self._nodes(mechanics.M), n)
+        """(n, n) (5)"""
+        self.W = self._nodes(mechanics.W)
+        """(m,), what takes part in M + A^T W A"""
+        self.factored: Rows = _rows(self._nodes(mechanics.factored), n) if mechanics.augmented else self.M
+        """(n, n), M or M + A^T W A"""
+        self.A: Rows = _rows(self._nodes(mechanics.A), n)
+        """(m, n) (8)"""
+        self.P: Rows = _rows(self._nodes(mechanics.P), n) if mechanics.pushes else self.A
+        """(m + r, n), by which multipliers push, and norms of them"""
+        lambdas = mechanics.multipliers
+        self.norms = self._nodes(sympy.sqrt(sympy.Add(*(lambdas[k] ** 2 for k in rows))) for rows in mechanics.norms)
+        """(r,) the roots of sums of squares of multipliers"""
+        self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
+        self.phi = self._nodes(mechanics.phi)
+        self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))
+        self.expanded = self._expansion()
+
+    def _nodes(self, expressions: Iterable[sympy.Expr]) -> tuple[Node, ...]:
+        return tuple(map(self.node, expressions))
+
+    def _expansion(self) -> Rewriter:
+        """Judge sums of angles over all terms at once: what one term needs anyway is free for the others."""
+        matrices = (self.M, self.A, self.factored) if self.mechanics.augmented else (self.M, self.A)
+        entries = [entry for rows in matrices for row in rows for entry in row]
+        return expansion(self.graph, [*entries, *self.G, *self.b, *self.Q, *self.phi, self.T0, self.V])
+
+    @cached_property
+    def dM(self) -> tuple[Rows, ...]:
+        """(n, n, n) dM_ij / dx_k as [k][i][j]"""
+        return self._gradient(self.M)
+
+    @cached_property
+    def factored_gradient(self) -> tuple[Rows, ...]:
+        """(n, n, n), of `factored`, as dM"""
+        return self._gradient(self.factored)
+
+    @cached_property
+    def T2(self) -> Node:
+        """1/2 v^T M v (4)"""
+        return self.graph.scale(self.dot(self._velocities, self._momentum), HALF)
+
+    @cached_property
+    def T1(self) -> Node:
+        """G^T v (4)"""
+        return self.dot(self.G, self._velocities)
+
+    @cached_property
+    def gamma(self) -> tuple[Node, ...]:
+        """(m,) Adot v + bdot, with bdot the total derivative: what A xddot must cancel (39)"""
+        return tuple(self.graph.add(self.dot(row, self._velocities), self.along(b))
+                     for row, b in zip(self.Adot, self.b, strict=True))  # fmt: skip
+
+    @cached_property
+    def Adot(self) -> Rows:
+        """(m, n)"""
+        return tuple(tuple(map(self.along, row)) for row in self.A)
+
+    @cached_property
+    def phi_terms(self) -> tuple[Node, ...]:
+        """(h,) size of the terms of phi: eps times that is its rounding"""
+        return tuple(map(Rounding(self.graph), self.phi))
+
+    @cached_property
+    def motion(self) -> Motion:
+        """Mdot and the force of (36), in the cheapest form; both with A^T W A where that is added to M."""
+        forms = [self._motion(gradient_of_L) for gradient_of_L in self._gradients_of_L()]
+        return min(forms, key=lambda form: self._weight([*(e for row in form.Mdot for e in row), *form.force]))
+
+    @cached_property
+    def bias(self) -> tuple[Node, ...]:
+        """(n,) force - Mdot v: what M xddot + A^T lambda equals (11), in the cheapest form.
+
+        Where A^T W A is added to M, -A^T W gamma is added here.
+        """
+        rates = [self.along(p) for p in self._momentum]
+        from_T = [self.graph.add(self.along(p), self.graph.negative(self.along(g)))
+                  for p, g in zip(gradient(self.graph, self.T, self.v), self.G, strict=True)]  # fmt: skip
+        forms = [
+            tuple(self._difference(force, rate) for force, rate in zip(self._force(form), kinetic, strict=True))
+            for form in self._gradients_of_L()
+            for kinetic in (rates, from_T)
+        ]
+        return self._plus_rows(min(forms, key=self._weight), self.W, self.A, map(self.graph.negative, self.gamma))
+
+    @cached_property
+    def breaks(self) -> Breaks:
+        """When conditions in the time alone change, of all that motion and events hang on."""
+        mechanics, node = self.mechanics, self.node
+        acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
+                *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
+        roots = [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
+                 *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
+        return Breaks(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], roots)
+
+    # -- pieces --------------------------------------------------------------------------------------------------
+
+    @property
+    def _velocities(self) -> list[Node]:
+        return [self.graph.symbol(name) for name in self.v]
+
+    @cached_property
+    def _momentum(self) -> list[Node]:
+        return [self.dot(row, self._velocities) for row in self.M]
+
+    def dot(self, first: Iterable[Node], second: Iterable[Node]) -> Node:
+        """Return the scalar product."""
+        pairs = zip(first, second, strict=True)
+        return self.graph.sum((self.graph.mul(a, b), ONE) for a, b in pairs)
+
+    def _difference(self, first: Node, second: Node) -> Node:
+        return self.graph.sum([(first, ONE), (second, MINUS)])
+
+    def _weight(self, nodes: Sequence[Node]) -> int:
+        return weight(self.graph, list(map(self.expanded, nodes)))
+
+    def _gradients_of_L(self) -> list[tuple[Node, ...]]:
+        """Return dL/dx at fixed velocities (10) in three forms: of T as given, of 1/2 v^T M v, and by way of dM."""
+        graph = self.graph
+        rest = graph.sum([(self.T1, ONE), (self.T0, ONE), (self.V, MINUS)])
+        as_given = gradient(graph, self._difference(self.T, self.V), self.x)
+        from_M = gradient(graph, graph.add(self.T2, rest), self.x)
+        quadratic = [self._quadratic(dM_k) for dM_k in self.dM]
+        from_dM = tuple(map(graph.add, quadratic, gradient(graph, rest, self.x)))
+        return [as_given, from_M, from_dM]
+
+    def _gradient(self, rows: Rows) -> tuple[Rows, ...]:
+        along = [Tangent(self.graph, {name: self.graph.one}) for name in self.x]
+        return tuple(tuple(tuple(map(rate, row)) for row in rows) for rate in along)
+
+    def _quadratic(self, matrix: Rows) -> Node:
+        """1/2 v^T matrix v, each pair of velocities once."""
+        graph, v = self.graph, self._velocities
+        pairs = [(i, j) for i in range(len(v)) for j in range(i + 1)]
+        return graph.sum((graph.mul(matrix[i][j], v[i], v[j]), HALF if i == j else ONE) for i, j in pairs)
+
+    def _force(self, gradient_of_L: tuple[Node, ...]) -> tuple[Node, ...]:
+        """Q + dL/dx - Gdot, with Gdot the total derivative (29)."""
+        terms = zip(gradient_of_L, self.Q, self.G, strict=True)
+        return tuple(self.graph.sum([(dL, ONE), (q, ONE), (self.along(g), MINUS)]) for dL, q, g in terms)
+
+    def _plus_rows(
+        self, forces: tuple[Node, ...], weights: Sequence[Node], rows: Rows, factors: Iterable[Node]
+    ) -> tuple[Node, ...]:
+        """Add rows^T W factors, W the weights, factors (m,)."""
+        weighted = [self.graph.mul(w, factor) for w, factor in zip(weights, factors, strict=True)]
+        return tuple(self.graph.add(force, self.dot(weighted, (row[k] for row in rows)))
+                     for k, force in enumerate(forces))  # fmt: skip
+
+    def _motion(self, gradient_of_L: tuple[Node, ...]) -> Motion:
+        """With A^T W A in M, Mdot v takes in Adot^T W A v + A^T W Adot v + A^T Wdot A v.
+
+        A^T W gamma makes up for the second.
+        """
+        Mdot, force = tuple(tuple(map(self.along, row)) for row in self.factored), self._force(gradient_of_L)
+        if not self.mechanics.augmented:
+            return Motion(Mdot, force)
+        along_rows = [self.dot(row, self._velocities) for row in self.A]
+        force = self._plus_rows(force, self.W, self.Adot, along_rows)
+        force = self._plus_rows(force, list(map(self.along, self.W)), self.A, along_rows)
+        return Motion(
+            Mdot, self._plus_rows(force, self.W, self.A, (self.graph.negative(self.along(b)) for b in self.b))
+        )
+
+
+def _rows(nodes: Sequence[Node], width: int) -> Rows:
+    return tuple(tuple(nodes[start : start + width]) for start in range(0, len(nodes), width))

@@ -1,0 +1,295 @@
+"""Kernels: straight-line functions, arrays in and out, each with the user's names in a scope of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..graph.graph import Graph
+from ..graph.store import Kind, Node
+from ..schedule.operations import Cost, operands_of
+from ..schedule.schedule import Constants, Schedule, cost_behind, schedule
+from .identifiers import c_identifiers, free
+from .line_breaks import folded, wrapped
+from .printer import Printer
+
+INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
+"""What a kernel may read, in the order of its arguments; all but the time are arrays."""
+SHARED = "shared"
+"""The array of what one kernel computed and the next one needs, too."""
+LONG = 250
+"""Statements from which on a kernel is not copied into what calls it: compilers take more than twice the time for twice
+the text, and what they make of it is no faster."""
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """What a kernel assigns; shape is C text, as [N1][N1]."""
+
+    name: str
+    shape: str
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """An assignment: the places of an array, as [0][1], that get the value of a node; what it is, where that helps."""
+
+    array: Array
+    places: tuple[str, ...]
+    node: Node
+    words: str = ""
+
+
+def both_triangles(name: str, first: int, M: Sequence[Sequence[Node]]) -> list[Entry]:
+    """A symmetric matrix (n, n), both triangles, from the place `first` on."""
+    n, array = len(M), Array(name, "")
+    places = {(i, j): (first + i * n + j, first + j * n + i) for i in range(n) for j in range(i + 1)}
+    return [Entry(array, tuple(f"[{at}]" for at in dict.fromkeys(both)), M[i][j]) for (i, j), both in places.items()]
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A kernel before it is written.
+
+    arguments : their names, where others rely on them; else they are what the kernel reads and assigns
+    actual : what the caller calls them, where that differs
+    on_lanes : whether it computes with `real` (em_real.h) in place of double
+    across : whether other units call it where it is long, or one that is written with it
+    """
+
+    name: str
+    entries: Sequence[Entry]
+    arguments: tuple[str, ...] = ()
+    actual: Mapping[str, str] | None = None
+    on_lanes: bool = False
+    across: bool = False
+
+    @property
+    def number(self) -> str:
+        """The type of what it reads and assigns."""
+        return "real" if self.on_lanes else "double"
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A straight-line function as C text.
+
+    head : its first line
+    declared, call : how its caller declares what it assigns (if it must), and calls it
+    statements : in the order in which they are needed, so that a compiler keeps few values at a time
+    called : names of functions that it and those written with it call
+    reads : which of INPUTS it takes
+    across : whether other units call it
+    """
+
+    head: str
+    declared: str
+    call: str
+    statements: tuple[str, ...]
+    cost: Cost
+    called: frozenset[str]
+    reads: frozenset[str]
+    across: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Symbols:
+    """Where symbols and constants live.
+
+    places : symbol -> (argument, place in it); the place of what is no array is None
+    first_constant : the place of the first constant in the prepared parameters
+    """
+
+    places: Mapping[str, tuple[str, int | None]]
+    first_constant: int
+
+
+def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None,
+            ahead: Draft | None = None) -> list[Kernel]:  # fmt: skip
+    """Write kernels that are called one after the other: what they have in common is computed once and handed on.
+
+    The first one tells the cost of all. Without `constants` what is made of parameters only is computed in place.
+    Where they are long one more, `ahead`, takes the place of the first for whoever wants the last alone, and tells the
+    cost of these.
+    """
+    plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
+    arrays = {entry.array.name for draft in drafts for entry in draft.entries}
+    taken = {*INPUTS, *arrays, SHARED, *(name for draft in drafts for name in draft.arguments)}
+    writer = _Writer(graph, plan, symbols, constants, taken)
+    scopes = [writer.scope(draft) for draft in drafts]
+    long = any(len(scope.statements) + len(scope.shares) >= LONG for scope in scopes)
+    costs = [plan.cost, *[Cost()] * len(scopes)][: len(scopes)]
+    if ahead is not None and long:
+        scopes.append(writer.ahead(ahead))
+        costs.append(cost_behind(plan, [entry.node for entry in drafts[-1].entries]))
+    return [_kernel(scope, len(writer.handed), cost, long) for scope, cost in zip(scopes, costs, strict=True)]
+
+
+class _Scope:
+    """The inside of one kernel while it is written."""
+
+    def __init__(self, draft: Draft, plan: Schedule) -> None:
+        self.draft = draft
+        self.names: dict[int, str] = {}
+        self.printer = Printer(plan, self.names, draft.on_lanes)
+        self.read: set[str] = set()
+        self.statements: list[str] = []
+        self.shares: list[str] = []
+
+    def load(self, array: str, place: int | None, identifier: str) -> None:
+        """Give a number of an array its name here."""
+        self.read.add(array)
+        if place is not None:
+            self.statements.append(f"const {self.draft.number} {identifier} = {array}[{place}];")
+
+    def assign(self, entry: Entry) -> None:
+        """Write what the kernel is for, of which all parts have their names."""
+        text = self.printer.whole(self.printer.plan.roots[entry.node])
+        words = f" /* {entry.words} */" if entry.words else ""
+        self.statements.append(wrapped(f"{_targets(entry)} = {text};") + words)
+
+
+class _Writer:
+    """Remembers across kernels what has a name already."""
+
+    def __init__(self, graph: Graph, plan: Schedule, symbols: Symbols, constants: Constants | None, taken: set[str]
+                 ) -> None:  # fmt: skip
+        self.graph, self.plan, self.symbols, self.constants = graph, plan, symbols, constants
+        self.identifiers = c_identifiers(symbols.places, taken) | {"t": "t"}
+        self.given = frozenset((*taken, *self.identifiers.values()))
+        self.taken = set(self.given)
+        self.known: dict[int, tuple[str, _Scope]] = {}
+        self.handed: dict[int, int] = {}
+        self.here: _Scope
+
+    def scope(self, draft: Draft) -> _Scope:
+        """Write one kernel."""
+        self.here = _Scope(draft, self.plan)
+        for entry in draft.entries:
+            self._need(self.plan.roots[entry.node])
+            self.here.assign(entry)
+        return self.here
+
+    def ahead(self, draft: Draft) -> _Scope:
+        """Write what computes all that has been handed on, and nothing else."""
+        self.known, self.taken, self.here = {}, set(self.given), _Scope(draft, self.plan)
+        for value, place in self.handed.items():
+            self._need(value)
+            self.here.shares.append(f"{SHARED}[{place}] = {self.here.names[value]};")
+        return self.here
+
+    def _need(self, root: int) -> None:
+        """Name every value behind root that wants a name, operands first."""
+        stack = [(root, False)]
+        seen: set[int] = set()
+        while stack:
+            value, ready = stack.pop()
+            if value in self.here.names or value in seen and not ready:
+                continue
+            if ready or value in self.known:
+                self._name(value)
+                continue
+            seen.add(value)
+            stack.append((value, True))
+            stack.extend((operand, False) for operand in reversed(list(operands_of(self.plan.operations[value]))))
+
+    def _name(self, value: int) -> None:
+        kind, operands = self.plan.operations[value]
+        if value in self.known:
+            self._take(value)
+        elif kind == "leaf":
+            self._load(value, operands[0])
+        elif kind == "constant":
+            self._load_constant(value, operands[0])
+        elif kind != "number" and (
+            self.plan.uses[value] > 1 or self._is_sine(value) or self.here.printer.is_deep(value)
+        ):
+            self._compute(value)
+
+    def _take(self, value: int) -> None:
+        """Take over what the kernel before has computed."""
+        name, before = self.known[value]
+        if value not in self.handed:
+            self.handed[value] = len(self.handed)
+            before.shares.append(f"{SHARED}[{self.handed[value]}] = {name};")
+        self.here.load(SHARED, self.handed[value], name)
+        self.here.names[value] = name
+
+    def _load(self, value: int, symbol: str) -> None:
+        self.here.load(*self.symbols.places[symbol], self.identifiers[symbol])
+        self.here.names[value] = self.identifiers[symbol]
+
+    def _load_constant(self, value: int, node: Node) -> None:
+        kind, operands = self.graph.records[node]
+        if kind is Kind.SYMBOL:
+            self._load(value, operands[0])
+            return
+        assert self.constants is not None
+        index = self.constants.index(node)
+        name = free(f"c_{index}", self.identifiers.values())
+        self.here.load("c", self.symbols.first_constant + index, name)
+        self.here.names[value] = name
+
+    def _compute(self, value: int) -> None:
+        name = free(self._named_after(value), self.taken)
+        self.taken.add(name)
+        number = self.here.draft.number
+        self.here.statements.append(wrapped(f"const {number} {name} = {self.here.printer.bare(value)};"))
+        self.here.names[value] = name
+        self.known[value] = name, self.here
+
+    def _named_after(self, value: int) -> str:
+        if not self._is_sine(value):
+            return f"z_{len(self.known)}"
+        function, angle = self.plan.operations[value].operands
+        return f"{function}_{self.here.names.get(angle, len(self.known))}"
+
+    def _is_sine(self, value: int) -> bool:
+        kind, operands = self.plan.operations[value]
+        return kind == "call" and operands[0] in ("sin", "cos")
+
+
+def _kernel(scope: _Scope, handed: int, cost: Cost, long: bool) -> Kernel:
+    draft = scope.draft
+    results = list(dict.fromkeys(entry.array for entry in draft.entries))
+    if scope.shares:
+        results.append(Array(SHARED, f"[{handed}]"))
+    read = [name for name in (*INPUTS, SHARED) if name in scope.read]
+    names = [*read, *(array.name for array in results)]
+    actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
+    linkage = "EM_INLINE" if len(statements) < LONG else "EM_NOINLINE_KERNEL"
+    across = draft.across and long
+    if across:
+        linkage = "EM_NOINLINE_KERNEL_EXPORT"
+    return Kernel(
+        head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
+        declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
+        call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
+        statements=statements, cost=cost,
+        called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
+        reads=frozenset(read), across=across,
+    )  # fmt: skip
+
+
+def _targets(entry: Entry) -> str:
+    return " = ".join(entry.array.name + place for place in entry.places)
+
+
+def _head(draft: Draft) -> str:
+    """Of a function that others call: its arguments are given, whether it uses them or not."""
+    return folded(f"EM_EXPORT void {draft.name}(", _given(draft), ")")
+
+
+def _given(draft: Draft) -> list[str]:
+    """Return the arguments that others rely on."""
+    return [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
+
+
+def _inner_head(linkage: str, draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
+    number = draft.number
+    given = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{handed}]" for name in read]
+    return folded(f"{linkage} void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
+
+
+def _input(name: str, number: str) -> str:
+    return f"{number} {name}" if name == "t" else f"const {number} *restrict {name}"

@@ -1,0 +1,1 @@
+"""What a user states: coordinates, events, contacts, constraint rows, a drawing; each in one form."""

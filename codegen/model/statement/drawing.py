@@ -1,0 +1,107 @@
+"""A drawing in one form: for every shape its kind and its numbers, as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from ..normalise import ModelError, expression, sequence_of, shown
+from . import draw
+
+KINDS = {
+    draw.Line: "line",
+    draw.Spring: "spring",
+    draw.Disk: "disk",
+    draw.Body: "body",
+    draw.Ground: "ground",
+    draw.Trace: "trace",
+}
+_DIMENSIONS = (2, 3)
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """One shape: d numbers a point, points first; of a disk center, radius, the axle (space), the angle of its mark."""
+
+    kind: str
+    dimension: int
+    numbers: tuple[sympy.Expr, ...]
+
+
+def drawing_of(given: Any) -> tuple[Shape, ...]:
+    """Return a drawing in one form.
+
+    Raises
+    ------
+    ModelError
+        An entry is no shape, a position no two or three expressions, or plane and space are mixed.
+    """
+    shapes = tuple(_shape(entry, f"drawing[{k}]") for k, entry in enumerate(sequence_of(given, "drawing")))
+    for k, shape in enumerate(shapes):
+        if shape.dimension != shapes[0].dimension:
+            raise ModelError(
+                f"drawing[{k}] ({shape.kind}) has {shape.dimension} numbers a position, drawing[0] has "
+                f"{shapes[0].dimension}. One drawing is in the plane (x, y) or in space (x, y, z)."
+            )
+    return shapes
+
+
+def _shape(given: Any, what: str) -> Shape:
+    if isinstance(given, Shape):  # fields of a Model make a Model
+        return given
+    kind = KINDS.get(type(given))
+    if kind is None:
+        names = ", ".join(f"eigenmotion.draw.{known.__name__}" for known in KINDS)
+        raise ModelError(f"{what} is {shown(given)}, which is no shape. Use {names}.")
+    what = f"{what} ({kind})"
+    if isinstance(given, draw.Disk):
+        return _disk(given, what)
+    points = [_position(point, f"{what}: {name}") for name, point in _points(given, what)]
+    for point in points:
+        _check_dimension(point, len(points[0]), what)
+    return Shape(kind, len(points[0]), tuple(number for point in points for number in point))
+
+
+def _points(given: Any, what: str) -> list[tuple[str, Any]]:
+    """Name each position of a shape."""
+    if not isinstance(given, draw.Body | draw.Ground):
+        return [(name, getattr(given, name)) for name in given.__slots__]
+    least = 3 if isinstance(given, draw.Body) else 1
+    points = sequence_of(given.points, f"{what}: points")
+    if len(points) < least:
+        raise ModelError(f"{what} has {len(points)} points and needs at least {least}. Add some.")
+    return [(f"points[{k}]", point) for k, point in enumerate(points)]
+
+
+def _disk(given: draw.Disk, what: str) -> Shape:
+    center = _position(given.center, f"{what}: center")
+    numbers = [*center, expression(given.radius, f"{what}: radius")]
+    if given.axis is not None:
+        axis = _position(given.axis, f"{what}: axis")
+        if len(center) == 2:
+            raise ModelError(f"{what} has an axis, which disks in the plane do not. Leave it out.")
+        _check_dimension(axis, 3, what)
+        numbers.extend(axis)
+    if given.angle is not None:
+        if len(center) == 3 and given.axis is None:
+            raise ModelError(
+                f"{what} has an angle in space, but no axis to turn about. Give the direction of its axle."
+            )
+        numbers.append(expression(given.angle, f"{what}: angle"))
+    return Shape("disk", len(center), tuple(numbers))
+
+
+def _position(given: Any, what: str) -> tuple[sympy.Expr, ...]:
+    """Return a position as a tuple of two or three expressions."""
+    numbers = sequence_of(given, what)
+    if len(numbers) not in _DIMENSIONS:
+        raise ModelError(f"{what} has {len(numbers)} numbers. A position is (x, y) in the plane, (x, y, z) in space.")
+    return tuple(expression(number, f"{what}[{axis}]") for axis, number in zip("xyz", numbers, strict=False))
+
+
+def _check_dimension(point: Sequence[Any], dimension: int, what: str) -> None:
+    if len(point) != dimension:
+        raise ModelError(f"{what} has positions of {dimension} and of {len(point)} numbers. Give all alike.")

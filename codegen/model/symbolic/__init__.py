@@ -1,0 +1,1 @@
+"""The equations of a model in SymPy; nothing compiled comes of them."""

@@ -1,0 +1,105 @@
+"""The equations of motion of a model as SymPy matrices, in the user's symbols. Nothing generated comes of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy
+
+from ..normalise import MULTIPLIER, t
+from ..statement.mechanism import Mechanism
+from .expression_text import as_python, latex
+from .lagrange import lagrange, stated
+
+_SOON_EXPANDED = 700
+_SOON_SIMPLIFIED = 110
+"""Operations of an expression that SymPy expands in a few hundredths of a second, and simplifies within one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Equations:
+    """M xddot + A^T lambda = bias (11), A xdot + b = 0 (8), and that differentiated, A xddot + gamma = 0.
+
+    x, v, a, multipliers : (n,), (n,), (n,), (m,) what the equations are in: x(t) and its derivatives, lambda
+    M : (n, n) [J s^2 / (u_i u_j)]
+    bias : (n, 1) [J / u_i]
+    A : (m, n); b, gamma : (m, 1)
+    """
+
+    x: tuple[sympy.Expr, ...]
+    multipliers: tuple[sympy.Expr, ...]
+    M: sympy.ImmutableDenseMatrix
+    bias: sympy.ImmutableDenseMatrix
+    A: sympy.ImmutableDenseMatrix
+    b: sympy.ImmutableDenseMatrix
+    gamma: sympy.ImmutableDenseMatrix
+
+    @property
+    def v(self) -> tuple[sympy.Expr, ...]:
+        """Velocities."""
+        return tuple(x.diff(t) for x in self.x)
+
+    @property
+    def a(self) -> tuple[sympy.Expr, ...]:
+        """Accelerations."""
+        return tuple(x.diff(t, 2) for x in self.x)
+
+    @property
+    def parts(self) -> dict[str, sympy.ImmutableDenseMatrix]:
+        """The matrices by name, without those of constraints where there are none."""
+        parts = {"M": self.M, "bias": self.bias}
+        return parts | ({"A": self.A, "b": self.b, "gamma": self.gamma} if self.A.rows else {})
+
+    def latex(self) -> str:
+        """Return LaTeX: the form of the equations, and below what stands in it, ready for an `align*`."""
+        names = {"M": "M", "bias": "h", "A": "A", "b": "b", "gamma": r"\gamma"}
+        rows = [rf"{names[name]} &= {latex(part)}" for name, part in self.parts.items()]
+        return (
+            "\\begin{align*}\n"
+            + " \\\\\n".join([rf"{left} &= {right}" for left, right in self.form] + rows)
+            + ("\n\\end{align*}")
+        )
+
+    @property
+    def form(self) -> tuple[tuple[str, str], ...]:
+        """Left and right sides of the equations, in LaTeX."""
+        if not self.A.rows:
+            return ((r"M \ddot{x}", "h"),)
+        return ((r"M \ddot{x} + A^T \lambda", "h"), (r"A \dot{x} + b", "0"), (r"A \ddot{x} + \gamma", "0"))
+
+    def source(self) -> str:
+        """Return Python that makes these matrices."""
+        return as_python(self.parts)
+
+    def _repr_latex_(self) -> str:
+        return f"$${self.latex().replace('align*', 'aligned')}$$"
+
+
+def equations_of(model: Mechanism) -> Equations:
+    """Return Lagrange's equations of a model, simplified where that is quick."""
+    found, n, m = lagrange(model), model.n, model.m
+    back = dict(zip((*found.x, *found.v, *found.u, found.time), stated(model), strict=True))
+
+    def matrix(rows: int, columns: int, entries: Iterable[sympy.Expr]) -> sympy.ImmutableDenseMatrix:
+        return sympy.ImmutableDenseMatrix(rows, columns, [simplified(entry).xreplace(back) for entry in entries])
+
+    return Equations(
+        model.coordinates, tuple(MULTIPLIER(sympy.Integer(row)) for row in range(m)),
+        matrix(n, n, sum(found.M, ())), matrix(n, 1, found.f), matrix(m, n, sum(found.A, ())), matrix(m, 1, found.b),
+        matrix(m, 1, (-g for g in found.g)),
+    )  # fmt: skip
+
+
+def simplified(expression: sympy.Expr) -> sympy.Expr:
+    """Return the shortest of an expression and forms of it that are quickly found."""
+    forms = [expression]
+    if sympy.count_ops(expression) <= _SOON_EXPANDED:
+        forms.append(sympy.expand(expression))
+    if sympy.count_ops(forms[-1]) <= _SOON_SIMPLIFIED:
+        forms.append(sympy.trigsimp(forms[-1]))
+    return min((*forms, *map(sympy.factor_terms, forms[1:])), key=_length)
+
+
+def _length(expression: sympy.Expr) -> tuple[int, str]:
+    return sympy.count_ops(expression), str(expression)

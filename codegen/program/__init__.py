@@ -1,0 +1,1 @@
+"""The record that templates print, and how it is made."""

@@ -1,0 +1,300 @@
+"""Which kernel of a program assigns what."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+import sympy
+
+from ..calculus.inverse import LARGEST, inverse
+from ..choices import Choices
+from ..equations.specialise import Scene
+from ..equations.terms import Rows, Terms
+from ..graph.store import Node
+from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
+from ..model.model import ModelError
+from ..schedule.schedule import Constants
+from .kernel_roles import Kernels, Stages
+from .memory_layout import Layout
+from .partial_kernels import partial_kernels
+from .program import BlockView
+from .time_event_kernel import break_kernel
+
+OF_STATE = {"x": "y", "v": "dy"}
+"""Where a right-hand side has coordinates and velocities."""
+
+
+def kernels_of(scene: Scene, choices: Choices, layout: Layout, whole: bool) -> tuple[Kernels, int]:
+    """Write every kernel, those of derivatives for the `whole`; return also how many constants they share."""
+    writing = _Writing(scene, choices, layout)
+    return writing.kernels(whole), len(writing.constants.nodes)
+
+
+class _Writing:
+    """Writes kernel after kernel; constants are gathered on the way and written last."""
+
+    def __init__(self, scene: Scene, choices: Choices, layout: Layout) -> None:
+        self.scene, self.choices, self.layout, self.blocks = scene, choices, layout, layout.blocks
+        self.mechanics, self.terms = scene.mechanics, Terms(scene)
+        self.scales = scene.scales if choices.eigenfactor else (1.0,) * scene.n
+        self.constants = Constants(self.terms.graph)
+        mechanics = self.mechanics
+        arrays = {"c": mechanics.parameters, "x": mechanics.x, "v": mechanics.v, "u": mechanics.inputs,
+                  "a": mechanics.accelerations, "lambda": mechanics.multipliers}  # fmt: skip
+        self.places: dict[str, tuple[str, int | None]] = {
+            symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
+        } | {"t": ("t", None)}
+
+    def kernels(self, whole: bool) -> Kernels:
+        published, triangular, settled = self.equations()
+        across = settled.masses is not None and settled.masses.across
+        tells_all = across and not any(block.fixed for block in self.blocks)  # and with no row nothing is added to M
+        mass_matrix = None if tells_all else self.mass_matrix("mass_matrix", self.terms.M)
+        asked = {
+            "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
+            "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
+            "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
+        }  # fmt: skip
+        factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
+        drawing = self.drawing()  # last: the constants of the others stay where they are
+        symbols = Symbols(self.places, self.layout.first_constant)
+        breaks, prepared = break_kernel(self.terms, symbols), self.prepared()
+        partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
+        return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
+                       drawing=drawing, partials=partials, breaks=breaks, prepared=prepared,
+                       asks_the_root=across, mass_matrix=mass_matrix, **asked)  # fmt: skip
+
+    @property
+    def root_tells(self) -> bool:
+        """Whether kernels of the triangular root have all that others ask: there is no row, and what varies turns."""
+        turns = any(block.turning for block in self.blocks) and not any(block.single for block in self.blocks)
+        return turns and not (self.scene.m or self.choices.extrapolate)
+
+    def equations(self) -> tuple[Stages, Stages, Stages]:
+        """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
+        none, cholesky = Stages(None, None), self.choices.formulation == "cholesky"
+        root, handed = self.of_the_root() if cholesky or self.choices.bounded and self.layout.couples else (none, None)
+        if handed and root.motion:
+            return self.by_the_root(root, root.motion, handed)
+        settled = self.stages(self.settled_masses(), self.settled_rates())
+        return (root, none, settled) if cholesky else (self.published(), root, settled)
+
+    def of_the_root(self) -> tuple[Stages, Kernel | None]:
+        """Return its kernels and, where they tell all and are long, one of what the first hands on alone."""
+        drafts = self.drafts("triangular")
+        if not self.root_tells:
+            return self.stages(*drafts), None
+        ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
+        masses, motion, *handed = self.write(*drafts, ahead=ahead)
+        return Stages(masses, motion), handed[0] if handed else None
+
+    def by_the_root(self, root: Stages, motion: Kernel, handed: Kernel) -> tuple[Stages, Stages, Stages]:
+        """Return `equations` of long kernels that are compiled once. Whoever accepts a step knows no input."""
+        if self.choices.formulation == "cholesky":
+            return root, Stages(None, None), Stages(root.masses, None)
+        rates = self.write(self.settled_rates())[0] if "u" in motion.reads else motion
+        alone = Stages(None, replace(motion, cost=handed.cost))
+        return Stages(handed, motion) if handed.statements else alone, root, Stages(root.masses, rates)
+
+    def stages(self, masses: Draft, motion: Draft) -> Stages:
+        """Write two kernels that are called one after the other; one that assigns nothing is none."""
+        drafts = [draft for draft in (masses, motion) if draft.entries]
+        found = dict(zip((draft.name for draft in drafts), self.write(*drafts), strict=True))
+        return Stages(found.get(masses.name), found.get(motion.name))
+
+    def write(self, *drafts: Draft, ahead: Draft | None = None) -> list[Kernel]:
+        symbols = Symbols(self.places, self.layout.first_constant)
+        expanded = [replace(draft, entries=[self.expanded(entry) for entry in draft.entries]) for draft in drafts]
+        return written(self.terms.graph, expanded, symbols, self.constants, ahead)
+
+    def expanded(self, entry: Entry) -> Entry:
+        return replace(entry, node=self.terms.expanded(entry.node))
+
+    def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
+        """Write a function that others call by these arguments."""
+        return self.write(Draft(name, entries, arguments))[0]
+
+    # -- assignments ---------------------------------------------------------------------------------------------
+
+    def scaled(self, node: Node, *coordinates: int) -> Node:
+        factor = Fraction(1)
+        for k in coordinates:
+            factor *= Fraction(self.scales[k])
+        return self.terms.graph.scale(node, factor)
+
+    def masses(self, blocks: Iterable[BlockView], full: bool) -> list[Entry]:
+        """M of blocks: the lower triangle, or both."""
+        return [entry for block in blocks for entry in self.symmetric("M", block, self.terms.factored, full)]
+
+    def rates(self, blocks: Iterable[BlockView]) -> list[Entry]:
+        return [entry for block in blocks for entry in self.symmetric("Mdot", block, self.terms.motion.Mdot, True)]
+
+    def symmetric(self, name: str, block: BlockView, rows: Sequence[Sequence[Node]], full: bool) -> list[Entry]:
+        size = f"[N{block.number}]"
+        array, given = Array(f"{name}{block.number}", size + size), []
+        for i, row in enumerate(block.coordinates):
+            for j, column in enumerate(block.coordinates[: i + 1]):
+                mirror = (f"[{j}][{i}]",) if full and i != j else ()
+                given.append(Entry(array, (*mirror, f"[{i}][{j}]"), self.scaled(rows[row][column], row, column)))
+        return given
+
+    def forces(self, forces: Sequence[Node]) -> list[Entry]:
+        return [Entry(Array(f"f{block.number}", f"[N{block.number}]"), (f"[{local}]",), self.scaled(forces[k], k))
+                for block in self.blocks for local, k in enumerate(block.coordinates)]  # fmt: skip
+
+    def by_row(self, name: str, rows: Sequence[Sequence[Node]]) -> list[Entry]:
+        size = "N_ROWS" if len(rows) == self.scene.m else "N_PUSHED"
+        return [Entry(Array(f"{name}{block.number}", f"[{size}][N{block.number}]"),
+                      (f"[{row}][{local}]",), self.scaled(entries[k], k))
+                for block in self.blocks if block.constrained for row, entries in enumerate(rows)
+                for local, k in enumerate(block.coordinates)]  # fmt: skip
+
+    def pushed(self) -> list[Entry]:
+        return self.by_row("P", self.terms.P) if self.mechanics.pushes else []
+
+    def column(self, name: str, nodes: Iterable[Node], size: str = "N_ROWS") -> list[Entry]:
+        return [Entry(Array(name, f"[{size}]"), (f"[{row}]",), node) for row, node in enumerate(nodes)]
+
+    # -- right-hand sides ----------------------------------------------------------------------------------------
+
+    def published(self) -> Stages:
+        varying = [block for block in self.blocks if not block.fixed]
+        if self.choices.formulation == "lagrange":
+            return self.in_velocities(self.masses(varying, False))
+        if self.choices.formulation == "inverse":
+            return self.in_velocities([entry for block in self.blocks for entry in self.inverse_of(block)])
+        return self.stages(*self.drafts("eigenfactor" if self.choices.eigenfactor else "triangular"))
+
+    def drafts(self, name: str) -> tuple[Draft, Draft]:
+        """What the root of M needs; then, with the velocities known, Mdot, f, A and gamma."""
+        eigen = name == "eigenfactor"
+        across = self.root_tells and not eigen
+        varying = [block for block in self.blocks if not block.fixed]
+        masses = self.masses([block for block in varying if block.single or not eigen], False)
+        gamma = self.column("gamma", self.terms.gamma)
+        moving = [*self.rates(varying), *self.forces(self.terms.motion.force), *self.by_row("A", self.terms.A), *gamma]
+        moving.extend(self.pushed())
+        if eigen and self.layout.row_groups:
+            moving.extend(self.by_row("Adot", self.terms.Adot))
+        return (
+            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True, across=across),
+            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True, across=across),
+        )
+
+    def in_velocities(self, masses: list[Entry]) -> Stages:
+        """The equations in x, v: what is needed of M, then force - Mdot v, A and gamma."""
+        gamma = self.column("gamma", self.terms.gamma)
+        entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma, *self.pushed()]
+        name = self.choices.formulation
+        return self.stages(
+            Draft(f"{name}_masses", ()),
+            Draft(f"{name}_motion", entries, actual={"x": "y", "v": "y + N"}, on_lanes=True),
+        )
+
+    def inverse_of(self, block: BlockView) -> list[Entry]:
+        """Det = (determinant of M, product of its diagonal), W = M^-1."""
+        if block.size > LARGEST:
+            raise ModelError(
+                f"model {self.mechanics.name}: formulation 'inverse' writes the inverse of M out, which is for blocks "
+                f"of up to {LARGEST} coordinates; {{{block.names}}} are {block.size}; choose another formulation"
+            )
+        M = [[self.terms.factored[i][j] for j in block.coordinates] for i in block.coordinates]
+        entries, determinant = inverse(self.terms.graph, M)
+        W = Array(f"W{block.number}", f"[N{block.number}][N{block.number}]")
+        diagonal = self.terms.graph.mul(*(M[i][i] for i in range(block.size)))
+        inverted = [Entry(W, (f"[{i}][{j}]",), entry) for i, row in enumerate(entries) for j, entry in enumerate(row)]
+        return [*self.column(f"det{block.number}", (determinant, diagonal), "2"), *inverted]
+
+    # -- at accepted steps ---------------------------------------------------------------------------------------
+
+    def settled_masses(self) -> Draft:
+        """M of what varies, A and b."""
+        some = self.choices.carries_v and self.scene.h  # lanes look at all of M
+        varying = [b for b in self.blocks if not b.fixed and (b.constrained or not some)]
+        entries = [
+            *self.masses(varying, self.choices.eigenfactor),
+            *self.by_row("A", self.terms.A),
+            *self.column("b", self.terms.b),
+        ]
+        return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
+
+    def settled_rates(self) -> Draft:
+        """What Omega of M at an accepted step needs and, where it is extrapolated, Omega of Delta."""
+        if not (self.choices.eigenfactor and self.layout.couples):
+            return Draft("settled_rates", ())
+        extrapolates_delta = bool(self.layout.row_groups) and self.choices.extrapolate
+        held = [b for b in self.blocks if b.turning or b.single and b.constrained and extrapolates_delta]
+        entries = [*self.rates(held), *(self.by_row("Adot", self.terms.Adot) if extrapolates_delta else ())]
+        return Draft("settled_rates", entries, actual=OF_STATE, on_lanes=not self.scene.h)
+
+    # -- what every model can be asked ---------------------------------------------------------------------------
+
+    def mass_matrix(self, name: str, M: Rows) -> Kernel:
+        return self.one(name, both_triangles("M", 0, M), "t", "x", "c", "M")
+
+    def pfaffian(self) -> Kernel:
+        A = self.column("A", (node for row in self.terms.A for node in row))
+        return self.one("pfaffian", [*A, *self.column("b", self.terms.b)], "t", "x", "c", "A", "b")
+
+    def position(self) -> Kernel:
+        entries = [*self.column("phi", self.terms.phi), *self.column("terms", self.terms.phi_terms)]
+        return self.one("position", entries, "t", "x", "c", "phi", "terms")
+
+    def bias(self) -> Kernel:
+        entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]
+        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma")
+
+    def energy(self) -> Kernel:
+        entries = self.column("e", (self.terms.T2, self.terms.T1, self.terms.T0, self.terms.V))
+        return self.one("energy", entries, "t", "x", "v", "c", "e")
+
+    def outputs(self) -> Kernel:
+        entries = self.column("out", (self.terms.node(expression) for _, expression in self.mechanics.outputs))
+        return self.one("observe", entries, "t", "x", "v", "a", "lambda", "c", "u", "out")
+
+    def events(self) -> Kernel:
+        entries = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
+        return self.one("model_events", entries, "t", "x", "v", "c", "u", "crossing")
+
+    def impacts(self) -> Kernel:
+        rows = [(*one.N, one.rate, one.restitution) for one in self.mechanics.impacts]
+        return self.moving("impacts", "struck", rows)
+
+    def resets(self) -> Kernel:
+        return self.moving("resets", "after", [one.after for one in self.mechanics.resets])
+
+    def levels(self) -> Kernel:
+        return self.moving("levels", "level", self.mechanics.levels)
+
+    def pushes(self) -> Kernel:
+        return self.moving("pushes", "P", self.mechanics.P.tolist() if self.mechanics.pushes else [])
+
+    def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
+        """Numbers row by row, of expressions in anything but accelerations and multipliers."""
+        entries = self.column(array, (self.terms.node(entry) for row in rows for entry in row))
+        return self.one(name, entries, "t", "x", "v", "c", "u", array)
+
+    def quasi(self) -> Kernel:
+        entries = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))
+        return self.one("quasi", entries, "t", "x", "v", "c", "y")
+
+    def drawing(self) -> Kernel:
+        """Each number once: shapes share their points."""
+        places: dict[Node, list[str]] = {}
+        numbers = (self.terms.node(number) for shape in self.mechanics.drawing for number in shape.numbers)
+        for k, number in enumerate(numbers):
+            places.setdefault(number, []).append(f"[{k}]")
+        entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
+        return self.one("draw", entries, "t", "x", "c", "p")
+
+    def prepared(self) -> Kernel:
+        """M of the fixed blocks, then the constants that the other kernels asked for."""
+        entries = self.masses([block for block in self.blocks if block.fixed], True)
+        first, c = self.layout.first_constant, Array("prepared", "[N_PREPARED]")
+        entries += [Entry(c, (f"[{first + k}]",), node, f"c_{k}") for k, node in enumerate(self.constants.nodes)]
+        places = {name: ("parameters" if array == "c" else array, k) for name, (array, k) in self.places.items()}
+        (kernel,) = written(self.terms.graph, [Draft("prepared_constants", entries, actual={"prepared": "c"})],
+                            Symbols(places, first), None)  # fmt: skip
+        return kernel

@@ -1,0 +1,118 @@
+"""Where numbers live: places in the state, in the memory of a run and in the prepared parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..choices import Choices
+from ..equations.specialise import Block, Kind, Scene
+from .program import BlockView, Place, RowGroup, Slice
+
+
+class _Store:
+    """Gives out the places of one array, each behind the last."""
+
+    def __init__(self, first: int) -> None:
+        self.length = first
+
+    def take(self, count: int) -> int:
+        """Return the first of `count` places."""
+        self.length += count
+        return self.length - count
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The places of everything.
+
+    blocks, row_groups : with their places; no row group where Delta is factored numerically
+    slices : the parts of the state
+    extrapolated : place in the memory of whether and since when Omega is extrapolated; None where it never is
+    first_constant : place in the prepared parameters of what is made of parameters only
+    """
+
+    blocks: tuple[BlockView, ...]
+    row_groups: tuple[RowGroup, ...]
+    slices: tuple[Slice, ...]
+    n_state: int
+    n_memory: int
+    first_constant: int
+    extrapolated: int | None
+
+    @property
+    def couples(self) -> bool:
+        """Whether eigenvalues that are carried can meet: those of a block of M, or of rows of Delta."""
+        return bool(self.row_groups) or any(block.turning and block.size > 1 for block in self.blocks)
+
+
+def laid_out(scene: Scene, choices: Choices) -> Layout:
+    """Give every block, row group and constant its place."""
+    state, memory, prepared = _Store(2 * scene.n), _Store(0), _Store(len(scene.mechanics.parameters))
+    turning = [block for block in scene.blocks if block.kind is Kind.TURNING and choices.eigenfactor]
+    C = {block.number: state.take(block.size**2) for block in turning}
+    s = {block.number: state.take(block.size) for block in turning}
+    blocks = tuple(
+        _view(scene, block, choices, (C.get(block.number, 0), s.get(block.number, 0)), memory, prepared)
+        for block in scene.blocks
+    )
+    extrapolated = memory.take(2) if choices.extrapolate else None
+    groups = _row_groups(scene, choices, state, memory)
+    return Layout(
+        blocks=blocks, row_groups=groups, slices=_slices(scene.n, blocks, groups, choices), n_state=state.length,
+        n_memory=memory.length, first_constant=prepared.length, extrapolated=extrapolated,
+    )  # fmt: skip
+
+
+def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int], memory: _Store, prepared: _Store
+          ) -> BlockView:  # fmt: skip
+    """Give a block places: a fixed one in the prepared parameters, others in the memory."""
+    square, size, fixed = block.size**2, block.size, block.kind is Kind.FIXED
+    C, s = (prepared.take(square), prepared.take(size)) if fixed else carried
+    L, r = (prepared.take(square), prepared.take(size)) if fixed else _kept(block, choices, memory)
+    return BlockView(
+        number=block.number, size=size, coordinates=block.coordinates,
+        places=tuple(Place(k, local, _scale(scene, choices, k)) for local, k in enumerate(block.coordinates)),
+        names=", ".join(scene.mechanics.x[k].name for k in block.coordinates),
+        turning=block.kind is Kind.TURNING, single=block.kind is Kind.SINGLE, fixed=fixed,
+        constrained=block.constrained, home=_home(block, choices), C=C, s=s, L=L, r=r,
+    )  # fmt: skip
+
+
+def _home(block: Block, choices: Choices) -> str:
+    """Where the root of a block is, in the words of em_blocks.h."""
+    if block.kind is Kind.FIXED:
+        return "EM_PREPARED_FACTORS" if choices.eigenfactor else "EM_PREPARED_ROOT"
+    return "EM_IN_STATE" if block.kind is Kind.TURNING and choices.eigenfactor else "EM_IN_MEMORY"
+
+
+def _kept(block: Block, choices: Choices, memory: _Store) -> tuple[int, int]:
+    """Places of L and r in the memory, or of Omega and its rate where that is extrapolated."""
+    return memory.take(block.size**2), memory.take(block.size**2 if choices.extrapolate else block.size)
+
+
+def _scale(scene: Scene, choices: Choices, k: int) -> str:
+    return f"{scene.scales[k]!r}*" if choices.eigenfactor and scene.scales[k] != 1 else ""
+
+
+def _row_groups(scene: Scene, choices: Choices, state: _Store, memory: _Store) -> tuple[RowGroup, ...]:
+    """Places of the eigenfactors of Delta: of each group of two rows and more; a lone row needs none."""
+    coupled = scene.row_groups if choices.eigenfactor and choices.schur == "eigenfactor" else ()
+    if all(len(rows) < 2 for rows in coupled):
+        return ()
+    squares = [len(rows) ** 2 * (len(rows) > 1) for rows in coupled]
+    C = [state.take(square) for square in squares]
+    s = [state.take(len(rows) * (len(rows) > 1)) for rows in coupled]
+    kept = [memory.take(2 * square * choices.extrapolate) for square in squares]
+    return tuple(RowGroup(k + 1, len(rows), rows, C[k], s[k], kept[k]) for k, rows in enumerate(coupled))
+
+
+def _slices(n: int, blocks: tuple[BlockView, ...], groups: tuple[RowGroup, ...], choices: Choices
+            ) -> tuple[Slice, ...]:  # fmt: skip
+    slices = [Slice("x", 0, n), Slice("v" if choices.carries_v else "eta", n, n)]
+    turning = [block for block in blocks if block.turning and choices.eigenfactor]
+    coupled = [group for group in groups if group.size > 1]
+    for names, holders in ((("C", "s"), turning), (("C_delta", "s_delta"), coupled)):
+        if holders:
+            slices.append(Slice(names[0], holders[0].C, sum(one.size**2 for one in holders)))
+            slices.append(Slice(names[1], holders[0].s, sum(one.size for one in holders)))
+    return tuple(slices)

@@ -1,0 +1,85 @@
+"""Kernels of partial derivatives: dense blocks, in which what is not zero is assigned."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..equations.partial_derivatives import Partials
+from ..equations.terms import Rows, Terms
+from ..graph.store import Node
+from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
+from .kernel_roles import PartialKernels
+
+MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
+
+
+def partial_kernels(terms: Terms, symbols: Symbols) -> PartialKernels:
+    """Write them. What is made of parameters only is computed in place: nobody prepares what few ask for."""
+    return _Writing(terms, symbols).kernels()
+
+
+class _Writing:
+    def __init__(self, terms: Terms, symbols: Symbols) -> None:
+        self.terms, self.symbols, self.partials = terms, symbols, Partials(terms)
+
+    def kernels(self) -> PartialKernels:
+        mechanics, partials = self.terms.mechanics, self.partials
+        arguments = (*partials.state, *partials.given)
+        outputs, events, quasi = (
+            [self.terms.node(expression) for _, expression in named]
+            for named in (mechanics.outputs, mechanics.events, mechanics.quasi_velocities)
+        )
+        breaks = [node for one in self.terms.breaks.times for node in (one.at, one.period)]
+        return PartialKernels(
+            state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
+            forcing=self.dense("forcing_partials", partials.residual, partials.given, *MOTION),
+            constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
+            outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
+            events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
+            breaks=self.if_any("break_partials", breaks, arguments, "c"),
+            quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
+            mass_matrix=self.gradient("mass_matrix_gradient", self.terms.dM),
+            factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
+            **self.deeds(),
+        )
+
+    def deeds(self) -> dict[str, Kernel | None]:
+        """Those of what events do, where any does something."""
+        mechanics, partials = self.terms.mechanics, self.partials
+        rows = {
+            "impacts": [(*one.N, one.rate, one.restitution) for one in mechanics.impacts],
+            "resets": [one.after for one in mechanics.resets],
+            "levels": mechanics.levels,
+        }
+        arguments = (*partials.state, *partials.given)
+        if not any(rows.values()):
+            return dict.fromkeys((*rows, "blow"))
+        nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
+        of_state = "t", "x", "v", "c", "u"
+        blow = self.dense("blow_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
+        of_each = {
+            name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
+        }
+        return {"blow": blow, **of_each}
+
+    def if_any(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel | None:
+        return self.dense(name, roots, columns, *arguments) if roots else None
+
+    def dense(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel:
+        """D (roots, columns)."""
+        graph, D = self.terms.graph, Array("D", "")
+        flat = [entry for row in self.partials.of(roots, columns) for entry in row]
+        expanded = [(k, self.terms.expanded(entry)) for k, entry in enumerate(flat)]
+        entries = [Entry(D, (f"[{k}]",), node) for k, node in expanded if node != graph.zero]
+        return self.one(name, entries, *arguments, "D")
+
+    def gradient(self, name: str, dM: Sequence[Rows]) -> Kernel:
+        """What is not zero, since the rest is cleared before."""
+        zero, expanded = self.terms.graph.zero, self.terms.expanded
+        given = [entry for k, M in enumerate(dM) for entry in both_triangles("dM", k * len(M) ** 2, M)]
+        entries = [replace(entry, node=expanded(entry.node)) for entry in given if entry.node != zero]
+        return self.one(name, entries, "t", "x", "c", "dM")
+
+    def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
+        return written(self.terms.graph, [Draft(name, entries, arguments)], self.symbols, None)[0]

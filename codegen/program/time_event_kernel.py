@@ -1,0 +1,30 @@
+"""The kernel that says when conditions in the time alone change."""
+
+from __future__ import annotations
+
+import sympy
+
+from ..equations.terms import Terms
+from ..graph.convert import ToSympy
+from ..kernel.kernel import Array, Draft, Entry, Symbols, written
+from .kernel_roles import BreakKernel
+
+
+class _AnySymbol(dict[str, sympy.Symbol]):
+    """Symbols by their names."""
+
+    def __missing__(self, name: str) -> sympy.Symbol:
+        return sympy.Symbol(name)
+
+
+def break_kernel(terms: Terms, symbols: Symbols) -> BreakKernel:
+    """Write it. What is made of parameters is computed in place, for no step asks."""
+    graph, found = terms.graph, terms.breaks
+    nodes = [node for one in found.times for node in (one.at, one.period, one.terms)]
+    entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, node in enumerate(nodes)]
+    kernel = written(graph, [Draft("model_breaks", entries, ("c", "at"))], symbols, None)[0] if nodes else None
+    text = ToSympy(graph, _AnySymbol())
+    named = (
+        str(text(one.at)) + (f" + k*({text(one.period)})" if one.period != graph.zero else "") for one in found.times
+    )
+    return BreakKernel(kernel, len(found.times), tuple(named), tuple(str(text(node)) for node in found.unsolved))

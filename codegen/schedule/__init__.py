@@ -1,0 +1,1 @@
+"""From expressions of the graph to statements in an order."""

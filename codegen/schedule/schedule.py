@@ -1,0 +1,92 @@
+"""From expressions of the graph to statements: what is computed once, in which order, and at what cost.
+
+A function of the generated code is a sequence of kernels. Each assigns expressions to places; a value that is used
+twice gets a name in the first kernel that needs it. Before that
+
+- everything made of parameters only leaves the function: it is computed once per parameter set;
+- products and sums that several expressions have in common are taken out (`sharing`).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ..graph.graph import Graph
+from ..graph.store import Node
+from .common_operands import share
+from .operations import Cost, Operation, Table, cost_of, operands_of, value_of
+
+
+@dataclass(frozen=True, slots=True)
+class Schedule:
+    """The operations that some expressions need; `uses` counts in how many places a value stands."""
+
+    operations: dict[int, Operation]
+    uses: Counter[int]
+    roots: dict[Node, int]
+    cost: Cost
+
+
+class Constants:
+    """What is computed once per parameter set, shared by all functions of a program."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self.nodes: list[Node] = []
+        self._index: dict[Node, int] = {}
+
+    def index(self, node: Node) -> int:
+        """Return the place of a node of parameters among the constants."""
+        if node not in self._index:
+            self._index[node] = len(self.nodes)
+            self.nodes.append(node)
+        return self._index[node]
+
+
+def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Schedule:
+    """Choose the operations for some expressions.
+
+    Parameters
+    ----------
+    hoist
+        Whether what is made of parameters only counts as given (in a function of the motion) or is computed here
+        (in the function that prepares the parameters).
+    """
+    table = Table(graph, hoist)
+    values = {root: value_of(table, root) for root in roots}
+    share(table, "mul")
+    share(table, "add")
+    live = _live(table.operations, values.values())
+    uses = Counter(operand for value in live for operand in operands_of(table.operations[value]))
+    uses.update(values.values())
+    return Schedule({value: table.operations[value] for value in live}, uses, values, cost_of(table.operations, live))
+
+
+def weight(graph: Graph, roots: Sequence[Node]) -> int:
+    """Return roughly the time of computing some expressions, in additions, before anything is taken out of several."""
+    table = Table(graph, True)
+    values = [value_of(table, root) for root in roots]
+    return cost_of(table.operations, _live(table.operations, values)).weight
+
+
+def cost_behind(plan: Schedule, roots: Iterable[Node]) -> Cost:
+    """Return what some of the expressions of a schedule cost without the others."""
+    return cost_of(plan.operations, _live(plan.operations, (plan.roots[root] for root in roots)))
+
+
+def _live(operations: dict[int, Operation], values: Iterable[int]) -> list[int]:
+    """Return what values need, in order of evaluation."""
+    order: dict[int, None] = {}
+    stack = [(value, False) for value in sorted(set(values), reverse=True)]
+    while stack:
+        value, ready = stack.pop()
+        if value in order:
+            continue
+        if ready:
+            order[value] = None
+            continue
+        stack.append((value, True))
+        stack.extend((operand, False) for operand in operands_of(operations[value]) if operand not in order)
+    return list(order)

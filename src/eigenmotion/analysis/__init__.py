@@ -1,0 +1,1 @@
+"""Small deviations from a motion, and states in which mechanisms stay."""

@@ -1,0 +1,1 @@
+"""States in which a mechanism stays, and closed loops from rough guesses."""

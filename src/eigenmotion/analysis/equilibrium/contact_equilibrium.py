@@ -1,0 +1,192 @@
+"""Equilibria of what touches and sticks: which contacts and frictions hold there is part of what is looked for.
+
+The equations are solved in a mode; the state found is asked which mode it calls for, by the complementarity that runs
+decide by; what it has come inside of is added; until both are the same.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain, combinations, islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...runtime import EvaluationError
+from ..state.active_contacts import Surfaces, Switch, decided, holding, mode_of, opened, switches_of
+from ..state.operating_point import Place
+from .equilibrium_equations import Balance
+
+_MODES = 50
+"""That are gone through from one guess,"""
+_GUESSES = 64
+"""and sets of contacts that are guessed, where going downhill leads nowhere."""
+_STEPS = 200
+"""Of a search downhill,"""
+_LOOKS = 16
+"""at so many places in each of which gaps are looked at,"""
+_CLOSE = 1e-12
+"""down to such a part of it;"""
+_LEFT = 1e-12
+"""of the forces that hold is left where they end."""
+_STRAIGHT = 0.1
+"""How much forces may change in a step that is followed by one twice as long."""
+_NOWHERE = (EvaluationError, ModelError, np.linalg.LinAlgError)
+"""Raised where a step of a search has led to no place at all, or where no mode is consistent."""
+
+
+def sought(balance: Balance) -> tuple[Balance, Vector]:
+    """Return the balance in the mode in which it has a solution, and that; or as near as it came.
+
+    From the state given it goes by Newton's method, and downhill: the solution that is nearer counts. Where neither has
+    one, any contacts are held.
+    """
+    start, found = balance.start, list[tuple[Balance, Vector]]()
+    here = _begun(balance)
+    first, solution, holds = _with_modes(here, start)
+    if holds:
+        found.append((first, solution))
+    stays = np.array_equal(solution, start) or (first.given is here.given and not any(_mode(here)))
+    if balance.of_coordinates_alone and not (holds and stays):
+        below, q, holds = _with_modes(*_downhill(here, start))
+        found += [(below, q)] * holds
+    if found:
+        unit = balance.place(start).inertia[list(balance.free)] if balance.of_coordinates_alone else 1.0
+        return min(found, key=lambda one: float(np.linalg.norm(unit * (one[1] - start))))
+    guessed = (_with_modes(begin, start) for begin in islice(_guesses(balance), _GUESSES))
+    return next(((begin, q) for begin, q, holds in guessed if holds), (first, solution))
+
+
+def _mode(balance: Balance) -> list[float]:
+    """Return the values of the parameters that say what holds."""
+    at = balance.place(balance.start)
+    return list(mode_of(at.model, at.prepared).values())
+
+
+def _guesses(balance: Balance) -> Iterator[Balance]:
+    """Return it with any contacts held."""
+    at = opened(balance.place(balance.start))
+    contacts = [one for one in switches_of(at.model) if one.is_contact]
+    for held in chain.from_iterable(combinations(contacts, count) for count in range(len(contacts) + 1)):
+        yield _in_mode(balance, holding(at, list(held)))
+
+
+def _in_mode(balance: Balance, at: Place) -> Balance:
+    """Return the balance in the mode of a place."""
+    count = len(at.model.parameters)
+    given = balance.given.copy()
+    for one in switches_of(at.model):
+        for k in (one.holds, one.slides, one.idles):
+            if k >= 0:
+                given[k - count] = at.prepared.parameters[k]
+    return replace(balance, given=given)
+
+
+def _begun(balance: Balance) -> Balance:
+    """Return the balance in the mode of the state that is given, on the surfaces that it is inside of."""
+    at = balance.place(balance.start)
+    inside = [one for one, _ in Surfaces(at).inside()]
+    try:
+        return _in_mode(balance, decided(_touching(at)))
+    except _NOWHERE:
+        return _in_mode(balance, holding(opened(at), inside))
+
+
+def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
+    """Return the balance in the last of the modes that were gone through, its solution, and whether that holds."""
+    start, seen = balance.start, set[bytes]()
+    while (mode := balance.given.tobytes()) not in seen and len(seen) < _MODES:
+        seen.add(mode)
+        try:
+            q = balance.solved(q)
+            if not balance.satisfied(q, start):
+                return balance, q, False
+            at = balance.place(q)
+            if entered := [one for one, _ in Surfaces(at).inside()]:
+                balance = _in_mode(balance, holding(at, entered))
+                continue
+            balance = _in_mode(balance, decided(_touching(at)))
+            if balance.satisfied(q, start):
+                return balance, balance.solved(q), True
+        except _NOWHERE:
+            break
+    return balance, q, False
+
+
+def _touching(at: Place) -> Place:
+    """Return the place where all that it touches counts as held before, so that no rounding opens a gap."""
+    values = at.prepared.parameters
+    near = [one for one in Surfaces(at).closed() if not values[one.holds] and not values[one.idles]]
+    return holding(at, near) if near else at
+
+
+# --- downhill ---------------------------------------------------------------------------------------------------------
+
+
+def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
+    """Follow dx/dt = a(x) by implicit steps, in the mode of each place, to where it touches and to a rest."""
+    step, before = 0.0, np.inf
+    try:
+        at = decided(_touching(balance.place(q)))
+        for _ in range(_STEPS):
+            slope, push = _scaled(at)
+            left = float(np.linalg.norm(push))
+            if not _LEFT * float(np.linalg.norm(at.inertia * at.held_back)) < left < np.inf:
+                break
+            step = _next_step(step, float(np.linalg.norm(slope)), before / left)
+            dx = np.linalg.solve(np.eye(len(push)) / step - slope, push) / at.inertia
+            there = _moved(at, dx)
+            same = mode_of(at.model, at.prepared) == mode_of(at.model, there.prepared)
+            at, before, step = there, left if same else np.inf, step if same else 0.0
+    except _NOWHERE:
+        pass
+    return _in_mode(balance, at), at.x
+
+
+def _scaled(at: Place) -> tuple[Vector, Vector]:
+    n = at.model.n
+    return at.inertia[:, None] * at.slopes[:, :n] / at.inertia, at.inertia * at.motion[0]
+
+
+def _next_step(step: float, slope: float, slower: float) -> float:
+    """Return its length: longer as it gets slower, and where forces stay what they are."""
+    if not step:
+        return 0.1 / (slope or 1.0)
+    return step * (2.0 if step * slope <= _STRAIGHT else min(2.0, slower))
+
+
+def _moved(at: Place, dx: Vector) -> Place:
+    """Return the place dx further in its mode, or where it first touches something, in the mode that it has there."""
+    values = at.prepared.parameters
+    open_ = [one for one in switches_of(at.model) if one.is_contact and not values[one.holds] and not values[one.idles]]
+    part, struck = _first_touch(at, dx, open_)
+    x = at.x + part * dx
+    there = at.at(at.t, x, at.v)
+    if at.model.h:
+        there = holding(there, struck) if struck else there
+        there = there.at(at.t, at.model.project(at.t, x, at.v, there.prepared, True)[0], at.v)
+    return decided(_touching(there))
+
+
+def _first_touch(at: Place, dx: Vector, contacts: list[Switch]) -> tuple[float, list[Switch]]:
+    """Return the part of dx after which the first of these closes, and which; 1 and none."""
+    if not contacts:
+        return 1.0, []
+    surfaces, rows = Surfaces(at), [one.row for one in contacts]
+
+    def entered(parts: Vector) -> NDArray[np.bool_]:
+        x = at.x + parts[:, None] * dx
+        gaps = at.model.position_rows(np.full(len(parts), at.t), x, surfaces.all.prepared)
+        return np.asarray(gaps[:, rows] < -surfaces.gaps[1][rows])
+
+    low, high = 0.0, 1.0
+    while high - low > _CLOSE * high:
+        parts = np.linspace(low, high, _LOOKS + 1)[1:]
+        inside = entered(parts).any(axis=1)
+        if not inside.any():
+            return 1.0, []
+        first = int(inside.argmax())
+        low, high = parts[first] - (high - low) / _LOOKS, float(parts[first])
+    struck = entered(np.array([high]))[0]
+    return high, [one for one, is_struck in zip(contacts, struck, strict=True) if is_struck]

@@ -1,0 +1,213 @@
+"""States in which a mechanism stays: rest, steady motion, trim."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arguments.named_values import Vector, overlay, rate_name, spelled, unknown
+from ...arguments.options import is_system, no_system
+from ...codegen.model import ModelError
+from ...codegen.model.normalise import number
+from ...presentation.notebook import table
+from ..linear.linearization import Linearization
+from ..linear.linearize import linearized
+from ..state.active_contacts import held_words, mode_of
+from ..state.contact_bounds import is_within, settled, sticking
+from ..state.contact_mode import check_apart
+from ..state.operating_point import Place
+from .contact_equilibrium import sought
+from .equilibrium_equations import Balance
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """Where a mechanism stays as it is, or as near as the solver came.
+
+    Attributes
+    ----------
+    success : whether accelerations vanish and the constraints hold; message : in words, and what does not
+    x, v : (n,); t; inputs, parameters : all of them by name, those that were solved for included
+    acceleration : (n,) that is left; position_residual : (h,) phi; velocity_residual : (m,) A v + b
+    multipliers : (m,) of the constraint rows, where they are not unique some that are possible; a contact pushes with
+        minus its own
+    mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
+    """
+
+    system: "System"
+    success: bool
+    message: str
+    x: Vector
+    v: Vector
+    t: float
+    inputs: dict[str, float]
+    parameters: dict[str, float]
+    acceleration: Vector
+    position_residual: Vector
+    velocity_residual: Vector
+    multipliers: Vector
+    mode: dict[str, float]
+
+    def linearize(self, *, mode: Mapping[Any, float] | None = None) -> Linearization:
+        """Return the linearised equations of motion there; `mode`: as of `System.linearize`, where modes meet."""
+        return self.system.linearize(self.x, self.v, self.t, self.parameters, self.inputs, mode=mode)
+
+    def __repr__(self) -> str:
+        state = ", ".join(f"{name}={value:.6g}" for name, value in zip(self.system.coordinates, self.x, strict=True))
+        return f"<Equilibrium {self.system.name}: {self.message}; {state}>"
+
+    def _repr_html_(self) -> str:
+        pairs = zip(self.system.coordinates, self.x.tolist(), self.v.tolist(), strict=True)
+        given = {"parameters": self.parameters, "inputs": self.inputs}
+        rows = {"found": self.message, "state": [f"{name} = {x:.6g}, rate {v:.6g}" for name, x, v in pairs]}
+        rows |= {what: [f"{name} = {value:.6g}" for name, value in one.items()] for what, one in given.items() if one}
+        return table(f"{self.system.name}: equilibrium", rows)
+
+
+def find_equilibrium(
+    system: "System",
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    *,
+    free: Sequence[Any] | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    t: float = 0.0,
+    inputs: Mapping[Any, float] | ArrayLike | None = None,
+    parameters: Mapping[Any, float] | ArrayLike | None = None,
+    constant: Sequence[Any] | None = None,
+) -> Equilibrium:
+    """Return a state at which accelerations vanish and constraints hold: statics, trim, steady motion.
+
+    Parameters
+    ----------
+    x0
+        Where to look: coordinates over the model's `initial`.
+    free
+        What is solved for, the rest being given: coordinates ("theta"), rates ("theta'"), inputs, parameters.
+        All coordinates by default.
+    v0
+        Rates: an array, or a mapping of those that are not 0; None: at rest.
+    constant
+        Coordinates whose rates shall stay what they are, all by default: on a circle x' and y' do not.
+
+    Raises
+    ------
+    ModelError
+        Unknown names; x0, v0 so large that accelerations there are not finite. That there is no such state is no error:
+        `Equilibrium.success` is False, and `message` says what could not be satisfied.
+    EvaluationError
+        M is singular where the search begins.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/elastic_pendulum.py", formulation="lagrange")
+    >>> em.find_equilibrium(system, {"theta": 0.3})
+    <Equilibrium elastic_pendulum: at rest; theta=0, r=1.0981>
+    """
+    if not is_system(system):
+        raise no_system("find_equilibrium", system)
+    balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
+    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        return _found(*(sought(balance) if system.compiled.switches else _sought(balance)))
+
+
+def _sought(balance: Balance) -> tuple[Balance, Vector]:
+    start = balance.start
+    solution = balance.solved(start)
+    if not balance.satisfied(solution, start) and balance.of_coordinates_alone:
+        solution = balance.solved(balance.relaxed(start))
+    return balance, solution
+
+
+def _balance(system: "System", x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
+             ) -> Balance:  # fmt: skip
+    c = system.compiled
+    x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
+    v = overlay(v0, c.coordinates, np.zeros(c.n), "coordinate of v0")
+    u = overlay(inputs, c.inputs, c.input_defaults, "input")
+    p = overlay(parameters, c.parameters, c.parameter_defaults, "parameter")
+    names = (*c.coordinates, *(f"{name}'" for name in c.coordinates), *c.inputs, *c.parameters)
+    chosen = tuple(range(c.n)) if free is None else _places(free, names, "free")
+    if not chosen:
+        raise ModelError("free names nothing: there is nothing to solve for")
+    rows = tuple(range(c.n)) if constant is None else _places(constant, c.coordinates, "coordinate of constant")
+    return Balance(system, names, np.concatenate([x, v, u, p]), chosen, rows, number(t, "t"))
+
+
+def _places(given: object, names: tuple[str, ...], what: str) -> tuple[int, ...]:
+    if isinstance(given, str) or not isinstance(given, Sequence):
+        raise ModelError(f"{what} is {given!r}: give a list of names")
+    spelt = [f"{rate_name(name)}'" if rate_name(name) != spelled(name) else spelled(name) for name in given]
+    if wrong := set(spelt) - set(names):
+        raise ModelError(unknown(f"name in {what}", wrong, names))
+    return tuple(names.index(name) for name in dict.fromkeys(spelt))
+
+
+def _found(balance: Balance, q: Vector) -> Equilibrium:
+    system, wrong = balance.system, balance.unsatisfied(q, balance.start)
+    at, bounds = balance.place(q), list[str]()
+    multipliers = at.motion[1]
+    if not wrong.any():
+        at, bounds = _settled(at)
+        multipliers = at.motion[1] if is_within(at) else multipliers
+    inside = _inside(at)
+    z = balance.arguments(q)[2 * system.n :].tolist()
+    A, b = at.model.pfaffian(at.t, at.x, at.prepared)
+    phi = at.model.position(at.t, at.x, at.prepared)[0]
+    residuals = at.motion[0], phi, A @ at.v + b
+    steady = not (wrong.any() or inside) and _stays(at)
+    message = inside or _words(balance, at, wrong, steady, bounds, residuals)
+    inputs = dict(zip(system.inputs, z[: len(system.inputs)], strict=True))
+    parameters = dict(zip(system.parameters, at.prepared.parameters, strict=True))
+    mode = mode_of(at.model, at.prepared)
+    return Equilibrium(
+        system, steady, message, at.x, at.v, balance.t, inputs, parameters, *residuals, at.motion[1], mode
+    )
+
+
+def _settled(at: Place) -> tuple[Place, list[str]]:
+    found, bounds = settled(sticking(at))
+    return found, [words for _, words in bounds]
+
+
+def _inside(at: Place) -> str:
+    """Say what the place is inside of; nothing: of nothing."""
+    try:
+        check_apart(at)
+    except ModelError as error:
+        return f"no equilibrium found: {error}"
+    return ""
+
+
+def _stays(at: Place) -> bool:
+    """Whether a motion goes on as it is: accelerations may vanish for an instant only."""
+    return not at.v.any() or linearized(at).steady
+
+
+def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
+           residuals: tuple[Vector, ...]) -> str:  # fmt: skip
+    held = held_words(at)
+    if steady:
+        kind = "at rest" if not at.v.any() else "steady"
+        return "; ".join([f"{kind}, {held}" if held else kind, *bounds])
+    if not wrong.any():
+        return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
+    a, phi, rates = residuals
+    said = [f"{balance.system.coordinates[k]}'' = {a[k]:.3g}" for k in balance.rows]
+    said += [f"{balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(phi)]
+    said += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
+    free = ", ".join(balance.names[k] for k in balance.free)
+    left = ", ".join(text for text, is_wrong in zip(said, wrong, strict=True) if is_wrong)
+    where = f", with {held}" if held else ""
+    return f"no equilibrium found by varying {free}; what is left is {left}{where}{_rounded(at)}"
+
+
+def _rounded(at: Place) -> str:
+    if not (names := at.unresolved):
+        return ""
+    return f". So large are {', '.join(names)} that the next number after them is another place: begin nearer to 0"

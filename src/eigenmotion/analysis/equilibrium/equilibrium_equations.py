@@ -1,0 +1,184 @@
+"""What has to vanish where a mechanism stays, and how that is solved."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...runtime import EvaluationError
+from ..state.operating_point import Place
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+_SATISFIED = 1e-9
+"""What may be left of an equation, relative to its terms or to what it was at the start."""
+
+_STEPS = 200
+"""Of a search downhill."""
+_FAR = 1e3
+"""How many times farther than all that is given a solution may be for its own size to count."""
+_LEAST = float(np.finfo(float).tiny)
+"""Below it no number is known to many digits."""
+_NOWHERE = (EvaluationError, np.linalg.LinAlgError)
+"""Raised where a step of a search has led to no place at all."""
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Equations a = 0, phi = 0, A v + b = 0 for some of the arguments: x, v, inputs, parameters.
+
+    names, given : of all arguments; free : which are solved for; rows : which accelerations shall vanish
+    """
+
+    system: "System"
+    names: tuple[str, ...]
+    given: Vector
+    free: tuple[int, ...]
+    rows: tuple[int, ...]
+    t: float
+
+    @property
+    def start(self) -> Vector:
+        return self.given[list(self.free)]
+
+    @property
+    def of_coordinates_alone(self) -> bool:
+        return set(self.free) == set(range(self.system.n)) and not self.given[self.system.n : 2 * self.system.n].any()
+
+    def arguments(self, q: Vector) -> Vector:
+        z = self.given.copy()
+        z[list(self.free)] = q
+        return z
+
+    def place(self, q: Vector) -> Place:
+        n, k = self.system.n, len(self.system.compiled.inputs)
+        x, v, u, p = np.split(self.arguments(q), [n, 2 * n, 2 * n + k])
+        return Place(self.system.compiled, self.system.prepare(p), self.t, x, v, u)
+
+    def equations(self, q: Vector) -> tuple[Vector, Vector, Vector]:
+        """What shall vanish, its derivatives by all arguments, and the size of its terms.
+
+        Accelerations in units of inertia, constraints in units of their rows, so that no unit of the user's counts.
+        """
+        at = self.place(q)
+        n, h = at.model.n, at.model.h
+        a, da = at.motion[0], at.slopes
+        D = at.constraints
+        A, b = at.model.pfaffian(at.t, at.x, at.prepared)
+        phi, terms = at.model.position(at.t, at.x, at.prepared)
+        inverse = 1.0 / at.inertia
+        length = np.sqrt(((A * inverse) ** 2).sum(axis=1))
+        unit = 1.0 / np.where(length > 0.0, length, 1.0)
+        rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * da[:, :n] * inverse)) or 1.0
+        weight = np.concatenate([at.inertia[list(self.rows)], unit[:h] * rate**2, unit * rate])
+        value = np.concatenate([a[list(self.rows)], phi, A @ at.v + b])
+        slope = np.vstack([da[list(self.rows)], D])[:, : len(self.given)]
+        size = np.abs(slope) @ np.abs(self.arguments(q))
+        size[: len(self.rows)] += at.held_back[list(self.rows)]
+        size[len(self.rows) : len(self.rows) + h] += terms
+        return weight * value, weight[:, None] * slope, weight * size
+
+    def solved(self, start: Vector) -> Vector:
+        """Return the least squares solution near `start`, to rounding."""
+
+        def value(q: Vector) -> Vector:
+            try:
+                return self.equations(q)[0]
+            except EvaluationError:  # the solver tries a shorter step
+                return np.full(len(self.rows) + self.system.h + self.system.m, np.nan)
+
+        def slope(q: Vector) -> Vector:
+            return self.equations(q)[1][:, list(self.free)]
+
+        self._check_finite(start)
+        found = least_squares(value, start, slope, x_scale=self._scale(start), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        return self._cleaned(self._polished(np.asarray(found.x)), start)
+
+    def _check_finite(self, start: Vector) -> None:
+        """Raise where the equations, their slopes or their terms are beyond all numbers, or have none."""
+        if all(np.isfinite(numbers).all() for numbers in self.equations(start)):
+            return
+        largest = self.names[int(np.abs(self.given).argmax())]
+        raise ModelError(
+            f"{self.system.name}: accelerations, constraints or their derivatives are not finite where the search "
+            f"begins; the largest number there is {largest} = {np.abs(self.given).max():.3g}. Begin elsewhere"
+        )
+
+    def _scale(self, start: Vector) -> Vector:
+        """Units of what is solved for: those of inertia for coordinates and rates, so that none is taken for far."""
+        at, n = self.place(start), self.system.n
+        slope = self.equations(start)[1]
+        inertia = at.inertia / np.linalg.norm(at.inertia) * np.sqrt(n)
+        rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * at.slopes[:, :n] / at.inertia)) or 1.0
+        columns = np.linalg.norm(slope[:, 2 * n :], axis=0) / np.linalg.norm(at.inertia * rate**2)
+        given = np.concatenate([1.0 / inertia, rate / inertia, 1.0 / np.where(columns > 0.0, columns, 1.0)])
+        return np.asarray(given[list(self.free)])
+
+    def _cleaned(self, q: Vector, start: Vector) -> Vector:
+        """Take zeros for what rounding left of numbers that went to zero, where nothing gets worse for it."""
+        dust = np.abs(q) < 1e-9 * np.maximum(np.abs(start), np.abs(self.start))
+        zeros = np.where(dust, 0.0, q)
+        try:
+            before, after = (np.linalg.norm(self.equations(point)[0]) for point in (q, zeros))
+        except EvaluationError:  # a length that is much shorter than the first guess, but not nothing
+            return q
+        return zeros if after <= before else q
+
+    def _polished(self, q: Vector) -> Vector:
+        """Newton's method as long as it halves what is left."""
+        value, slope, _ = self.equations(q)
+        for _ in range(10):
+            columns = slope[:, list(self.free)]
+            scale = np.linalg.norm(columns, axis=0)
+            scale = np.where(scale > 0.0, scale, 1.0)
+            try:
+                nearer = q - np.linalg.lstsq(columns / scale, value, rcond=1e-12)[0] / scale
+                next_value, slope, _ = self.equations(nearer)
+            except _NOWHERE:
+                return q
+            if not np.linalg.norm(next_value) < 0.5 * np.linalg.norm(value):
+                return q
+            q, value = nearer, next_value
+        return q
+
+    def relaxed(self, start: Vector) -> Vector:
+        """Follow dx/dt = a(x) downhill by implicit steps that grow as it gets slower: to a rest that is stable."""
+        q, n, step, before = start, self.system.n, 0.0, np.inf
+        for _ in range(_STEPS):
+            try:
+                at = self.place(q)
+                slope, push = at.inertia[:, None] * at.slopes[:, :n] / at.inertia, at.inertia * at.motion[0]
+            except EvaluationError:
+                break
+            left = float(np.linalg.norm(push))
+            if not 0.0 < left < np.inf:
+                break
+            step = step * min(2.0, before / left) if step else 0.1 / float(np.linalg.norm(slope) or 1.0)
+            before = left
+            try:
+                q = q + np.linalg.solve(np.eye(n) / step - slope, push) / at.inertia
+                if self.system.h:
+                    q = at.model.project(self.t, q, at.v, at.prepared, True)[0]
+            except _NOWHERE:
+                break
+        return q
+
+    def satisfied(self, q: Vector, start: Vector) -> bool:
+        return not self.unsatisfied(q, start).any()
+
+    def unsatisfied(self, q: Vector, start: Vector) -> NDArray[np.bool_]:
+        """Which of the equations leave more than rounding of their terms, or of what they were at the start."""
+        first, _, size = self.equations(start)
+        value, _, here = self.equations(q)
+        here = np.where(np.linalg.norm(q) <= _FAR * np.linalg.norm(self.given), here, size)
+        most, count = np.maximum(np.maximum(size, here), np.abs(first)), len(self.rows)
+        limits = np.repeat([most[:count].max(initial=0.0), most[count:].max(initial=0.0)],
+                           [count, len(value) - count])  # fmt: skip
+        if value.any() and self.place(q).unresolved:
+            limits = np.zeros_like(limits)
+        return np.asarray(~(np.abs(value) <= _SATISFIED * limits + _LEAST))

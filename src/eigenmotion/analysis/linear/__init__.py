@@ -1,0 +1,1 @@
+"""Linearised equations of motion, and their modes."""

@@ -1,0 +1,193 @@
+"""Linearised equations of motion at a state."""
+
+from collections.abc import Mapping
+from itertools import combinations, islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...runtime import EvaluationError
+from ...runtime.variations import output_partials
+from ...simulation.initial_state.consistency import check_consistent
+from ..state.active_contacts import mode_of
+from ..state.contact_mode import in_mode
+from ..state.operating_point import Place, place
+from ..state.tangent_space import Tangent, tangent
+from .linearization import Linearization, StateSpace
+from .modes import Reduced, reduced
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+_STEADY = 1e-6
+"""How much the equations of deviations may change within their own time for a motion to be steady,"""
+_STILL = 1e-9
+"""and how much the numbers on which they depend, relative to all."""
+_ROUNDING = 1e-13
+"""Of the largest entry of a row."""
+_CHOICES = 200
+"""Sets of independent velocities that are tried at the most."""
+
+
+def linearize(
+    self: "System",
+    x: Mapping[Any, float] | ArrayLike | None = None,
+    v: Mapping[Any, float] | ArrayLike | None = None,
+    t: float = 0.0,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | ArrayLike | None = None,
+    *,
+    mode: Mapping[Any, float] | None = None,
+) -> Linearization:
+    """Return the linearised equations of motion at a state, exactly differentiated and true to the constraints.
+
+    x, v are as everywhere arrays or mappings over the model's `initial`. Rows that depend on each other are allowed.
+    Where the motion through the state is not steady, `Linearization.steady` is False and `message` says so.
+
+    Contacts and frictions hold as the state calls for: what holds is a constraint of the deviations. Where modes meet
+    `mode` names the one that is meant, as `Solution.modes` does: {"floor_held": 0}.
+
+    Raises
+    ------
+    ModelError
+        The state is off the constraints (says by how much, and offers the nearest that is not), or inside a contact;
+        the equations have no derivative there (names the coordinate); modes meet there and `mode` names none, or one
+        that does not hold.
+    EvaluationError
+        M is singular, constraint rows contradict each other, or no mode of contacts and frictions is consistent.
+    """
+    at = place(self, x, v, t, parameters, inputs)
+    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        at = in_mode(at, mode)
+        check_consistent(at.model, at.prepared, at.t, at.x, at.v)
+        return linearized(at)
+
+
+def linearized(at: Place) -> Linearization:
+    """Return the same of a place that is consistent, in its mode."""
+    _check_differentiable(at)
+    return _linearized(at)
+
+
+def _linearized(at: Place) -> Linearization:
+    basis, steady = _chosen(at)
+    full = _full(at)
+    Z = np.linalg.qr(basis.Z)[0]
+    return Linearization(
+        model=at.model, t=at.t, x=at.x, v=at.v, u=at.u, acceleration=at.motion[0],
+        A=Z.T @ full.A @ Z, B=Z.T @ full.B, C=full.C @ Z, D=full.D, Z=Z, full=full,
+        steady=steady, independent=_reduced(at, basis), basis=basis.Z, inertia=at.inertia,
+        mode=mode_of(at.model, at.prepared),
+    )  # fmt: skip
+
+
+def _check_differentiable(at: Place) -> None:
+    n, names = at.model.n, at.model.coordinates
+    derivatives = at.motion[2][:, : 2 * n + at.model.n_inputs]
+    if np.isfinite(derivatives).all():
+        return
+    by = (*names, *(f"{name}'" for name in names), *at.model.inputs)
+    wrong = [repr(by[k]) for k in np.flatnonzero(~np.isfinite(derivatives).all(axis=0))]
+    raise ModelError(f"{at.model.name}: accelerations have no derivative by {', '.join(wrong)} at this state. "
+                     "Linearise beside it, or write what is not smooth there another way")  # fmt: skip
+
+
+def _full(at: Place) -> StateSpace:
+    """Return A, B, C, D of all 2 n numbers (x, v)."""
+    n, m, k = at.model.n, at.model.m, at.model.n_inputs
+    a, multipliers, da, dm = at.motion
+    B = np.vstack([np.zeros((n, k)), da[:, 2 * n : 2 * n + k]])
+    D = output_partials(at.model, at.t, at.x, at.v, a, multipliers, at.prepared, at.u)
+    by_a, by_multipliers, by_arguments = np.split(D, [n, n + m], axis=1)
+    _refuse_shared_reactions(at, by_multipliers)
+    whole = by_arguments + by_a @ da + by_multipliers @ dm
+    return StateSpace(at.jacobian, B, whole[:, : 2 * n], whole[:, 2 * n : 2 * n + k])
+
+
+def _refuse_shared_reactions(at: Place, by_multipliers: Vector) -> None:
+    held = np.argwhere(by_multipliers)
+    n, h = at.model.n, at.model.h
+    dependent = at.model.m - (n - sum(k >= n for k in tangent(at).free))
+    if len(held) and dependent:
+        raise ModelError(
+            f"{at.model.name}: output {at.model.outputs[held[0][0]]!r} holds a multiplier of constraint rows that "
+            f"depend on each other ({dependent} of {at.model.m} do, {h} of them holonomic), and how they share the "
+            "reaction has no derivative. Leave out the rows that are not needed, or the output"
+        )
+
+
+def _reduced(at: Place, basis: Tangent) -> Reduced:
+    """Return the system of independent coordinates and velocities, without those that only follow."""
+    return reduced(_of_independent(at, basis))
+
+
+def _of_independent(at: Place, basis: Tangent) -> Vector:
+    """Return J Z in the rows of the independent numbers, zero where it is rounding beside the rest of its row."""
+    numbers = list(basis.free)
+    matrix, unit = at.jacobian[numbers] @ basis.Z, at.units[numbers]
+    sizes = np.abs(unit[:, None] * matrix / unit)
+    return np.where(sizes > _ROUNDING * sizes.max(axis=1, keepdims=True, initial=0.0), matrix, 0.0)
+
+
+def _chosen(at: Place) -> tuple[Tangent, bool]:
+    """Return a tangent space in numbers that stay the same where there are such, and whether they do.
+
+    On a circle x' and y' of a rolling wheel change, but its spin and its lean do not: which velocities are independent
+    is for us to choose.
+    """
+    best = tangent(at)
+    if _is_steady(at, best):
+        return best, True
+    n, rank = at.model.n, 2 * at.model.n - len([k for k in best.free if k >= at.model.n]) - at.model.n
+    if rank and at.v.any():
+        for dependent in islice(combinations(range(n), rank), _CHOICES):
+            other = tangent(at, dependent)
+            if _is_steady(at, other):
+                return other, True
+    return best, False
+
+
+def _is_steady(at: Place, basis: Tangent) -> bool:
+    """Whether the independent numbers stay what they are along the motion, and the equations of their deviations, too.
+
+    Coordinates on which nothing depends may change: those of a cyclic angle, or where a wheel is on the ground.
+    """
+    here = _reduced(at, basis)
+    kept = list(here.kept)
+    numbers = [basis.free[k] for k in kept]
+    unit = at.units[numbers]
+    rates = (np.concatenate([at.v, at.motion[0]]) * at.units * at.time)[numbers]
+    size = np.linalg.norm(at.inertia * at.v) + np.linalg.norm(at.inertia * at.x) / at.time
+    if not np.linalg.norm(rates) <= _STILL * size or (rates.any() and at.unresolved):
+        return False
+    scale = np.linalg.norm(unit[:, None] * here.core / unit)
+    for ahead in (0.3 * at.time, at.time):
+        moved = _moved(at, basis, ahead)
+        if moved is None:
+            return False
+        change = moved[np.ix_(kept, kept)] - here.core
+        if not np.linalg.norm(unit[:, None] * change / unit) <= _STEADY * scale:
+            return False
+    return True
+
+
+def _moved(at: Place, basis: Tangent, ahead: float) -> Vector | None:
+    """Return the system in the same numbers a little later, or None where there is none."""
+    a = at.motion[0]
+    there = at.at(at.t + ahead, at.x + ahead * at.v + ahead**2 / 2 * a, at.v + ahead * a)
+    try:
+        found = _same_numbers(there, basis)
+    except (EvaluationError, ValueError, np.linalg.LinAlgError):
+        return None
+    return found if found is not None and np.isfinite(found).all() else None
+
+
+def _same_numbers(there: Place, basis: Tangent) -> Vector | None:
+    """Return the system in the same independent numbers elsewhere, or None where these are not independent."""
+    n = there.model.n
+    dependent = [k for k in range(n) if n + k not in basis.free]
+    found = tangent(there, dependent)
+    return _of_independent(there, found) if found.free == basis.free else None

@@ -1,0 +1,179 @@
+"""Which contacts and frictions hold at a state: its mode, and the surfaces it is on."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...runtime import CompiledModel, Prepared
+from ...runtime.variations import act_along, constraint_partials
+from .operating_point import Place
+
+TOUCHES = 1e-9
+"""The part of its terms by which a gap or a slip may be off zero: as much as constraints may be where a run starts."""
+_ROUNDED = 64 * np.finfo(float).eps
+"""The part of the whole state that rounding may leave of a gap,"""
+_STILL = 1e-12
+"""and of all speeds that of a rate: beside what moves, and beside what the forces that act make move."""
+
+
+class Switch(NamedTuple):
+    """A contact or a friction (slides < 0: contact): its event, its row, and its parameters, as places among all."""
+
+    event: int
+    holds: int
+    slides: int
+    row: int
+    idles: int
+
+    @property
+    def is_contact(self) -> bool:
+        return self.slides < 0
+
+    def words(self, model: CompiledModel) -> str:
+        return f"{'contact' if self.is_contact else 'friction'} {model.events[self.event]!r}"
+
+
+def switches_of(model: CompiledModel) -> list[Switch]:
+    """Return the contacts and frictions of a model."""
+    return [Switch._make(one) for one in model.switches]
+
+
+def with_parameters(at: Place, values: Mapping[int, float]) -> Place:
+    """Return the place with other values of some parameters, by their places: in another mode."""
+    parameters = np.array(at.prepared.parameters)
+    parameters[list(values)] = list(values.values())
+    return replace(at, prepared=at.model.prepare(parameters))
+
+
+def opened(at: Place) -> Place:
+    """Return the place where nothing holds and nothing rubs."""
+    return with_parameters(at, {k: 0.0 for one in switches_of(at.model) for k in (one.holds, one.slides, one.idles)
+                                if k >= 0})  # fmt: skip
+
+
+def holding(at: Place, held: list[Switch]) -> Place:
+    """Return the place where these hold, whatever else does."""
+    changes = {one.holds: 1.0 for one in held} | {one.idles: 0.0 for one in held}
+    return with_parameters(at, changes | {one.slides: 0.0 for one in held if not one.is_contact})
+
+
+def decided(at: Place) -> Place:
+    """Return the place in the mode that the state calls for, as the start of a run has it: on the surfaces it touches.
+
+    Where several are consistent, that is taken which changes the fewest of what holds in `at`.
+
+    Raises
+    ------
+    EvaluationError
+        No mode is consistent; says which contacts and frictions clash.
+    """
+    c, n = at.model, at.model.n
+    none, nowhere = np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
+    x, v, prepared, _ = act_along(c, at.t, at.x, at.v, at.prepared, at.u, True, none, nowhere[: 2 * n],
+                                  nowhere[2 * n :])  # fmt: skip
+    return Place(c, prepared, at.t, x, v, at.u)
+
+
+def mode_of(model: CompiledModel, prepared: Prepared) -> dict[str, float]:
+    """Return what holds, sticks and slides, by the names of `Solution.modes`; what idles is kept at rest, too."""
+    values, mode = prepared.parameters, dict[str, float]()
+    for one in switches_of(model):
+        idle = values[one.idles] != 0.0
+        mode[model.parameters[one.holds]] = 1.0 if idle else values[one.holds]
+        if not one.is_contact:
+            mode[model.parameters[one.slides]] = 0.0 if idle else values[one.slides]
+    return mode
+
+
+def named_modes(model: CompiledModel, values: Mapping[str, float]) -> dict[str, float]:
+    """Return those values by name that say what holds, as `Solution.modes` does."""
+    names = [model.parameters[k] for one in switches_of(model) for k in (one.holds, one.slides) if k >= 0]
+    return {name: values[name] for name in names if name in values}
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """The rows of all contacts and frictions at a state, whether they hold or not."""
+
+    at: Place
+
+    @cached_property
+    def all(self) -> Place:
+        return holding(self.at, switches_of(self.at.model))
+
+    @cached_property
+    def A(self) -> Vector:
+        return self.at.model.pfaffian(self.at.t, self.at.x, self.all.prepared)[0]
+
+    @cached_property
+    def M(self) -> Vector:
+        return self.at.model.factored_matrix(self.at.t, self.at.x, self.all.prepared)
+
+    @cached_property
+    def units(self) -> Vector:
+        """(m,) lengths of rows in the mass metric."""
+        return np.asarray(np.linalg.norm(np.linalg.solve(np.linalg.cholesky(self.M), self.A.T), axis=0))
+
+    @cached_property
+    def push(self) -> float:
+        """What accelerates it where nothing holds, in the mass metric: the size of forces."""
+        at, free = self.at, opened(self.at)
+        return self._length(at.model.acceleration(at.t, at.x, at.v, free.prepared, at.u, True)[0])
+
+    def _length(self, d: Vector) -> float:
+        return sqrt(max(float(d @ self.M @ d), 0.0))
+
+    @cached_property
+    def gaps(self) -> tuple[Vector, Vector]:
+        """(h,) gaps, and what they may be off zero and still be closed."""
+        at, model = self.at, self.at.model
+        gap, terms = model.position(at.t, at.x, self.all.prepared)
+        rounded = _ROUNDED * self.units[: model.h] * self._length(at.x)
+        return gap, TOUCHES * (terms + np.abs(self.A[: model.h]) @ np.abs(at.x)) + rounded
+
+    @cached_property
+    def rates(self) -> tuple[Vector, Vector]:
+        """(m,) rates of gaps and slips, and what they may be off zero and still be at rest."""
+        at = self.at
+        b = at.model.pfaffian(at.t, at.x, self.all.prepared)[1]
+        speed = self._length(at.v) + sqrt(self.push * self._length(at.x))
+        return self.A @ at.v + b, TOUCHES * (np.abs(self.A) @ np.abs(at.v) + np.abs(b)) + _STILL * self.units * speed
+
+    def accelerations(self, a: Vector) -> Vector:
+        """Return (m,) accelerations along rows, A a + gamma, where the coordinates have a (n,)."""
+        at, n = self.at, self.at.model.n
+        partial = constraint_partials(at.model, at.t, at.x, at.v, self.all.prepared)[at.model.h :]
+        return self.A @ a + partial[:, :n] @ at.v + partial[:, -1]
+
+    def closed(self) -> list[Switch]:
+        """Return the contacts whose gap is zero, or less."""
+        gap, within = self.gaps
+        return [one for one in switches_of(self.at.model) if one.is_contact and gap[one.row] <= within[one.row]]
+
+    def inside(self) -> list[tuple[Switch, float]]:
+        """Return the contacts that the state is inside of, with their gaps."""
+        gap, within = self.gaps
+        return [(one, float(gap[one.row])) for one in switches_of(self.at.model)
+                if one.is_contact and gap[one.row] < -within[one.row]]  # fmt: skip
+
+    def at_rest(self, one: Switch) -> bool:
+        rate, within = self.rates
+        return bool(abs(rate[one.row]) <= within[one.row])
+
+
+def held_words(at: Place) -> str:
+    """Say what holds, sticks and slides."""
+    mode: dict[str, Any] = mode_of(at.model, at.prepared)
+    names, said = at.model.parameters, []
+    for one in switches_of(at.model):
+        name = at.model.events[one.event]
+        if mode[names[one.holds]]:
+            said.append(f"{name} {'held' if one.is_contact else 'stuck'}")
+        elif not one.is_contact and mode[names[one.slides]]:
+            said.append(f"{name} slides {'forward' if mode[names[one.slides]] > 0 else 'back'}")
+    return ", ".join(said)

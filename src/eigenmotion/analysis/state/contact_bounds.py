@@ -1,0 +1,126 @@
+"""How far what holds at a state is from its bounds, and where modes meet."""
+
+from collections.abc import Iterator
+from functools import cached_property
+
+import numpy as np
+
+from .active_contacts import Surfaces, Switch, holding, switches_of
+from .operating_point import Place
+
+_AT_BOUND = 1e-9
+"""The part of the forces that act below which one is none, or at its limit."""
+
+
+class Bounds:
+    """How far what holds at a place is from its bounds, in units of the forces that act.
+
+    Contacts push, frictions take less than their limit. Where rows depend on each other their forces are not unique:
+    what is possible at once counts. The conditions are concave in the forces, so that each may have its own witness.
+    """
+
+    def __init__(self, at: Place) -> None:
+        self.at = at
+        self.surfaces = Surfaces(at)
+        self.units = self.surfaces.units
+        self.size = self.surfaces.push + float(np.abs(at.motion[1] * self.units).sum())
+
+    def _margins(self, at: Place) -> dict[Switch, float]:
+        """Of what holds at a place."""
+        values = at.prepared.parameters
+        watched = at.model.event_rows(np.array([at.t]), at.x[None], at.v[None], at.u[None], at.prepared)[0]
+        return {one: float(watched[one.event] * self.units[one.row])
+                for one in switches_of(at.model) if values[one.holds] and not values[one.idles]}  # fmt: skip
+
+    @cached_property
+    def own(self) -> dict[Switch, float]:
+        """Of what holds, with the forces of the place."""
+        return self._margins(self.at)
+
+    @cached_property
+    def margins(self) -> dict[Switch, float]:
+        """Of all that holds, idle or not: positive where a distribution of forces exists that leaves a margin."""
+        values = self.at.prepared.parameters
+        own, idle = self.own, [one for one in switches_of(self.at.model) if values[one.idles]]
+        if not idle:
+            return own
+        shared = self._margins(holding(self.at, idle))
+        return {one: max(own.get(one, 0.0), shared[one]) for one in shared}
+
+    def at_bound(self) -> Iterator[tuple[Switch, str]]:
+        """What of the mode is at a bound, so that beside the state there are others; in words."""
+        within = _AT_BOUND * self.size
+        for one, margin in self.margins.items():
+            if margin <= within:
+                said = "touches without force" if one.is_contact else "is at its limit"
+                yield one, f"{one.words(self.at.model)} {said}"
+        yield from self._at_rest_without_row(within)
+
+    def _at_rest_without_row(self, within: float) -> Iterator[tuple[Switch, str]]:
+        values, closed = self.at.prepared.parameters, self.surfaces.closed()
+        along = self.surfaces.accelerations(self.at.motion[0])
+        for one in switches_of(self.at.model):
+            if values[one.holds] or values[one.idles] or not self.surfaces.at_rest(one):
+                continue
+            still = abs(along[one.row]) <= within * max(self.units[one.row], np.finfo(float).tiny)
+            if one.is_contact and one in closed and still:
+                yield one, f"{one.words(self.at.model)} touches without force"
+            elif not one.is_contact and values[one.slides]:
+                how = "is at its limit" if still else "has no slip and begins to slide"
+                yield one, f"{one.words(self.at.model)} {how}"
+
+    def missed(self) -> list[str]:
+        """Which conditions the mode does not satisfy, in words; none: it holds at the state."""
+        within, model = _AT_BOUND * self.size, self.at.model
+        values, closed = self.at.prepared.parameters, self.surfaces.closed()
+        along, rate = self.surfaces.accelerations(self.at.motion[0]), self.surfaces.rates[0]
+        said = []
+        for one in switches_of(model):
+            if one in self.margins and self.margins[one] < -within:
+                said.append(f"{one.words(model)} would {'pull' if one.is_contact else 'take more than its limit'}")
+            side = 1.0 if one.is_contact else float(values[one.slides])
+            if values[one.holds] or values[one.idles] or not side or (one.is_contact and one not in closed):
+                continue
+            moves = side * (along[one.row] if self.surfaces.at_rest(one) else rate[one.row])
+            if moves < (-within * self.units[one.row] if self.surfaces.at_rest(one) else 0.0):
+                said.append(f"{one.words(model)} would {'close' if one.is_contact else 'slide the other way'}")
+        return said
+
+
+def settled(at: Place) -> tuple[Place, list[tuple[Switch, str]]]:
+    """Return the place in its mode with all that can hold at once, and what of that is at a bound, in words.
+
+    A beam on three supports rests on one of them, and touches the others without force; or on all three, with forces.
+    """
+    if not at.model.switches:
+        return at, []
+    bounds, values = Bounds(at), at.prepared.parameters
+    found = list(bounds.at_bound())
+    loose = [one for one, _ in found if not values[one.holds]]
+    if not loose:
+        return at, found
+    all_of_them = Bounds(holding(at, loose))
+    moves = np.abs(bounds.surfaces.accelerations(all_of_them.at.motion[0] - at.motion[0]))
+    margins = {one: max(bounds.margins.get(one, 0.0), margin) for one, margin in all_of_them.margins.items()}
+    within = _AT_BOUND * bounds.size
+    if (moves > within * bounds.units).any() or min(margins.values()) <= within:
+        return at, found
+    return all_of_them.at, []
+
+
+def sticking(at: Place) -> Place:
+    """Return the place where frictions without slip stick, those at their limit, too."""
+    values, surfaces = at.prepared.parameters, Surfaces(at)
+    slides = [
+        one
+        for one in switches_of(at.model)
+        if not one.is_contact and values[one.slides] and not values[one.idles] and surfaces.at_rest(one)
+    ]
+    there = holding(at, slides)
+    return there if slides and not Bounds(there).missed() and is_within(there) else at
+
+
+def is_within(at: Place) -> bool:
+    """Whether the forces of a place, as its rows share them, are within the bounds of all that holds."""
+    bounds = Bounds(at)
+    return all(margin >= -_AT_BOUND * bounds.size for margin in bounds.own.values())

@@ -1,0 +1,136 @@
+"""A state in the mode in which its contacts and frictions are, or in the one that is named where modes meet."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from ...arguments.named_values import by_name
+from ...codegen.model import ModelError
+from ...codegen.model.normalise import real
+from ...simulation.initial_state.consistency import check_consistent
+from ...simulation.initial_state.projection import Projection
+from .active_contacts import Surfaces, Switch, decided, holding, opened, switches_of, with_parameters
+from .contact_bounds import Bounds, settled
+from .operating_point import Place
+
+_INSIDE = 1e-10
+"""The tolerance of a run in whose start a gap may be off by as much as a state that is linearised."""
+
+
+def in_mode(at: Place, mode: Mapping[Any, float] | None) -> Place:
+    """Return the place in its mode, on the surfaces that it touches.
+
+    Raises
+    ------
+    ModelError
+        The state is inside a contact; modes meet there and none is named; or the mode named does not hold there.
+    EvaluationError
+        No mode is consistent.
+    """
+    named = _named(at, mode)
+    check_apart(at)
+    if not at.model.switches:
+        return at
+    free = opened(at)
+    check_consistent(free.model, free.prepared, free.t, free.x, free.v)
+    found, bounds = settled(decided(_on_surfaces(at)))
+    if named:
+        return _checked(_with_mode(found, named))
+    if bounds:
+        raise ModelError(_meeting(found, bounds))
+    return found
+
+
+def check_apart(at: Place) -> None:
+    """Refuse a state inside a contact, or where an impact lets nothing come."""
+    if not at.model.acts:
+        return
+    free = opened(at)
+    if found := at.model.inside(at.t, at.x, at.v, free.prepared, _INSIDE, 0.0 * at.x):
+        name, gap = found
+        raise ModelError(f"{at.model.name}: x is inside {name!r}, whose gap is {gap:.6g} there and never negative. "
+                         "Give a state where it is at least 0")  # fmt: skip
+
+
+def _on_surfaces(at: Place) -> Place:
+    """Return the place moved onto the surfaces on which it rests, but for what typing and saving leave; these hold."""
+    surfaces = Surfaces(at)
+    touching = [*surfaces.closed(), *(one for one in switches_of(at.model) if not one.is_contact)]
+    near = [one for one in touching if surfaces.at_rest(one)]
+    if not near:
+        return at
+    there = holding(opened(at), near)
+    x, v = Projection(there.model, there.prepared, there.t, least_norm=True)(at.x, at.v)
+    return there.at(at.t, x, v)
+
+
+def _named(at: Place, mode: Mapping[Any, float] | None) -> dict[int, float]:
+    """Return values of parameters, by their places."""
+    if mode is None:
+        return {}
+    if not isinstance(mode, Mapping):
+        raise ModelError(f"mode is {mode!r}: give a mapping as in Solution.modes")
+    names = at.model.parameters
+    known = tuple(names[k] for one in switches_of(at.model) for k in (one.holds, one.slides) if k >= 0)
+    given = {name: real(value, f"mode {name!r}") for name, value in by_name(mode, known, "name in mode").items()}
+    slides = {names[one.slides] for one in switches_of(at.model) if not one.is_contact}
+    if wrong := [name for name, value in given.items() if value not in ((-1, 0, 1) if name in slides else (0, 1))]:
+        choices = "-1, 0 or 1" if wrong[0] in slides else "0 or 1"
+        raise ModelError(f"mode {wrong[0]!r} is {given[wrong[0]]:g}: give {choices}")
+    return {names.index(name): value for name, value in given.items()}
+
+
+def _with_mode(at: Place, named: dict[int, float]) -> Place:
+    """Return the place in the mode named; what is not named is as it is."""
+    changes: dict[int, float] = {}
+    for one in switches_of(at.model):
+        if one.holds not in named and one.slides not in named:
+            continue
+        changes |= {one.idles: 0.0} | _of_contact(one, named) if one.is_contact else _of_friction(at, one, named)
+    there = with_parameters(at, changes)
+    loose = [one for one in switches_of(at.model) if one.holds not in named and _is_unloaded(there, one)]
+    return with_parameters(there, {one.holds: 0.0 for one in loose})
+
+
+def _of_contact(one: Switch, named: dict[int, float]) -> dict[int, float]:
+    return {one.holds: named[one.holds]}
+
+
+def _of_friction(at: Place, one: Switch, named: dict[int, float]) -> dict[int, float]:
+    side = named.get(one.slides, at.prepared.parameters[one.slides])
+    holds = named.get(one.holds, 0.0 if side else at.prepared.parameters[one.holds])
+    if holds and named.get(one.slides):
+        raise ModelError(f"{at.model.name}: mode has {one.words(at.model)} stick and slide. Give one of both")
+    return {one.idles: 0.0, one.holds: holds, one.slides: 0.0 if holds else side}
+
+
+def _is_unloaded(at: Place, one: Switch) -> bool:
+    """Whether a friction that holds can take no force: the contact that presses it is open."""
+    values = at.prepared.parameters
+    if one.is_contact or not values[one.holds]:
+        return False
+    bounds = Bounds(at)
+    force = abs(at.motion[1][one.row]) * bounds.units[one.row]
+    return bool(bounds.margins[one] + force <= 1e-9 * bounds.size)
+
+
+def _checked(at: Place) -> Place:
+    """Return the place, or refuse a mode that does not hold there."""
+    check_consistent(at.model, at.prepared, at.t, at.x, at.v)
+    if missed := Bounds(at).missed():
+        raise ModelError(f"{at.model.name}: the mode that is named does not hold at this state: {'; '.join(missed)}")
+    return at
+
+
+def _meeting(at: Place, bounds: list[tuple[Switch, str]]) -> str:
+    """Say which modes meet, and how to name one."""
+    one, names = bounds[0][0], at.model.parameters
+    ways = (
+        [{one.holds: 1.0}, {one.holds: 0.0}]
+        if one.is_contact
+        else [{one.holds: 1.0}, {one.slides: 1.0}, {one.slides: -1.0}]
+    )
+    possible = [way for way in ways if not Bounds(_with_mode(at, way)).missed()]
+    written = " or ".join(f"{{{names[k]!r}: {value:g}}}" for way in possible for k, value in way.items())
+    said = "; ".join(words for _, words in bounds)
+    return (f"{at.model.name}: modes meet at this state: {said}. On each side of it the equations are others. "
+            f"Name the side: mode={written}")  # fmt: skip

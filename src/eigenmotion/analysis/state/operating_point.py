@@ -1,0 +1,139 @@
+"""A system at one state: what it accelerates with there, and every derivative of that."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments.named_values import Vector
+from ...codegen.model.normalise import number
+from ...runtime import CompiledModel, Prepared, variations
+from ...simulation.initial_state.projection import RESOLVED, next_to
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+_ROUNDED = 256 * np.finfo(float).eps
+"""The part of terms that cancel which rounding may leave."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A state, and what acts there. x, v : (n,); u : (n_inputs,)"""
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    x: Vector
+    v: Vector
+    u: Vector
+
+    def at(self, t: float, x: Vector, v: Vector) -> "Place":
+        """Return another state of the same system."""
+        return Place(self.model, self.prepared, t, x, v, self.u)
+
+    @cached_property
+    def motion(self) -> tuple[Vector, Vector, Vector, Vector]:
+        """a (n,), lambda (m,) and their derivatives (n, n_arguments), (m, n_arguments).
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, or constraint rows contradict each other.
+        """
+        return variations.motion_derivatives(self.model, self.t, self.x, self.v, self.prepared, self.u, True)
+
+    @cached_property
+    def constraints(self) -> Vector:
+        """(h + m, n_arguments), of phi and A v + b."""
+        return variations.constraint_partials(self.model, self.t, self.x, self.v, self.prepared)
+
+    @cached_property
+    def jacobian(self) -> Vector:
+        """(2 n, 2 n), of (x, v) -> (v, a)."""
+        n = self.model.n
+        return np.block([[np.zeros((n, n)), np.eye(n)], [self.motion[2][:, : 2 * n]]])
+
+    @cached_property
+    def inertia(self) -> Vector:
+        """(n,) square roots of the diagonal of M: units in which coordinates can be compared."""
+        diagonal = np.diag(self.model.factored_matrix(self.t, self.x, self.prepared))
+        return np.asarray(np.sqrt(diagonal))
+
+    @cached_property
+    def mobility(self) -> Vector:
+        """(n, n) sizes of what forces do to accelerations, M^-1."""
+        return np.asarray(np.abs(np.linalg.inv(self.model.factored_matrix(self.t, self.x, self.prepared))))
+
+    @cached_property
+    def held_back(self) -> Vector:
+        """(n,) what rows do to accelerations, sizes added: where a mechanism rests this cancels what pushes it."""
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0]
+        return np.asarray(self.mobility @ np.abs(A).T @ np.abs(self.motion[1]))
+
+    @cached_property
+    def slope_terms(self) -> Vector:
+        """(n, n_arguments) sizes of what is added in derivatives of a, but for those of forces, which this balances."""
+        (_, multipliers, _, dm), n, h = self.motion, self.model.n, self.model.h
+        if not self.model.m:
+            return np.zeros((n, dm.shape[1]))
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0]
+        forces = np.abs(A).T @ np.abs(dm)
+        for j, unit in enumerate(np.eye(n)):
+            turning = variations.constraint_partials(self.model, self.t, self.x, unit, self.prepared)[h:, :n]
+            forces[j, :n] += np.abs(multipliers) @ np.abs(turning)
+        M = self.model.factored_matrix(self.t, self.x, self.prepared)
+        shared = (
+            np.abs(np.linalg.pinv(A @ np.linalg.solve(M, A.T), hermitian=True)) @ np.abs(A) @ self.mobility @ forces
+        )
+        return np.asarray(self.mobility @ (forces + np.abs(A).T @ shared))
+
+    @cached_property
+    def slopes(self) -> Vector:
+        """(n, n_arguments) derivatives of a, zero where rows cancel what pushes but for rounding."""
+        da = self.motion[2]
+        return np.where(np.abs(da) > _ROUNDED * self.slope_terms, da, 0.0)
+
+    @cached_property
+    def time(self) -> float:
+        """The time in which deviations change [s], the shortest; 1 where nothing acts on them."""
+        n, unit = self.model.n, self.inertia
+        by_x, by_v = (unit[:, None] * part / unit for part in np.split(self.motion[2][:, : 2 * n], 2, axis=1))
+        rate = max(float(np.sqrt(np.linalg.norm(by_x))), float(np.linalg.norm(by_v)))
+        return 1.0 / rate if rate > 0.0 else 1.0
+
+    @cached_property
+    def unresolved(self) -> list[str]:
+        """Coordinates next to whose numbers others have other slopes: angles of 1e16, that nobody knows to a radian.
+
+        What their roundings make of the equations, however small beside |slope| |x|, says nothing then.
+        """
+        n = self.model.n
+        slope = self.motion[2][:, :n]
+        most = RESOLVED * (np.linalg.norm(slope) + np.linalg.norm(self.slope_terms[:, :n]))
+        return [name for k, name in enumerate(self.model.coordinates) if self._change(k, slope) > most]
+
+    def _change(self, k: int, slope: Vector) -> float:
+        """By how much slopes change from coordinate k to the next number."""
+        return float(np.linalg.norm(self.at(self.t, next_to(self.x, k), self.v).motion[2][:, : self.model.n] - slope))
+
+    @cached_property
+    def units(self) -> Vector:
+        """(2 n,) what x and v are to be multiplied by to be compared: inertia, and the time in which they change."""
+        return np.concatenate([self.inertia / self.time, self.inertia])
+
+
+def place(
+    system: "System",
+    x: Mapping[Any, float] | ArrayLike | None,
+    v: Mapping[Any, float] | ArrayLike | None,
+    t: float,
+    parameters: Any,
+    inputs: Mapping[Any, Any] | ArrayLike | None,
+) -> Place:
+    """Return the state that arguments of users name."""
+    prepared, t = system.prepare(parameters), number(t, "t")
+    return Place(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))

@@ -1,0 +1,69 @@
+"""In which directions a state can change: the null space of the derivatives of phi and A v + b."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from ...arguments.named_values import Vector
+from .operating_point import Place
+
+_DEPENDENT = 3e-6
+"""What a row of length one must add to others to be independent of them: the root of EM_DEPENDENT (em_rank.h)."""
+
+_PREFERRED = 100.0
+"""How much longer columns count that are asked to be dependent."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tangent:
+    """Deviations (dx, dv) = Z z of a state, where z holds those of independent coordinates and velocities.
+
+    Z : (2 n, k); free : (k,) which of the 2 n numbers z holds, so that Z[free] is the unit matrix
+    """
+
+    Z: Vector
+    free: tuple[int, ...]
+
+
+def tangent(at: Place, dependent: Sequence[int] = ()) -> Tangent:
+    """Return the tangent space of the constraints.
+
+    Of coordinates that are compared by their inertia those are dependent that the constraints determine best, or those
+    whose velocities are named.
+    """
+    n, h = at.model.n, at.model.h
+    rows, unit = at.constraints, 1.0 / at.inertia
+    x_free, Nx, _ = solved(rows[:h, :n], unit)
+    v_free, Nv, lifted = solved(rows[h:, n : 2 * n], unit, -rows[h:, :n] @ Nx, dependent)
+    Z = np.block([[Nx, np.zeros((n, len(v_free)))], [lifted, Nv]])
+    return Tangent(Z, (*x_free, *(n + k for k in v_free)))
+
+
+def solved(
+    A: Vector, unit: Vector, right: Vector | None = None, first: Sequence[int] = ()
+) -> tuple[list[int], Vector, Vector]:
+    """Return which columns of A (m, n) are free, N (n, free) with A N = 0 and N[free] = 1, and X with A X = right.
+
+    Of X the rows `free` are zero. Units of rows and columns make no difference. `first`: columns not to be free.
+    """
+    n = A.shape[1]
+    unit = unit.copy()
+    unit[list(first)] *= _PREFERRED
+    right = np.zeros((len(A), 0)) if right is None else right
+    scaled = A * unit
+    length = np.sqrt((scaled**2).sum(axis=1))
+    length = np.where(length > _DEPENDENT**2 * length.max(initial=0.0), length, np.inf)[:, None]
+    if not len(A):
+        return list(range(n)), np.eye(n), np.zeros((n, right.shape[1]))
+    Q, R, order = scipy.linalg.qr(scaled / length, mode="economic", pivoting=True)
+    rank = int((np.abs(np.diag(R)) > _DEPENDENT).sum())
+    held, free = order[:rank], np.sort(order[rank:])
+    place = {k: at for at, k in enumerate(order)}
+    both = np.hstack([-R[:rank, [place[k] for k in free]] / unit[free], (Q.T @ (right / length))[:rank]])
+    dependent = scipy.linalg.solve_triangular(R[:rank, :rank], both) * unit[held][:, None]
+    N, X = np.zeros((n, len(free))), np.zeros((n, right.shape[1]))
+    N[free, range(len(free))] = 1.0
+    N[held], X[held] = np.split(dependent, [len(free)], axis=1)
+    return free.tolist(), N, X

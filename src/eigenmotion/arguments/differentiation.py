@@ -1,0 +1,56 @@
+"""What motions are to be differentiated by, as users name it."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from ..codegen.model.normalise import ModelError, shown
+from ..runtime import CompiledModel
+from .named_values import by_spelling, is_named, rate_name, spelled, unknown
+from .options import OptionError
+
+
+class Differentiated(NamedTuple):
+    """By which numbers: parameters, inputs, initial x, v; `from_quasi`: whether motions start from quasi-velocities."""
+
+    names: tuple[str, ...]
+    from_quasi: bool
+
+
+def names_of(c: CompiledModel) -> tuple[str, ...]:
+    """Return all there are: coordinates, rates, quasi-velocities, inputs, parameters."""
+    return *c.coordinates, *rates_of(c.coordinates), *c.quasi_velocities, *c.inputs, *c.parameters
+
+
+@lru_cache(maxsize=16)
+def rates_of(coordinates: tuple[str, ...]) -> tuple[str, ...]:
+    """Return "theta'" of "theta"."""
+    return tuple(f"{name}'" for name in coordinates)
+
+
+def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Differentiated:
+    """Read `sensitivities` of runs that start with v0.
+
+    Raises
+    ------
+    ModelError
+        A name that is none of the model's, or a quasi-velocity where the start is given in rates.
+    """
+    if isinstance(asked, str) or not isinstance(asked, Sequence):
+        raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
+    known = dict.fromkeys(names_of(c))
+    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in asked))
+    if wrong := set(names) - known.keys():
+        raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
+    quasi = [name for name in names if name in c.quasi_velocities]
+    given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
+    from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
+    if quasi and not from_quasi:
+        raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
+    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n:
+        raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
+    return Differentiated(names, from_quasi)
+
+
+def _name(key: object) -> str:
+    return f"{rate_name(key)}'" if rate_name(key) != spelled(key) else spelled(key)

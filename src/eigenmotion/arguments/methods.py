@@ -1,0 +1,86 @@
+"""The methods there are: the one table that all others are made from.
+
+All are compiled; what they do stands in em_methods.h, under the same names and numbers.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+from ..codegen.model.normalise import ModelError
+from .options import choice
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """A way to integrate.
+
+    name : as users write it, in upper or lower case
+    order : the power of the step size that the error of a run falls with
+    number : em_method of em_run.h
+    implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
+    iterates : whether its rates are found by iteration, which ends at the tolerances and no sooner
+    """
+
+    name: str
+    order: int
+    number: int
+    implicit: bool = False
+    iterates: bool = False
+
+
+def _table(*methods: Method) -> Mapping[str, Method]:
+    return MappingProxyType({method.name: method for method in methods})
+
+
+METHODS = _table(
+    Method("rk34", order=4, number=0),
+    Method("dopri5", order=5, number=1),
+    Method("dop853", order=8, number=2),
+    Method("ra15", order=15, number=3, iterates=True),
+    Method("radau5", order=5, number=6, implicit=True),
+    Method("radau9", order=9, number=7, implicit=True),
+)
+AUTO = "auto"
+"""The name by which users leave the choice to method_selection.py."""
+FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
+"""Of steppers alone: their steps are as long as told, all alike, and nothing says how large their error is."""
+STEPPED = _table(*METHODS.values(), *FIXED.values())
+"""All that steppers have."""
+IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
+_ELSEWHERE = MappingProxyType({
+    **{name: ("SciPy's", "radau9", f"{name!r}, jac=system.jacobian") for name in ("Radau", "BDF", "LSODA")},
+    **dict.fromkeys(("CVODE", "CVODES"), ("SUNDIALS'", "radau9", "'BDF', jac=system.jacobian")),
+    "RK45": ("SciPy's", "dopri5", "'RK45'"),
+    "RK23": ("SciPy's", "rk34", "'RK23'"),
+})  # fmt: skip
+"""Solvers that step outside of runs: whose they are, what is compiled in their place, how they are called."""
+
+
+def method_of(given: object, known: Mapping[str, Any]) -> Any:
+    """Return what the name of a method stands for, whatever its case.
+
+    Raises
+    ------
+    ModelError
+        Not one of the known names: lists them; of SciPy's and SUNDIALS' solvers, says what serves.
+    """
+    found = [name for name in _ELSEWHERE if isinstance(given, str) and name.lower() == given.lower()]
+    if not found:
+        return choice(given, known, "method")
+    whose, instead, called = _ELSEWHERE[found[0]]
+    raise ModelError(
+        f"method {given!r} is {whose}: the compiled one in its place is {instead!r}. Solvers of SciPy and SUNDIALS are "
+        "served by System.rhs and System.jacobian, as in "
+        f"scipy.integrate.solve_ivp(system.rhs, t_span, system.state(), method={called})"
+    )
+
+
+def checker_of(method: Method) -> Method:
+    """Return the method that checks runs of another: of its kind the one of the highest order.
+
+    None that iterates: near rounding its errors are larger than its order says.
+    """
+    direct = (m for m in METHODS.values() if m.implicit == method.implicit and not m.iterates)
+    return max(direct, key=lambda m: m.order)

@@ -1,0 +1,205 @@
+"""What an ensemble is given, broadcast to K members."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..arguments.members import Column, Members
+from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
+from ..arguments.signals import Inputs, Signal, as_signal, check_samples
+from ..codegen.model.normalise import ModelError, shown
+from ..runtime import CompiledModel, EvaluationError, Prepared
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+Table = dict[str, Vector] | Vector
+
+
+class _Given:
+    """What a user gives, name by name, and how many members that is."""
+
+    def __init__(self) -> None:
+        self.sizes: dict[str, int] = {}
+        self.swept: dict[str, Vector] = {}
+
+    def numbers(self, value: Any, what: str, label: str) -> Vector:
+        """Return a number, or (K,) numbers of which some may not be finite: then those members fail, not all."""
+        array = vector(value, what)
+        if array.ndim > 1:
+            raise ModelError(f"{what} has shape {array.shape}; give a number, or one for each member")
+        if array.ndim == 0 and not np.isfinite(array):
+            raise ModelError(f"{what} is not a finite number")
+        if array.ndim:
+            self.note(what, len(array))
+            self.swept[label] = array
+        return array
+
+    def note(self, what: str, size: int) -> None:
+        self.sizes[what] = size
+
+    @property
+    def count(self) -> int:
+        """K: lengths of one fit any other.
+
+        Raises
+        ------
+        ModelError
+            There are two others, or nothing; says which argument has how many.
+        """
+        sizes = {size for size in self.sizes.values() if size != 1}
+        if 0 in sizes:
+            empty = next(what for what, size in self.sizes.items() if size == 0)
+            raise ModelError(f"{empty} is empty: an ensemble has at least one member")
+        if len(sizes) > 1:
+            listed = ", ".join(f"{what}: {size}" for what, size in self.sizes.items())
+            raise ModelError(f"members of an ensemble cannot be counted: arrays differ in length ({listed})")
+        return sizes.pop() if sizes else 1
+
+    def table(self, given: Any, names: Sequence[str], defaults: Vector, what: str, mark: str = "") -> Table:
+        """Return what is given by name, or as an array (n,) or (K, n)."""
+        if given is None:
+            return {}
+        if not is_named(given):
+            return self._rows(given, names, defaults, what, mark)
+        named = by_name(given, names, what)
+        return {name: self.numbers(value, f"{what} {name!r}", name + mark) for name, value in named.items()}
+
+    def _rows(self, given: Any, names: Sequence[str], defaults: Vector, what: str, mark: str) -> Vector:
+        array = vector(given, what)
+        if array.ndim != 2:
+            return overlay(array, names, defaults, what)[None]
+        if array.shape[1] != len(names):
+            raise ModelError(
+                f"{what}: rows of {array.shape[1]} numbers, but {len(names)} are needed: {', '.join(names)}"
+            )
+        self.note(what, len(array))
+        self.swept |= {name + mark: array[:, k] for k, name in enumerate(names)}
+        return array
+
+
+def _filled(table: Table, names: Sequence[str], defaults: Vector) -> Vector:
+    """Return rows (K or 1, n): what is given over the defaults."""
+    if not isinstance(table, dict):
+        return table
+    count = max((column.size for column in table.values()), default=1)
+    rows = np.repeat(defaults[None], count, axis=0)
+    for name, column in table.items():
+        rows[:, list(names).index(name)] = column
+    return rows
+
+
+def gather(system: "System", t: float, x0: Any, v0: Any, parameters: Any, inputs: Any) -> Members:
+    """Return the members that start at t: mappings name -> number or (K,) array, arrays (n,) or (K, n).
+
+    Raises
+    ------
+    ModelError
+        An unknown name, arrays of different lengths, or what all members share and cannot be.
+    """
+    c, found = system.compiled, _Given()
+    if isinstance(parameters, Prepared):
+        parameters = np.array(system.prepare(parameters).parameters)
+    p = found.table(parameters, c.parameters, c.parameter_defaults, "parameter")
+    _check_shared(c, p)
+    x = found.table(x0, c.coordinates, c.initial_x, "coordinate of x0", "(0)")
+    v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
+    quick = _rates(system, v0)
+    v = found.table(v0, c.coordinates, c.initial_v, "coordinate of v0", "'(0)") if quick else None
+    quasi = {} if v is not None or v0 is None else _columns(found, v0)
+    signals = _signals(system, inputs, found)
+    count = found.count
+    P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, c.coordinates, c.initial_x)
+    reasons: dict[int, str] = {}
+    V = _by_member(system, t, count, P, X, quasi, reasons) if v is None else _filled(v, c.coordinates, c.initial_v)
+    _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))
+    refused = np.zeros(count, dtype=np.bool_)
+    refused[list(reasons)] = True
+    swept = {name: np.broadcast_to(column, count) for name, column in found.swept.items() if count > 1}
+    return Members(count, P, X, V, signals, refused, reasons, swept)
+
+
+def _check_shared(c: CompiledModel, given: Table) -> None:
+    """Raise EvaluationError where a value that all members share is not such as its symbol was declared to have.
+
+    One of some members is their failure alone.
+    """
+    if isinstance(given, dict):
+        shared = {name: column for name, column in given.items() if column.size == 1}
+        c.check_parameters(_filled(shared, c.parameters, c.parameter_defaults)[0])
+    elif len(given) == 1:
+        c.check_parameters(given[0])
+
+
+def _rates(system: "System", v0: Any) -> bool:
+    """Whether v0 are rates, which take no look at the position."""
+    if system.compiled.initial_y is None and not isinstance(v0, Mapping):
+        return True
+    if not isinstance(v0, Mapping):
+        return v0 is not None
+    if v0.keys() & set(system.quasi_velocities):
+        return False
+    return system.compiled.initial_y is None or len(v0) == system.n
+
+
+def _columns(found: _Given, v0: Any) -> dict[str, Vector]:
+    return {name: found.numbers(value, f"v0 {name!r}", f"{name}(0)") for name, value in v0.items()}
+
+
+def _by_member(
+    system: "System", t: float, count: int, P: Vector, X: Vector, v0: dict[str, Vector], reasons: dict[int, str]
+) -> Vector:
+    """Return rates (K, n) from quasi-velocities, which are of P(x, t); members without any are refused."""
+    V = np.zeros((count, system.n))
+    for k in range(count):
+        p, x = P[k if len(P) > 1 else 0], X[k if len(X) > 1 else 0]
+        given = {name: column[k % column.size] if column.ndim else float(column) for name, column in v0.items()}
+        try:
+            V[k] = system.start(x, given or None, t, system.prepare(p))[1]
+        except (ModelError, EvaluationError) as error:
+            if count == 1:
+                raise
+            reasons[k] = str(error)
+    return V
+
+
+def _check_finite(reasons: dict[int, str], count: int, *tables: tuple[Sequence[str], Vector, str]) -> None:
+    for names, rows, what in tables:
+        finite = np.isfinite(rows)
+        if finite.all():
+            continue
+        for k, place in np.argwhere(~finite).tolist():
+            reasons.setdefault(k, f"{what} {names[place]!r} is not a finite number")
+            if len(rows) == 1:
+                reasons |= dict.fromkeys(range(count), reasons[k])
+
+
+def _signals(system: "System", inputs: Any, found: _Given) -> tuple[Column, ...]:
+    names, defaults = system.compiled.inputs, system.compiled.input_defaults
+    if inputs is None:
+        return tuple(defaults.tolist())
+    if not is_named(inputs):
+        raise ModelError(f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values) or Signal")
+    named = by_name(inputs, names, "input")
+    columns = tuple(_column(named[name], name, found) if name in named else float(default)
+                    for name, default in zip(names, defaults, strict=True))  # fmt: skip
+    for k, column in enumerate(columns if any(system.compiled.declared) else ()):
+        for one in column if isinstance(column, list | np.ndarray) else (column,):
+            check_samples(system.compiled, Inputs((*defaults[:k].tolist(), one, *defaults[k + 1 :].tolist())))
+    return columns
+
+
+def _column(given: Any, name: str, found: _Given) -> Column:
+    """Return one input: a number, a pair or a Signal for all; a list or an array holds one for each member."""
+    what = f"input {name!r}"
+    if isinstance(given, list) and any(isinstance(one, tuple | Signal) for one in given):
+        found.note(what, len(given))
+        signals: list[Any] = [as_signal(one, name) for one in given]
+        return signals if len(signals) > 1 else signals[0]
+    if isinstance(given, list | np.ndarray) and np.ndim(given):
+        column = found.numbers(given, what, name)
+        if not np.isfinite(column).all():
+            raise ModelError(f"{what} of member {int(np.argmin(np.isfinite(column)))} is not a finite number")
+        return column if len(column) > 1 else float(column[0])
+    return as_signal(given, name)

@@ -1,0 +1,73 @@
+"""Derivatives of the members of a chunk, each along a run that keeps what is between its rows."""
+
+import numpy as np
+
+from ..arguments.members import Asked, Members
+from ..arguments.methods import METHODS
+from ..arguments.named_values import Vector
+from ..arguments.options import TO_DERIVE, Task
+from ..codegen.model.normalise import ModelError
+from ..results.batch_arrays import REASONS, Found
+from ..results.solution import Solution
+from ..runtime import EvaluationError, StopReason, explain
+from ..runtime.ensemble import Stop
+from ..simulation.sensitivity.sensitivities import directions, sensitivity
+from ..simulation.simulate import run_task
+from .member_start import task_of
+
+Shifts = dict[int, Vector]
+"""Member -> how the times of its events change, (events, names)."""
+_TWICE = ("dop853", "rk34")
+"""Methods that evaluate more to keep what is between rows; and runs of dop853 side by side are rounded otherwise."""
+
+
+def in_one_run(asked: Asked) -> bool:
+    """Whether a run that keeps what is between its rows is, bit for bit, what a chunk makes of a member."""
+    return asked.differentiated is not None and asked.name not in _TWICE
+
+
+def vary_members(asked: Asked, members: Members, found: Found, stop: Stop) -> Shifts:
+    """Run members again for what is between their rows; and as `vary`."""
+    shifts: Shifts = {}
+    for k in range(members.count):
+        if stop or REASONS[found.status[k]] is StopReason.START_REFUSED:
+            continue
+        try:
+            task = task_of(asked, members, k)._replace(dense=TO_DERIVE)
+            solution = run_task(task, METHODS[asked.name])
+        except (ModelError, EvaluationError) as error:
+            _none(asked, k, found, error)
+            continue
+        vary(asked, k, task, solution, found, shifts)
+    return shifts
+
+
+def vary(asked: Asked, k: int, task: Task, solution: Solution, found: Found, shifts: Shifts) -> None:
+    """Fill `S` of a member and its `shifts`; where a run that did well has none, say why in `words`."""
+    by = asked.differentiated
+    if by is None:
+        return
+    try:
+        rows = list(sensitivity(task, solution, directions(by, task), METHODS[asked.name]).values())
+    except (ModelError, EvaluationError) as error:
+        _none(asked, k, found, error)
+        return
+    if rows:
+        S = np.array([np.vstack([one.dx, one.dv]).T for one in rows]).transpose(1, 2, 0)
+        S = S[-1:] if asked.end_only else S
+        found.S[k, : len(S)] = S
+        shifts[k] = np.array([np.concatenate([*(one.dt_events or ()), np.empty(0)]) for one in rows]).T
+
+
+def _none(asked: Asked, k: int, found: Found, error: Exception) -> None:
+    words = found.words.get(k, explain(REASONS[found.status[k]], asked.model.coordinates))
+    found.words[k] = f"{words} It has no sensitivities: {error}"
+
+
+def together(found: Found, shifts: Shifts, names: int) -> Vector:
+    """Return the shifts of all events of a chunk (events, names), NaN of members without."""
+    made = np.full((len(found.event_times), names), np.nan)
+    ends = np.cumsum(found.event_counts.sum(axis=1))
+    for k, own in shifts.items():
+        made[ends[k] - len(own) : ends[k]] = own
+    return made

@@ -1,0 +1,187 @@
+"""Many runs of one system: their options, who runs them, and their result."""
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import nullcontext
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.differentiation import Differentiated, differentiated
+from ..arguments.members import Asked, Members
+from ..arguments.methods import AUTO, METHODS, Method, method_of
+from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.signals import Inputs, Signal
+from ..codegen.model.normalise import ModelError, shown, truth
+from ..cores import cores
+from ..progress import counted
+from ..results.ensemble import Ensemble
+from ..simulation.initial_state.consistency import check_direction
+from ..simulation.method_selection import automatic_of_many
+from ..simulation.simulate import NAMES, STABILISATIONS, refused
+from . import memory
+from .executors import in_executor
+from .gather import gather
+from .threads import in_threads
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+_OPTIONS = (
+    *("x0", "v0", "parameters", "inputs", "t_eval", "method", "rtol", "atol", "first_step", "max_step", "max_steps"),
+    *("stabilisation", "dependent_constraints", "workers", "executor", "progress"),
+    "sensitivities",
+)
+
+
+def simulate_ensemble(
+    system: "System",
+    t_span: tuple[float, float],
+    *positional: Never,
+    x0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    v0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    t_eval: ArrayLike | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "auto",
+    workers: int | None = None,
+    executor: Executor | None = None,
+    progress: bool = False,
+    sensitivities: Sequence[Any] | None = None,
+    **misspelt: Any,
+) -> Ensemble:
+    """Integrate K motions of one system, each as `simulate` does.
+
+    Parameters
+    ----------
+    x0, v0, parameters
+        As of `simulate`, and each value a number or (K,) numbers; or arrays (K, n), (K, n_parameters), a row a run.
+        Lengths of one fit any other.
+    inputs
+        As of `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs or Signals.
+    t_eval
+        (nt,) times of the rows; None: the end state only.
+    method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
+        As of `simulate`; "auto" chooses once for all, as `Ensemble.method` says.
+    workers
+        Threads of this process; None: as many as there are cores.
+    executor
+        Any `concurrent.futures.Executor`, as `dask.distributed.Client.get_executor()`; gets chunks of about a second.
+        A chunk that is lost with its worker is run again.
+    sensitivities
+        As of `simulate`: `Ensemble.sensitivity[name]` has `dx`, `dv` (K, n, nt). Where a run has none they are NaN, and
+        `message` says why.
+    progress
+        Write how many are done, at what rate, and the time left, to standard error.
+
+    Returns
+    -------
+    Ensemble
+        The same bits whatever the number of workers, the executor and the order of the members. A member that cannot
+        start or fails on its way is one of `failed`, with its reason, and costs the others nothing; Ctrl-C returns what
+        is done.
+
+    Raises
+    ------
+    ModelError
+        Before the runs: an unknown name or option, arrays of different lengths, a value that all members share and
+        that is out of range, or more rows than there is memory for.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> angles = np.linspace(0.0, 3.0, 1000)
+    >>> runs = em.simulate_ensemble(em.build(model), (0.0, 2.0), x0={"theta": angles}, t_eval=[1.0, 2.0])
+    >>> runs.x.shape, len(runs.failed)
+    ((1000, 1, 2), 0)
+    """
+    if positional or misspelt or not is_system(system):
+        raise refused("simulate_ensemble", system, positional, misspelt, _OPTIONS)
+    start, end = span(t_span)
+    relative, absolute = tolerances(system.compiled, rtol, atol)
+    check_direction(system.compiled, start, end)
+    least_norm = least_norm_of(dependent_constraints)
+    chosen = chosen_method(system, method, relative, least_norm)
+    times = rows_at(t_eval, start, end)
+    asked = Asked(
+        system.compiled, chosen.number, chosen.name, chosen.iterates, start, end, relative, absolute,
+        np.array([end]) if times is None else times, times is None,
+        *step_limits(first_step, max_step, max_steps, abs(end - start)),
+        choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm,
+        _differentiated(system, sensitivities, v0),
+    )  # fmt: skip
+    members = gather(system, start, x0, v0, parameters, inputs)
+    _check_signals(system, members, start, end)
+    _check_constant(system, asked, members)
+    memory.check(asked, members.count)
+    with counted(members.count) if truth(progress, "progress") else nullcontext(_silent) as report:
+        if executor is None:
+            return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
+        return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
+
+
+def chosen_method(system: "System", method: object, rtol: float, least_norm: int = 0) -> Method:
+    """Return the method of that name; of "auto" the one that ensembles take on this machine."""
+    name = method_of(method, NAMES)
+    return (
+        automatic_of_many(system.compiled, rtol, least_norm == DEPENDENT["least_norm"])
+        if name == AUTO
+        else METHODS[name]
+    )
+
+
+def _differentiated(system: "System", given: Any, v0: Any) -> Differentiated | None:
+    if given is None:
+        return None
+    return differentiated(system.compiled, given, v0)
+
+
+def _check_constant(system: "System", asked: Asked, members: Members) -> None:
+    """Refuse to differentiate by inputs that are sampled."""
+    names = asked.differentiated.names if asked.differentiated else ()
+    for name, column in zip(system.inputs, members.signals, strict=True):
+        if name in names and any(isinstance(one, Signal) for one in (column if isinstance(column, list) else [column])):
+            raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
+
+
+def _silent(_: int) -> None:
+    """Report to nobody."""
+
+
+def _threads(workers: object) -> int:
+    if workers is None:
+        return cores()
+    if isinstance(workers, bool) or not isinstance(workers, int | np.integer) or workers < 1:
+        raise ModelError(f"workers is {shown(workers)}, but must be a whole number of threads, at least 1, or None")
+    return int(workers)
+
+
+def _executor(executor: Any, workers: object) -> Executor:
+    if not callable(getattr(executor, "submit", None)):
+        raise ModelError(f"executor is {shown(executor)}, not a concurrent.futures.Executor")
+    if workers is not None:
+        raise ModelError("give workers, threads of this process, or an executor, which has its own; not both")
+    return executor  # type: ignore[no-any-return]
+
+
+def _check_signals(system: "System", members: Members, start: float, end: float) -> None:
+    """Refuse signals that do not cover the span: for all members, or the one whose it is."""
+    for name, column in zip(system.inputs, members.signals, strict=True):
+        for k, signal in enumerate(column if isinstance(column, list) else [column]):
+            if not isinstance(signal, Signal) or (gap := Inputs((signal,)).uncovered(start, end)) is None:
+                continue
+            words = f"input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})"
+            if not isinstance(column, list):
+                raise ModelError(f"{system.name}: {words}")
+            members.refused[k] = True
+            members.reasons.setdefault(k, words)

@@ -1,0 +1,1 @@
+"""Many steppers of one system as one."""

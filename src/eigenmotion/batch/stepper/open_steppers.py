@@ -1,0 +1,135 @@
+"""How many steppers of one system are opened: `System.steppers`."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments import options
+from ...arguments.members import Asked
+from ...arguments.named_values import Vector, is_named, unknown
+from ...arguments.options import OptionError
+from ...codegen.model.normalise import ModelError, number, shown
+from ...cores import cores
+from ...simulation.stepper import METHOD_NUMBERS, fixed_step, method_named
+from ..gather import gather
+from .step_arguments import columns
+from .steppers import Begun, Steppers
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+_OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "rtol", "atol", "method", "step", "max_step", "max_steps",
+            "stabilisation", "dependent_constraints", "workers")  # fmt: skip
+
+
+def steppers(
+    system: "System",
+    count: int | None = None,
+    *positional: Never,
+    t: float = 0.0,
+    x0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    v0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    method: str = "dop853",
+    step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "auto",
+    workers: int | None = None,
+    **misspelt: Any,
+) -> Steppers:
+    """Open K steppers of this mechanism, which `Steppers.advance` takes on as one.
+
+    Methods of fixed step ("rk4", "midpoint") go in lanes, several members side by side in one core, where the model has
+    neither constraints nor events and its formulation carries velocities ("lagrange", "inverse"); others one by one.
+
+    Parameters
+    ----------
+    count
+        K; None: as many as the arrays below have.
+    t, x0, v0, parameters, inputs
+        Where they start, as of `stepper`, and each value a number or (K,) numbers; or arrays (K, n), a row a member.
+        Inputs are numbers, which can be changed at every `advance`.
+    method, step, rtol, atol, max_step, max_steps, stabilisation, dependent_constraints
+        As of `stepper`.
+    workers
+        Threads; None: as many as there are cores, where there are members enough.
+
+    Raises
+    ------
+    ModelError
+        An unknown name or option, arrays of different lengths, or a start that the mechanism cannot have (says whose).
+    """
+    if positional:
+        raise OptionError("steppers: all but their number is given by keyword, as t=0.0, x0={...}")
+    if misspelt:
+        raise OptionError(f"steppers: {unknown('option', misspelt, _OPTIONS)}")
+    begin, named = number(t, "t"), method_named(method)
+    relative, absolute = options.tolerances(system.compiled, rtol, atol)
+    _, longest, most = options.step_limits(None, max_step, max_steps, np.inf)
+    by_columns = inputs if is_named(inputs) else None
+    members = gather(system, begin, x0, v0, parameters, by_columns)
+    total = _count(count, members.count, inputs)
+    if members.reasons:
+        k, words = min(members.reasons.items())
+        raise ModelError(f"{system.name}: member {k} of {total}: {words}")
+    begun = Begun(
+        np.full(total, begin), _rows(members.x, total), _rows(members.v, total), _rows(members.parameters, total),
+        _columns(system, inputs if by_columns is None else members.signals, total),
+    )  # fmt: skip
+    asked = Asked(
+        system.compiled, METHOD_NUMBERS[named], named, False, begin, np.inf, relative, absolute, np.empty(0), False,
+        fixed_step(named, step), longest, most,
+        options.choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
+        options.least_norm_of(dependent_constraints),
+    )  # fmt: skip
+    return Steppers(asked, total, _threads(workers), begun)
+
+
+def _whole(given: object, what: str) -> int:
+    if isinstance(given, bool | np.bool_) or not isinstance(given, int | np.integer) or given < 1:
+        raise ModelError(f"{what} is {shown(given)}, but must be a whole number of at least 1")
+    return int(given)
+
+
+def _threads(workers: int | None) -> int:
+    return cores() if workers is None else _whole(workers, "workers")
+
+
+def _count(count: int | None, found: int, inputs: Any) -> int:
+    """Return K, of what is said and what arrays there are."""
+    rows = 1 if inputs is None or is_named(inputs) or np.ndim(inputs) < 2 else len(inputs)
+    if rows > 1 and found not in (1, rows):
+        raise ModelError(f"inputs has {rows} rows, but other arrays have {found}")
+    total = max(found, rows)
+    if count is None:
+        return total
+    if total not in (1, _whole(count, "the number of steppers")):
+        raise ModelError(f"{count} steppers, but arrays of {total}")
+    return int(count)
+
+
+def _rows(table: Vector, count: int) -> Vector:
+    return np.ascontiguousarray(np.broadcast_to(table, (count, table.shape[1])))
+
+
+def _columns(system: "System", given: Any, count: int) -> Vector:
+    """Return inputs (K, n_inputs); they are numbers, since each `advance` may set them."""
+    names = system.compiled.inputs
+    made = np.tile(system.compiled.input_defaults, (count, 1))
+    if not isinstance(given, tuple):
+        return made if given is None else columns(given, names, made)
+    for k, (name, column) in enumerate(zip(names, given, strict=True)):
+        if not isinstance(column, float | np.ndarray):
+            raise ModelError(
+                f"{system.name}: input {name!r} of steppers is a number for each member, which `advance` sets; "
+                "simulate and stepper take signals"
+            )
+        made[:, k] = column
+    return made

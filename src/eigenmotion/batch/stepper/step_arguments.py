@@ -1,0 +1,92 @@
+"""What steppers are told on their way: for K members, which are there already."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arguments.named_values import Vector, by_name, is_named, vector
+from ...codegen.model.normalise import ModelError, shown
+from ...runtime import CompiledModel
+
+
+def numbers(given: ArrayLike, count: int, what: str) -> Vector:
+    """Return a finite number, or (K,) of them."""
+    values = vector(given, what)
+    if values.shape not in ((), (count,)):
+        raise ModelError(f"{what} has shape {values.shape}; give a number, or ({count},), one for each member")
+    if not np.isfinite(values).all():
+        raise ModelError(f"{what} holds a number that is not finite")
+    return values
+
+
+def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
+    """Return inputs (K, n_inputs): what is given by name over what holds, or all of it; of one input, (K,) will do."""
+    made = over.copy()
+    if is_named(given):
+        for name, value in by_name(given, names, "input").items():
+            made[:, names.index(name)] = numbers(value, len(made), f"input {name!r}")
+        return made
+    values = vector(given, "inputs")
+    if len(names) == 1 and values.shape == (len(made),):
+        values = values[:, None]
+    if values.shape not in ((len(names),), made.shape):
+        raise ModelError(f"inputs has shape {values.shape}, but must be {made.shape}: {', '.join(names) or 'none'}")
+    made[...] = values
+    _check_finite(made, names, np.arange(len(made)), "input")
+    return made
+
+
+def rows(given: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.intp], what: str) -> Vector:
+    """Return (K, n): what is given, by name or as rows, over what there is; of those not chosen it may be anything."""
+    if given is None:
+        return over
+    made = over.copy()
+    if is_named(given):
+        for name, value in by_name(given, names, what).items():
+            made[:, names.index(name)] = _column(value, len(made), f"{what} {name!r}")
+    else:
+        values = vector(given, what)
+        if values.shape not in (made.shape, made.shape[1:]):
+            raise ModelError(f"{what}: shape {values.shape}, but must be {made.shape}: {', '.join(names)}")
+        made[...] = values
+    _check_finite(made, names, chosen, what)
+    return made
+
+
+def _column(given: ArrayLike, count: int, what: str) -> Vector:
+    values = vector(given, what)
+    if values.shape not in ((), (count,)):
+        raise ModelError(f"{what} has shape {values.shape}; give a number, or ({count},) numbers")
+    return values
+
+
+def _check_finite(made: Vector, names: tuple[str, ...], chosen: NDArray[np.intp], what: str) -> None:
+    if not np.isfinite(made[chosen]).all():
+        k, place = np.argwhere(~np.isfinite(made[chosen]))[0]
+        raise ModelError(f"{what} {names[place]!r} of member {chosen[k]} is not a finite number")
+
+
+def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.bool_]) -> None:
+    """Refuse to go back where events act, which they do forwards only."""
+    back = (goals < t) & ~ended if model.acts else ended[:0]
+    if back.any():
+        raise ModelError(
+            f"{model.name}: events that act do so forwards only, so member {int(back.argmax())} cannot go back: "
+            "restore what was saved"
+        )
+
+
+def chosen_by(mask: ArrayLike | None, count: int) -> NDArray[np.intp]:
+    """Return the members that a mask names: (K,) truth values, or indices; None: all."""
+    if mask is None:
+        return np.arange(count)
+    array = np.asarray(mask)
+    if array.dtype == np.bool_ and array.shape == (count,):
+        return np.flatnonzero(array)
+    if array.ndim == 1 and (array.dtype.kind in "iu" or array.size == 0):
+        if array.size and not (array.min() >= 0 and array.max() < count):
+            raise ModelError(f"mask names members from {array.min()} to {array.max()}; there are 0 ... {count - 1}")
+        return np.unique(array).astype(np.intp)
+    raise ModelError(f"mask is {shown(mask)}, neither ({count},) truth values nor indices of members")

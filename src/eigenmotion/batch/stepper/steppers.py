@@ -1,0 +1,299 @@
+"""Many mechanisms step by step, as one, for whoever decides on the way for all of them."""
+
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arguments.members import Asked
+from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError, number
+from ...runtime import EvaluationError, ManySteps, StopReason
+from ...simulation.initial_state.consistency import start_state
+from .step_arguments import check_way, chosen_by, columns, numbers, rows
+
+_LEAST = 64  # members for which a thread is worth asking; in lanes, which are quick,
+_LEAST_IN_LANES = 1024
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Begun:
+    """Where K members begin: t (K,), x, v (K, n), parameters (K, n_parameters), inputs (K, n_inputs)."""
+
+    t: Vector
+    x: Vector
+    v: Vector
+    parameters: Vector
+    inputs: Vector
+
+
+class Steppers(ManySteps):
+    """K mechanisms of one model that go on as far as they are told, as one: `System.steppers` opens them.
+
+    `advance(t, inputs=None)` takes every member to t, a number or (K,) numbers [s]; `inputs` (K, n_inputs), or numbers
+    and (K,) arrays by name, hold from here on. A member that cannot go on, or meets a terminal event, has `ended` and
+    stands where it came to, whatever the others do, until `reset` begins it anew. `save()` returns all of the motion as
+    bytes, `restore(saved)` goes back there, to the last bit. No memory is taken on the way.
+
+    What comes of a member depends on the member alone, to the last bit: not on K, its place, or the threads. It is what
+    a single `Stepper` gives, to the last bit; but where members go in `lanes` to rounding.
+
+    Attributes
+    ----------
+    t, x, v, u : (K,) [s], (K, n), (K, n), (K, n_inputs)
+        Where they stand, and the inputs that hold there: the numbers themselves, which the next `advance` changes. Copy
+        what is to be kept.
+    ended : (K,)
+        Whether a member stands still until it is reset.
+    y : (K, n_state)
+        The states, published meaning.
+    energy, jacobi_integral, acceleration, multipliers : (K,) [J], (K,) [J], (K, n), (K, m)
+    outputs, events : dict name -> (K,)
+        The model's outputs; when each event passed zero last in the last advance, NaN where it did not.
+    stop : list of K StopReason
+        Why each ended; `FINISHED` where it did not.
+    failed : indices
+        Of those that ended otherwise than at a terminal event; `message(k)` says what to do.
+    nfev, nsteps : (K,)
+        Right-hand sides and accepted steps since each began.
+    lanes : int
+        How many go side by side in one core; 1: none (see `System.steppers`).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> envs = em.build(model).steppers(3, x0={"theta": [0.5, 1.0, 1.5]}, rtol=1e-9)
+    >>> envs.advance(0.5)
+    >>> envs.x[:, 0].round(4)
+    array([0.0147, 0.1043, 0.3494])
+    >>> envs.reset([False, True, False], x0={"theta": 0.1})
+    >>> envs.t, envs.x[:, 0].round(4)
+    (array([0.5, 0. , 0.5]), array([0.0147, 0.1   , 0.3494]))
+    >>> envs.advance(envs.t + 0.1)
+    """
+
+    def __init__(self, _asked: Asked, count: int, _workers: int, begun: Begun) -> None:
+        """Begin with all members."""
+        self._begun, self._busy = begun, False
+        self._begin(np.arange(count), begun)
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __repr__(self) -> str:
+        ended = int(np.count_nonzero(self.ended))
+        return f"<{self.count} Steppers of {self.model.name}{f', {ended} ended' if ended else ''}>"
+
+    # --- on their way ---
+
+    def advance(self, t: float | ArrayLike, inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None) -> None:
+        """Take all to t, a number or (K,) numbers [s], exactly, forwards or back; inputs hold from here on.
+
+        Raises
+        ------
+        ModelError
+            t or an input is not finite, or of another shape; an unknown name. Nobody has moved then.
+        """
+        self._claim()
+        try:
+            if not (isinstance(t, float) and self.set_goal(t)):
+                self.goals[...] = numbers(t, self.count, "t")
+            if inputs is not None and not (self._simple(inputs) and self.set_inputs(cast("Vector", inputs))):
+                self.set_inputs(columns(inputs, self.model.inputs, self.u))
+            check_way(self.model, self.goals, self.t, self.ended)
+            self._go()
+        finally:
+            self._busy = False
+        self.settle()
+
+    def _simple(self, inputs: Any) -> bool:
+        """Whether they are just what C takes, which needs no look in Python unless one is not finite."""
+        return isinstance(inputs, np.ndarray) and inputs.dtype == np.float64 and inputs.shape == self.u.shape
+
+    def _claim(self) -> None:
+        if self._busy:
+            raise RuntimeError("these steppers are being advanced, by another thread or a signal handler")
+        self._busy = True
+
+    def _go(self) -> None:
+        """Advance ranges of members: the first in this thread, which sees signals, the others in their own."""
+        parts = self._parts
+        if len(parts) == 1:
+            self.go(0, self.count, 0)
+            return
+        others = [self._threads.submit(self.go, *part, k) for k, part in enumerate(parts[1:], 1)]
+        try:
+            self.go(*parts[0], 0)
+        finally:
+            wait(others)
+
+    @cached_property
+    def _parts(self) -> list[tuple[int, int]]:
+        """The ranges that threads have: of whole groups of lanes."""
+        least = _LEAST_IN_LANES if self.lanes > 1 else _LEAST
+        count = max(1, min(self.workers, self.count // least))
+        ends = [8 * round(self.count * k / count / 8) for k in range(count)] + [self.count]
+        return list(pairwise(ends))
+
+    @cached_property
+    def _threads(self) -> ThreadPoolExecutor:
+        return ThreadPoolExecutor(len(self._parts) - 1, "steppers")
+
+    # --- anew ---
+
+    def reset(
+        self,
+        mask: ArrayLike | None = None,
+        *,
+        t: float | None = None,
+        x0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+        v0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+        parameters: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+        inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    ) -> None:
+        """Begin members anew; what is not given is as when all were opened, member by member.
+
+        Parameters
+        ----------
+        mask
+            (K,) truth values, or indices of members; None: all.
+        t
+            [s] at which they begin.
+        x0, v0, parameters, inputs
+            By name, numbers or (K,) arrays; or arrays (n,) or (K, n). Rows of members that go on are not looked at.
+
+        Raises
+        ------
+        ModelError
+            A start that the mechanism cannot have, by the number of the member; then nobody was reset.
+        """
+        self._claim()
+        try:
+            chosen, begun = chosen_by(mask, self.count), self._begun
+            times = begun.t if t is None else np.full(self.count, number(t, "t"))
+            names = self.model.parameters
+            p = rows(parameters, names, begun.parameters, chosen, "parameter")
+            x = rows(x0, self.model.coordinates, begun.x, chosen, "coordinate of x0")
+            v = rows(v0, self.model.coordinates, begun.v, chosen, "coordinate of v0")
+            u = begun.inputs if inputs is None else columns(inputs, self.model.inputs, begun.inputs)
+            self._begin(chosen, Begun(times, x, v, p, u))
+        finally:
+            self._busy = False
+
+    def _begin(self, chosen: NDArray[np.intp], begun: Begun) -> None:
+        """Begin all of them, or none and raise."""
+        doubtful = self.stage(chosen, begun.t, begun.x, begun.v, begun.parameters)
+        for k in chosen.tolist() if self.model.extrapolates else doubtful.tolist():
+            try:
+                prepared = self.model.prepare(begun.parameters[k].copy())
+                start = begun.x[k].copy(), begun.v[k].copy()
+                y = start_state(self.model, prepared, float(begun.t[k]), *start, self.asked.rtol, self.asked.atol)
+            except (ModelError, EvaluationError) as error:
+                raise ModelError(f"member {k} of {self.count}: {error}") from error
+            self.put(k, y)
+        self.begin(chosen, begun.t, begun.inputs)
+
+    # --- all of it ---
+
+    def save(self) -> bytes:
+        """All of the motion of all members as bytes: `restore` gives every number back to the last bit."""
+        saved: bytes = self.saved()
+        return saved
+
+    def restore(self, saved: bytes) -> None:
+        """Go back to where `save` was called, here or by others of the same model, options and number.
+
+        Raises
+        ------
+        ValueError
+            It is of others.
+        """
+        self._claim()
+        try:
+            if not (isinstance(saved, bytes) and self.go_back(saved)):
+                raise ValueError(f"{self.model.name}: what is to be restored was saved by steppers of another model, "
+                                 "method, number, or other tolerances, or compiled for another processor")  # fmt: skip
+        finally:
+            self._busy = False
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.asked, self.count, self.workers, self._begun, self.save())
+
+    # --- where they are ---
+
+    @property
+    def lanes(self) -> int:
+        """How many go side by side in one core; 1: none."""
+        return self.width
+
+    @property
+    def y(self) -> Vector:
+        """(K, n_state) the states, published meaning."""
+        return self.states()
+
+    @property
+    def energy(self) -> Vector:
+        """(K,) T + V [J]."""
+        total: Vector = self.energies().sum(axis=1)
+        return total
+
+    @property
+    def jacobi_integral(self) -> Vector:
+        """(K,) T2 - T0 + V [J]."""
+        T2, _, T0, V = self.energies().T
+        difference: Vector = T2 - T0 + V
+        return difference
+
+    @property
+    def acceleration(self) -> Vector:
+        """(K, n) d2x/dt2 with the inputs that hold."""
+        return self.reactions()[0]
+
+    @property
+    def multipliers(self) -> Vector:
+        """(K, m) of the constraints, which push with -A^T lambda (7)."""
+        return self.reactions()[1]
+
+    @property
+    def outputs(self) -> dict[str, Vector]:
+        """Name of each output -> (K,)."""
+        return dict(zip(self.model.outputs, self.observed().T, strict=True))
+
+    @property
+    def events(self) -> dict[str, Vector]:
+        """Name of each event -> (K,) when it passed zero last in the last advance [s]; NaN where it did not."""
+        return dict(zip(self.model.events, self.crossings().T, strict=True)) if self.model.events else {}
+
+    @property
+    def stop(self) -> list[StopReason]:
+        """Why each ended; FINISHED where it goes on."""
+        reasons = [self.reason(k) if ended else None for k, ended in enumerate(self.ended.tolist())]
+        return [StopReason.FINISHED if found is None else found[0] for found in reasons]
+
+    @property
+    def failed(self) -> NDArray[np.intp]:
+        """Indices of those that ended otherwise than at a terminal event."""
+        return np.array([k for k in np.flatnonzero(self.ended).tolist() if not self.stop_of(k).success], dtype=np.intp)
+
+    def stop_of(self, k: int) -> StopReason:
+        """Return why member k ended; FINISHED where it goes on."""
+        found = self.reason(k)
+        return StopReason.FINISHED if found is None else found[0]
+
+    def message(self, k: int) -> str:
+        """Return in words how member k ended, and what to do about it; "" where it goes on."""
+        found = self.reason(k)
+        return "" if found is None else f"{self.model.name}: member {k} at t = {self.t[k]:.9g}: {found[1]}"
+
+
+def _restored(asked: Asked, count: int, workers: int, begun: Begun, saved: bytes) -> Steppers:
+    made = Steppers(asked, count, workers, begun)
+    made.restore(saved)
+    return made

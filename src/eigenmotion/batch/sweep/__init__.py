@@ -1,0 +1,1 @@
+"""Sweeps: the values of their members, and their files."""

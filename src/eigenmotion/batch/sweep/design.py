@@ -1,0 +1,104 @@
+"""Which values the members of a sweep have: every point of a grid with every one of n samples.
+
+A member's values follow from its number alone, so that any part of a sweep can be made anew, in any order.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import prod
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError
+
+KINDS = {
+    "normal": "normal(mean, deviation)",
+    "uniform": "uniform(low, high)",
+    "loguniform": "loguniform(low, high)",
+    "sobol": "sobol(low, high)",
+}
+_BLOCK = 4096  # samples that are drawn together
+
+
+@dataclass(frozen=True, slots=True)
+class Distribution:
+    """What a value is drawn from: one of KINDS with two numbers. Sobol's sequence is shared by all that are of it."""
+
+    kind: str
+    first: float
+    second: float
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise ModelError(f"unknown distribution {self.kind!r}; known: {', '.join(KINDS.values())}")
+        if self.kind == "normal" and not self.second >= 0:
+            raise ModelError(f"normal: the deviation is {self.second:g}, but must not be negative")
+        if self.kind != "normal" and not self.first <= self.second:
+            raise ModelError(f"{self.kind}: {self.first:g} is above {self.second:g}")
+        if self.kind == "loguniform" and not self.first > 0:
+            raise ModelError(f"loguniform: {self.first:g} must be above 0")
+
+    def of(self, uniform: Vector, normal: Vector) -> Vector:
+        """Return values made of numbers in [0, 1) or of standard normal ones."""
+        if self.kind == "normal":
+            return self.first + self.second * normal
+        if self.kind == "loguniform":
+            return np.asarray(np.exp(np.log(self.first) + uniform * np.log(self.second / self.first)))
+        return self.first + (self.second - self.first) * uniform
+
+
+@dataclass(frozen=True)
+class Design:
+    """A grid, of which the first name varies slowest, and n samples at each of its points.
+
+    grid : name -> values; samples : name -> Distribution
+    """
+
+    grid: Mapping[str, Sequence[float]] = field(default_factory=dict)
+    samples: Mapping[str, Distribution] = field(default_factory=dict)
+    n: int = 1
+    seed: int = 0
+
+    @property
+    def count(self) -> int:
+        """How many members there are."""
+        return self.n * prod(map(len, self.grid.values()))
+
+    def values(self, start: int, stop: int) -> dict[str, Vector]:
+        """Return name -> values of the members start ... stop - 1."""
+        members = np.arange(start, stop)
+        point, sample = members // self.n, members % self.n
+        found = {}
+        for name, values in reversed(list(self.grid.items())):
+            point, place = np.divmod(point, len(values))
+            found[name] = np.asarray(values, dtype=np.float64)[place]
+        return dict(reversed(list(found.items()))) | self._drawn(sample)
+
+    def _drawn(self, sample: NDArray[np.int_]) -> dict[str, Vector]:
+        drawn = {name: np.empty(len(sample)) for name in self.samples}
+        for block in np.unique(sample // _BLOCK).tolist() if drawn else []:
+            mine = sample // _BLOCK == block
+            for name, values in self._block(block).items():
+                drawn[name][mine] = values[sample[mine] - block * _BLOCK]
+        return drawn
+
+    def _block(self, block: int) -> dict[str, Vector]:
+        """Draw name -> (_BLOCK,). Each name has a stream of its own, whatever else is drawn."""
+        spread = [name for name, one in self.samples.items() if one.kind == "sobol"]
+        columns = dict(zip(spread, self._sobol(block, len(spread)).T, strict=True)) if spread else {}
+        found = {}
+        for name, one in self.samples.items():
+            random = np.random.default_rng([self.seed, crc32(name.encode()), block])
+            uniform = columns[name] if name in columns else random.random(_BLOCK)
+            found[name] = one.of(uniform, random.standard_normal(_BLOCK) if one.kind == "normal" else uniform)
+        return found
+
+    def _sobol(self, block: int, dimensions: int) -> Vector:
+        engine = qmc.Sobol(dimensions, rng=np.random.default_rng(self.seed))
+        if block:
+            engine.fast_forward(block * _BLOCK)
+        return np.asarray(engine.random(_BLOCK))

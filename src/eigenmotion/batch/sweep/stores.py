@@ -1,0 +1,217 @@
+"""Sweeps as files: of all parts of a sweep one store.
+
+What it holds follows from the parts alone, byte by byte: zarr, netCDF (both through xarray), .npz, or .csv with a line
+a run and time.
+"""
+
+import tempfile
+import warnings
+from collections.abc import Callable, Collection, Iterator
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...codegen.model.normalise import ModelError
+from ...presentation.tables import as_csv
+from ...results.columns import columns, moving
+from ...results.ensemble import Ensemble
+from .unfinished_store import Arrays, Parts, remove
+
+_ALONG = {"x": ("run", "coordinate", "time"), "v": ("run", "coordinate", "time"), "multipliers": ("run", "row", "time"),
+          "energy": ("run", "time")}  # fmt: skip
+_OURS = frozenset({*_ALONG, "time", "coordinate", "run", "row", "t_end", "success", "stop", "nfev"})
+_SWEPT, _OUTPUT = "swept ", "output "
+
+
+def arrays_of(runs: Ensemble, swept: Arrays) -> Arrays:
+    """Return what is kept of runs, the first axis theirs; `swept`: name -> (K,)."""
+    kept = {"x": runs.x, "v": runs.v, "energy": runs.energy, "multipliers": runs.multipliers, "t_end": runs.t_end,
+            "success": runs.success, "stop": np.array([str(reason) for reason in runs.stop], dtype="U32"),
+            "nfev": runs.nfev}  # fmt: skip
+    kept |= {_OUTPUT + name: values for name, values in runs.outputs.items()}
+    kept |= {_SWEPT + name: values for name, values in swept.items()}
+    return {name: np.ascontiguousarray(values) for name, values in kept.items()}
+
+
+def require(store: Path) -> None:
+    """Raise ModelError where a kind of store needs a package that is missing."""
+    needs = {".zarr": ("xarray", "zarr"), ".nc": ("xarray",)}.get(store.suffix, ())
+    if missing := [name for name in needs if find_spec(name) is None]:
+        raise ModelError(f"{store}: needs {' and '.join(missing)}: pip install 'eigenmotion[xarray]'")
+
+
+def check_names(store: Path, swept: Collection[str], outputs: Collection[str]) -> None:
+    """Find out before the runs which names a store could not hold after them: a column of each is written, and read.
+
+    Raises
+    ------
+    ModelError
+        There is one; names it.
+    """
+    if store.suffix not in _DATASETS:
+        return
+    keys = [*(_OUTPUT + name for name in outputs), *(_SWEPT + name for name in swept)]
+    for key, column in _named(keys, _OURS).items():
+        if not _holds(store.suffix, column):
+            raise ModelError(
+                f"{store}: {store.suffix} files hold no column of the name {column!r} ({key.partition(' ')[0]}). "
+                "Rename it, or store .csv or .npz, which hold any"
+            )
+
+
+def _holds(suffix: str, column: str) -> bool:
+    import xarray  # noqa: PLC0415, an optional package
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"rehearsal{suffix}"
+        try:
+            _write(xarray.Dataset({column: ("run", np.ones(1))}, {"run": np.zeros(1)}), path)
+            with _opened(path) as found:
+                return column in found.data_vars
+        except Exception:  # whatever xarray, zarr, SciPy or the file system raise at a name
+            return False
+
+
+def finish(parts: Parts) -> None:
+    """Make the store of the parts, which go."""
+    finished = parts.folder / f"store{parts.store.suffix}"
+    remove(finished)
+    remove(parts.folder / "before")
+    STORES[parts.store.suffix](parts, finished)
+    parts.settle(finished)
+
+
+def is_done(parts: Parts) -> bool:
+    """Whether the store is there, of this sweep as far as it says which it is of."""
+    if parts.is_stored:
+        return True
+    if parts.is_begun or not parts.store.exists():
+        return False
+    try:
+        return _ORDERS[parts.store.suffix](parts.store) == parts.said
+    except Exception:  # of a store that is damaged
+        return False
+
+
+def _joined(parts: Parts) -> Arrays:
+    every = list(parts.arrays())
+    return {name: np.concatenate([part[name] for part in every]) for name in every[0]}
+
+
+def _save_npz(parts: Parts, path: Path) -> None:
+    shared = {"time": parts.time, "coordinates": np.array(parts.coordinates), "sweep": np.array(parts.said)}
+    # the first space is ours, the others are the user's
+    with path.open("wb") as file:
+        np.savez(
+            file,
+            allow_pickle=False,
+            **shared,
+            **{name.replace(" ", "_", 1): array for name, array in _joined(parts).items()},
+        )
+
+
+def _named(keys: Collection[str], ours: Collection[str]) -> dict[str, str]:
+    """Return the column of each of `keys` that is of the user's names."""
+    theirs = [key for key in keys if key.startswith((_SWEPT, _OUTPUT))]
+    parted = [key.partition(" ") for key in theirs]
+    return dict(zip(theirs, columns(ours, [(kind, name) for kind, _, name in parted]), strict=True))
+
+
+def _dataset(parts: Parts, arrays: Arrays, first: int) -> Any:
+    """Return an `xarray.Dataset` of some runs, counted from `first`."""
+    import xarray  # noqa: PLC0415, an optional package
+
+    named = _named(arrays, _OURS)
+    data = {name: (_ALONG.get(name, ("run",)), array) for name, array in arrays.items() if name not in named}
+    data |= {column: (("run", "time"), arrays[key]) for key, column in named.items() if key.startswith(_OUTPUT)}
+    places = {column: ("run", arrays[key]) for key, column in named.items() if key.startswith(_SWEPT)}
+    runs = np.arange(first, first + len(arrays["t_end"]))
+    if not arrays["multipliers"].shape[1]:
+        del data["multipliers"]
+    shared = {"run": runs, "time": parts.time, "coordinate": np.array(parts.coordinates)}
+    return xarray.Dataset(data, shared | places, {"sweep": parts.said})
+
+
+def _save_netcdf(parts: Parts, path: Path) -> None:
+    _write(_dataset(parts, _joined(parts), 0), path)
+
+
+def _save_zarr(parts: Parts, path: Path) -> None:
+    """Append part by part: no more than one is in memory."""
+    first = 0
+    for arrays in parts.arrays():
+        _write(_dataset(parts, arrays, first), path, **({"append_dim": "run"} if first else {"mode": "w"}))
+        first += len(arrays["t_end"])
+
+
+def _write(some: Any, path: Path, **how: Any) -> None:
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*has a space in its name")  # it is a data variable, then
+        if path.suffix == ".nc":
+            some.to_netcdf(path, engine="scipy")
+            return
+        warnings.filterwarnings("ignore", message=".*does not have a Zarr V3 specification.*")
+        warnings.filterwarnings("ignore", message=".*Consolidated metadata.*")
+        some.to_zarr(path, consolidated=False, **how)
+
+
+def _opened(path: Path) -> Any:
+    import xarray  # noqa: PLC0415, an optional package
+
+    return xarray.open_dataset(path, **_DATASETS[path.suffix])
+
+
+def _save_csv(parts: Parts, path: Path) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        first = 0
+        for arrays in parts.arrays():
+            head, rows = _lines(parts, arrays, first)
+            text = as_csv(head, rows)
+            file.write(text if not first else text[len(as_csv(head, ())) :])
+            first += len(arrays["t_end"])
+
+
+def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterator[list[Any]]]:
+    """Return names of columns, and a line for each run and time."""
+    reactions = [f"lambda{k}" for k in range(arrays["multipliers"].shape[1])]
+    ours = ["run", "t", *reactions, "energy", "t_end", "stop"]
+    motion = moving(ours, parts.coordinates)
+    named = _named(arrays, {*ours, *motion, *parts.coordinates})
+    swept, outputs = ({column: arrays[key] for key, column in named.items() if key.startswith(kind)}
+                      for kind in (_SWEPT, _OUTPUT))  # fmt: skip
+    head = ["run", *swept, "t", *motion, *reactions, "energy", *outputs, "t_end", "stop"]
+
+    def rows() -> Iterator[list[Any]]:
+        for k in range(len(arrays["t_end"])):
+            for j, t in enumerate(parts.time.tolist()):
+                moved = [arrays[name][k, :, j].tolist() for name in ("x", "v", "multipliers")]
+                yield [first + k, *(column[k].item() for column in swept.values()), t, *moved[0], *moved[1],
+                       *moved[2], arrays["energy"][k, j].item(), *(column[k, j].item() for column in outputs.values()),
+                       arrays["t_end"][k].item(), str(arrays["stop"][k])]  # fmt: skip
+
+    return head, rows()
+
+
+def _order_of_npz(store: Path) -> str:
+    with store.open("rb") as file, np.load(file) as arrays:
+        return str(arrays["sweep"])
+
+
+def _order_of_dataset(store: Path) -> str:
+    with _opened(store) as found:
+        return str(found.attrs["sweep"])
+
+
+_DATASETS: dict[str, dict[str, Any]] = {
+    ".nc": {"engine": "scipy"}, ".zarr": {"engine": "zarr", "consolidated": False},
+}  # fmt: skip
+_ORDERS: dict[str, Callable[[Path], str]] = {
+    ".zarr": _order_of_dataset, ".nc": _order_of_dataset, ".npz": _order_of_npz, ".csv": lambda _store: "",
+}  # fmt: skip
+STORES: dict[str, Callable[[Parts, Path], None]] = {
+    ".zarr": _save_zarr, ".nc": _save_netcdf, ".npz": _save_npz, ".csv": _save_csv,
+}  # fmt: skip
+JOINED = (".npz", ".nc")
+"""Of which all runs are in memory at the end."""

@@ -1,0 +1,70 @@
+"""Chunks of members for threads of this process, which take the next one as they come to it."""
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+
+from ..arguments.members import Asked, Members
+from ..results.batch_arrays import Collection, Found
+from ..runtime.ensemble import Stop
+from .chunk import run_chunk
+
+Report = Callable[[int], None]
+_PART = 3  # of what is left for a thread, the part that is its next chunk: the last are short, and all end together
+_LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
+_TICK = 0.05  # [s] between two looks at signals
+
+
+def pieces(count: int, size: int) -> list[tuple[int, int]]:
+    """Return (start, stop) of chunks of at most `size`."""
+    return [(start, min(start + size, count)) for start in range(0, count, size)]
+
+
+def shares(count: int, workers: int) -> list[tuple[int, int]]:
+    """Return (start, stop) of chunks for so many threads, ever shorter: each takes Python some time."""
+    if workers == 1:
+        return pieces(count, _MOST)
+    least, found, start = min(_LEAST, -(-count // workers)), list[tuple[int, int]](), 0
+    while start < count:
+        size = min(_MOST, max(least, (count - start) // (_PART * workers)), count - start)
+        found.append((start, start + size))
+        start += size
+    return found
+
+
+def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
+    """Run all members; Ctrl-C ends the runs, and what is done is returned."""
+    stop, parts = Stop(), shares(members.count, workers)
+    if len(parts) == 1:
+        only = run_chunk(asked, members, stop)
+        report(members.count)
+        return only
+    found = Collection(asked, members.count)
+
+    def work(start: int, end: int) -> None:
+        found.put(start, run_chunk(asked, members.part(start, end), stop))
+        report(end - start)
+
+    if workers == 1:
+        for part in parts:
+            work(*part)
+        return found.whole
+    with ThreadPoolExecutor(min(workers, len(parts))) as pool:
+        try:
+            _await([pool.submit(work, *part) for part in parts], stop)
+        except BaseException as error:
+            stop.set()
+            if not isinstance(error, KeyboardInterrupt):
+                raise
+    return found.whole
+
+
+def _await(futures: list[Future[None]], stop: Stop) -> None:
+    """Wait for all; a signal is seen here, in the main thread, and ends their runs."""
+    waiting = set(futures)
+    while waiting:
+        try:
+            done, waiting = wait(waiting, _TICK)
+            for future in done:
+                future.result()
+        except KeyboardInterrupt:
+            stop.set()

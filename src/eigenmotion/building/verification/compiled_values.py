@@ -1,0 +1,118 @@
+"""What a compiled model says at many places; NaN where it declines to answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...runtime import CompiledModel, EvaluationError, Prepared
+from ...system.system import System
+from .rounding_bounds import EPS
+from .test_points import Places
+
+_STRIDE = 1e-4
+"""What differences along the motion are over, relative to how long it takes a coordinate to become another."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Answers at k places, the places first.
+
+    M, factored (k, n, n); factored_rate, rate_off (k, n, n), along the motion, by differences, and their bounds;
+    A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
+    events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
+    C (k, n, n); s (k, n);
+    y, dy (k, n_state); velocity (k, n) of y;
+    least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
+    """
+
+    M: Vector
+    factored: Vector
+    factored_rate: Vector
+    rate_off: Vector
+    A: Vector
+    b: Vector
+    phi: Vector
+    energies: Vector
+    quasi: Vector
+    events: Vector
+    drawn: Vector
+    a: Vector
+    multipliers: Vector
+    outputs: Vector
+    C: Vector
+    s: Vector
+    y: Vector
+    dy: Vector
+    velocity: Vector
+    least_norm: Vector
+
+
+def ask(system: System, places: Places) -> Found:
+    """Ask a model everything at every place."""
+    columns = zip(places.t, places.x, places.v, places.u, places.p, strict=True)
+    rows = [_ask(system.compiled, *place) for place in columns]
+    return Found(*(np.array(column) for column in zip(*rows, strict=True)))
+
+
+def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
+    """Return the fields of Found at one place."""
+    try:
+        prepared = c.prepare(p)
+    except EvaluationError:
+        return tuple(np.full(shape, np.nan) for shape in _shapes(c))
+    time, position, moving, inputs = np.array([t]), x[None], v[None], u[None]
+    a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, False)
+    least_norm = bool(np.isnan(a).any())
+    if least_norm:
+        a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, True)
+    C, s = c.eigenfactor_rows(time, position, prepared)
+    y = c.state_rows(time, position, moving, prepared)
+    return (
+        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), *_along(c, t, x, v, prepared),
+        *c.pfaffian(t, x, prepared), c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
+        c.quasi_rows(time, position, moving, prepared)[0],
+        c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
+        c.drawn_rows(time, position, prepared)[0],
+        a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
+        _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
+        np.array(least_norm),
+    )  # fmt: skip
+
+
+def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> tuple[Vector, Vector]:
+    """(n, n) the rate of what is factored, by differences of fourth order, and what it is off by; 0 where that is M."""
+    if not c.augmented:
+        return np.zeros((c.n, c.n)), np.zeros((c.n, c.n))
+    moving = v != 0.0
+    h = _STRIDE * float(np.min(np.abs(x[moving] / v[moving]), initial=np.inf))
+    h = h if 0.0 < h < np.inf else _STRIDE
+    ends = [[c.factored_matrix(t + s, x + s * v, prepared) for s in (span, -span)] for span in (h / 2, h, 2 * h)]
+    half, one, two = (there - back for there, back in ends)
+    fine, coarse = (8.0 * half - one) / (6.0 * h), (8.0 * one - two) / (12.0 * h)
+    return fine, np.abs(fine - coarse) + 16.0 * EPS / h * np.abs(ends).max(axis=(0, 1))
+
+
+def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
+    """The same with no contact or friction held, of which events watch multipliers: that follows from the others."""
+    if not c.switches:
+        return prepared
+    free = p.copy()
+    free[[holds for _, holds, *_ in c.switches]] = 0.0
+    return c.prepare(free)
+
+
+def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) -> Vector:
+    try:
+        return c.rhs(t, y, prepared, u)
+    except EvaluationError:
+        return np.full(c.n_state, np.nan)
+
+
+def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
+    """Shapes of the fields of Found at one place."""
+    n, m, state = c.n, c.m, (c.n_state,)
+    return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
+            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

@@ -1,0 +1,145 @@
+"""The first steps of a run, held against accelerations that have been proved: the steppers, settling and guards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from ...arguments.methods import METHODS
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...results.solution import Solution
+from ...runtime import EvaluationError, StopReason
+from ...system.system import System
+from .rounding_bounds import geometric
+
+FAR = 1e9
+STEPS = 2
+"""Steps of each method; so short a run is the same in every formulation."""
+SUBSTEPS = 32
+"""Steps of fourth order for each of them, by which they are judged."""
+TOLERANCE = 1e-9
+"""Of the run; what is left of x and v is judged by a thousand times that part of what they change by."""
+SOUND = 1e-6
+"""The least eigenvalue, of a matrix with ones on its diagonal, from which nothing there is singular to anybody."""
+_REASONS = (StopReason.SINGULAR_MASS_MATRIX, StopReason.DEPENDENT_CONSTRAINTS)
+
+
+def first_steps(system: System, methods: Iterable[str] = tuple(METHODS)) -> Iterator[tuple[str, str]]:
+    """Yield (method, what is wrong) where a run from the model's own start does not go as its accelerations say.
+
+    Methods are compiled ones, explicit ones first. A start that cannot be, or a run that ends there for a reason of its
+    own, says nothing. Implicit steps go no farther than explicit ones, which are what they are judged by.
+    """
+    x, far = system.initial[0], min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
+    end = far
+    with np.errstate(all="ignore"):
+        for name in methods:
+            until = end if METHODS[name].implicit else far
+            try:
+                run = _run(system, name, until, atol=0.0)
+            except ModelError:
+                return
+            if _refuses(run) and _refuses(_run(system, name, far, atol=TOLERANCE)) and _is_sound(system, x):
+                yield name, f"ends at the start ({run.message}), where nothing is singular"
+            elif (error := _off(system, run)) and _off(system, _run(system, name, until, atol=TOLERANCE)):
+                yield name, f"is off by {error:.1e} of the way after {run.nsteps} steps"
+            end = min(end, run.t[-1]) if run.nsteps else end
+
+
+def _run(system: System, method: str, end: float, atol: float) -> Solution:
+    return system.simulate((0.0, end), method=method, rtol=TOLERANCE, atol=atol, max_steps=STEPS)
+
+
+def _refuses(run: Solution) -> bool:
+    """Whether it ends at the start; without an absolute tolerance, rounding of a number that is zero may be why."""
+    return run.stop in _REASONS and float(run.t[-1]) == 0.0
+
+
+def _jumps(system: System, run: Solution) -> bool:
+    """Whether something acted, or holds that does not in the model's own mode."""
+    acted = any(len(times) for times, acts in zip(run.t_events or (), system.compiled.acting, strict=False) if acts)
+    return acted or any(any(mode.values()) for _, mode in run.modes)
+
+
+def _is_sound(system: System, x: Vector) -> bool:
+    """Whether M, and A M^-1 A^T, are regular at the start beyond doubt."""
+    M, A = system.mass_matrix(x), system.pfaffian(x)[0]
+    return _least(M) > SOUND and _least(A @ np.linalg.solve(M, A.T)) > SOUND
+
+
+def _least(W: Vector) -> float:
+    scaled = W / geometric(W[None])[0]
+    return float(np.linalg.eigvalsh(scaled).min(initial=1.0)) if np.isfinite(scaled).all() else 0.0
+
+
+def _off(system: System, run: Solution) -> float:
+    """Return how far the run is off, 0 where that is nothing, or may be the error of what judges it.
+
+    That becomes less with shorter substeps, as where a force or M jumps or bends at the start. And without an absolute
+    tolerance, from rest, rounding of accelerations may be what moves: whoever asks looks at a run with one, too.
+    """
+    if not run.nsteps or _jumps(system, run) or _rests(system, run):
+        return 0.0
+    error = _error(system, run, SUBSTEPS)
+    if not error > 1e3 * TOLERANCE:
+        return 0.0
+    return 0.0 if _error(system, run, 16 * SUBSTEPS) < error / 2 else error
+
+
+def _rests(system: System, run: Solution) -> bool:
+    """Whether it starts at rest where nothing pushes, then or by its end, by more than rounding.
+
+    Rounding is what x moved in its last places makes of accelerations, or what is left of reactions that cancel forces.
+    """
+    x, v = run.x[:, 0], run.v[:, 0]
+    near = x * (1 + 4 * np.finfo(float).eps)
+    try:
+        pushed, moved = (np.array([system.acceleration(at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
+        cancelled = max(_cancelled(system, x, v, t) for t in (0.0, run.t[-1]))
+    except EvaluationError:
+        return False
+    rounding = max(np.abs(np.abs(pushed) - np.abs(moved)).max(), np.finfo(float).eps * cancelled)
+    return not v.any() and bool(np.abs(pushed).max() <= 8 * rounding)
+
+
+def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
+    """The largest acceleration that reactions alone would make."""
+    reactions = np.abs(system.pfaffian(x, t)[0].T) @ np.abs(system.acceleration(x, v, t)[1])
+    M = system.compiled.factored_matrix(t, x, system.prepare())
+    return float((np.abs(np.linalg.inv(M)) @ reactions).max(initial=0.0))
+
+
+def _error(system: System, run: Solution, substeps: int) -> float:
+    """Return how far the run is off, relative to the way of x and the change of v in the mass metric; NaN: unknown."""
+    n, times = system.n, np.linspace(0.0, run.t[-1], substeps * run.nsteps + 1)
+    start = z = np.concatenate([run.x[:, 0], run.v[:, 0]])
+    try:
+        for t, h in zip(times, np.diff(times), strict=False):
+            z = _classical_step(system, t, z, h)
+        M = system.compiled.factored_matrix(0.0, start[:n], system.prepare())
+    except EvaluationError:
+        return np.nan
+    end = np.concatenate([run.x[:, -1], run.v[:, -1]])
+    off = [np.sqrt(d @ M @ d) for d in (end[:n] - z[:n], end[n:] - z[n:])]
+    way = run.t[-1] * (np.sqrt(start[n:] @ M @ start[n:]) + np.sqrt(z[n:] @ M @ z[n:]))
+    change = np.sqrt((z - start)[n:] @ M @ (z - start)[n:])
+    rounding = [np.sqrt(s @ M @ s) * np.finfo(float).eps / TOLERANCE for s in (start[:n], start[n:])]
+    return float(max(off[0] / (way + rounding[0]), off[1] / (change + way / run.t[-1] + rounding[1])))
+
+
+def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
+    """One step of the classical fourth-order method."""
+    k1 = _rate(system, t, z)
+    k2 = _rate(system, t + h / 2, z + h / 2 * k1)
+    k3 = _rate(system, t + h / 2, z + h / 2 * k2)
+    k4 = _rate(system, t + h, z + h * k3)
+    return np.asarray(z + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
+
+
+def _rate(system: System, t: float, z: Vector) -> Vector:
+    """The rate between the breaks of the model about the start, of which the run has gone as far as the next."""
+    n, (_, low, high) = system.n, system.compiled.piece(0.0, 1.0, system.prepare())
+    t = min(max(t, low), high)
+    return np.concatenate([z[n:], system.acceleration(z[:n], z[n:], t)[0]])

@@ -1,0 +1,52 @@
+"""What the compiled model's solves are off by: from the terms they add up and the condition of their matrices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from .compiled_values import Found
+from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, rounded
+from .symbolic_values import Stated
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Bounds at k places.
+
+    solved : (k, n) of M a = f - A^T lambda, where a comes from a root of M: what is left of it
+    a : (k, n) of accelerations
+    rows : (k, m) of A a + gamma, for such accelerations
+    """
+
+    solved: Vector
+    a: Vector
+    rows: Vector
+
+
+def errors(found: Found, stated: Stated, terms: list[Rounded]) -> Errors:
+    """Bounds of what is found by lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), in eps of each term.
+
+    Here M is what is factored, and `terms` those of Lagrange's equations.
+    """
+    multipliers = np.abs(found.multipliers)
+    solved = EPS * np.einsum("kij,kj->ki", geometric(found.factored), np.abs(found.a))
+    W = inverse(stated.M)
+    push = applied(stated.A.turned, rounded(found.multipliers))
+    free = np.abs(found.a) + np.abs(applied(W, push).value)
+    left = sum((term.bound for term in terms), solved)
+    wide = np.abs(W.value)
+    alone = _times(wide, left + _times(stated.M.bound, free))
+    delta = stated.A @ W @ stated.A.turned
+    lost = _times(np.abs(stated.A.value), alone) + stated.row_rate.bound
+    rows = lost + _times(delta.bound + EPS * geometric(delta.value), multipliers)
+    pushed = _times(np.abs(inverse(delta).value), rows)
+    moved = _times(wide, _times(np.abs(stated.A.value).swapaxes(1, 2), pushed))
+    rows[found.least_norm != 0.0] = np.inf  # dependent rows may contradict each other off the constraints
+    return Errors(solved, alone + moved, rows)
+
+
+def _times(M: Vector, v: Vector) -> Vector:
+    return np.asarray(np.einsum("kij,kj->ki", M, v))

@@ -1,0 +1,180 @@
+"""The right-hand side that is integrated, held against the acceleration: identities of what stands for xdot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...system.system import System
+from .compiled_values import Found
+from .identities import Identity, flat
+from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, root, rounded
+from .solve_errors import Errors
+from .symbolic_values import Stated
+
+
+@dataclass(frozen=True, slots=True)
+class Factors:
+    """Eigenfactors of symmetric matrices W = C^T S^2 C and their rates: C, C_rate (k, n, n), s, s_rate (k, n)."""
+
+    C: Vector
+    s: Vector
+    C_rate: Vector
+    s_rate: Vector
+
+
+def rates(system: System, v: Vector, found: Found, stated: Stated, errors: Errors) -> Iterator[Identity]:
+    """Identities of y and dy, for v (k, n)."""
+    n, layout, names = system.n, system.layout, system.coordinates
+    back = rounded(v).off(EPS * recovered(system, v, found))
+    yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(found.dy[:, :n]), -back])
+    yield Identity([f"{name}' of the state" for name in names], [rounded(found.velocity), -back])
+    a = rounded(found.a).off(errors.a)
+    if "v" in layout:
+        yield Identity([f"the rate of {name}'" for name in names], [rounded(found.dy[:, layout["v"]]), -a],
+                       scale=speeds(found.a, found))  # fmt: skip
+    elif system.formulation == "cholesky":
+        yield _of_root(names, rounded(found.dy[:, layout["eta"]]), back, a, stated)
+    else:
+        yield from _of_eigenfactors(system, back, a, found, stated)
+    if "s_delta" in layout:
+        yield from _of_delta(system, found, stated)
+
+
+def recovered(system: System, v: Vector, found: Found) -> Vector:
+    """(k, n): eps of it is what velocities are off by that come back from the state: from eta, a root of M times v."""
+    return np.abs(v) if "v" in system.layout else speeds(v, found)
+
+
+def speeds(v: Vector, found: Found) -> Vector:
+    """(k, n): how large each could be, alone, with the kinetic energy of v (k, n)."""
+    W = np.einsum("kii->ki", inverse(rounded(found.factored)).value)
+    energy = np.einsum("ki,kij,kj->k", v, found.factored, v)
+    return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
+
+
+def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: Stated) -> Identity:
+    """eta = L^T v, M = L L^T: the rate of L by that of M."""
+    L = root(stated.M)
+    back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
+    W = Rounded(back, np.abs(back) @ L.bound @ np.abs(back))
+    inner = W @ stated.M_rate @ W.turned
+    half = np.tril(np.ones(back.shape[1:])) - 0.5 * np.eye(back.shape[1])
+    turning = applied((L @ (half * inner)).turned, v)
+    terms = [eta_rate, -turning, -applied(L.turned, a)]
+    return Identity([f"the rate of eta for {name}'" for name in names], terms, scale=_all(terms))
+
+
+def _all(terms: Sequence[Rounded]) -> Vector:
+    """(k, 1): the size of terms that share a unit."""
+    return np.asarray(sum(np.abs(term.value) for term in terms).max(axis=1, keepdims=True))
+
+
+def _of_eigenfactors(system: System, v: Rounded, a: Rounded, found: Found, stated: Stated) -> Iterator[Identity]:
+    """eta = S C v (17), M = C^T S^2 C, in units of `scales`."""
+    unit, names = rounded(1.0 / system.scales), system.coordinates
+    both = system.scales[:, None] * system.scales
+    M, M_rate = both * stated.M, both * stated.M_rate
+    factors = _factors_of(system, found, M_rate.value)
+    size = _largest(factors, system.blocks)
+    yield from _factored([f"M of {one}, {two}" for one in names for two in names], factors, M, M_rate, size)
+    C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
+    Cv, Ca, turn = applied(C, v * unit), applied(C, a * unit), applied(C_rate, v * unit)
+    terms = [rounded(found.dy[:, system.layout["eta"]]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
+    wide = np.abs(factors.C)
+    off = wide @ M_rate.bound @ wide.swapaxes(1, 2)  # of C Mdot C^T, by which C and s turn and stretch
+    off = off + EPS * size * np.abs(factors.C_rate).max(axis=2, keepdims=True, initial=0.0)
+    more = np.einsum("kij,kj->ki", off, np.abs(Cv.value)) / factors.s
+    yield Identity([f"the rate of eta number {k}" for k in range(system.n)], terms, more, _all(terms))
+
+
+def _factors_of(system: System, found: Found, M_rate: Vector) -> Factors:
+    """Those the state carries; of the other blocks, which do not turn, those of M."""
+    C, s, C_rate = found.C.copy(), found.s.copy(), np.zeros_like(found.C)
+    s_rate = np.einsum("kij,kjl,kil->ki", C, M_rate, C) / (2.0 * s)
+    if "s" in system.layout:
+        carried = [block for block in system.blocks if block[0] in system.compiled.carried]
+        for block, (at, root) in zip(carried, _places(system, "C", "s", carried), strict=True):
+            square = np.ix_(range(len(C)), block, block)
+            shape = (len(C), len(block), len(block))
+            C[square], C_rate[square] = found.y[:, at].reshape(shape), found.dy[:, at].reshape(shape)
+            s[:, block], s_rate[:, block] = found.y[:, root], found.dy[:, root]
+    return Factors(C, s, C_rate, s_rate)
+
+
+def _places(system: System, C: str, s: str, blocks: Sequence[Sequence[int]]) -> Iterator[tuple[slice, slice]]:
+    """Where in y the C and s of each block are."""
+    at, root = system.layout[C].start, system.layout[s].start
+    for size in map(len, blocks):
+        yield slice(at, at + size**2), slice(root, root + size)
+        at, root = at + size**2, root + size
+
+
+def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
+    """(k, n, n): the largest s^2 of the block of both, which is what its factors are rounded relative to."""
+    size = np.zeros_like(factors.C)
+    for block in map(list, blocks):
+        size[np.ix_(range(len(size)), block, block)] = (factors.s[:, block] ** 2).max(axis=1)[:, None, None]
+    return size
+
+
+def _factored(
+    names: Sequence[str], factors: Factors, W: Rounded, W_rate: Rounded, size: Vector, turning: Vector | float = 0.0
+) -> Iterator[Identity]:
+    """W = C^T S^2 C with C orthonormal, and the same differentiated (30), (35); what made C_rate is turning, too."""
+    C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
+    squares, unit = (s * s)[:, :, None], Rounded(np.broadcast_to(np.eye(C.value.shape[1]), C.value.shape), 0.0 * size)
+    wide = np.abs(factors.C.swapaxes(1, 2)) @ np.abs(factors.C)
+    fast = np.abs(factors.C_rate).max(axis=(1, 2), keepdims=True, initial=0.0) + turning
+    of_W = [flat(C.turned @ (squares * C)), -flat(W)]
+    yield Identity([f"C^T S^2 C = {name}" for name in names], of_W, _wide(EPS * size),
+                   _wide(geometric(W.value)))  # fmt: skip
+    yield Identity([f"C C^T = 1, beside {name}" for name in names], [flat(C @ C.turned), -flat(unit)], EPS, 1.0)
+    like = geometric(W.value)
+    pace = fast + np.abs(W_rate.value / like).max(axis=(1, 2), keepdims=True, initial=0.0)
+    along, stretch = C_rate.turned @ (squares * C), C.turned @ ((2.0 * (s * s_rate))[:, :, None] * C)
+    terms = [flat(along), flat(along.turned), flat(stretch), -flat(W_rate)]
+    more = wide @ W_rate.bound @ wide + EPS * fast * size
+    yield Identity([f"the rate of C, s, beside {name}" for name in names], terms, _wide(more),
+                   _wide(pace * like))  # fmt: skip
+    gauge = C @ C_rate.turned
+    yield Identity([f"the rate of C C^T, beside {name}" for name in names], [flat(gauge), flat(gauge.turned)],
+                   _wide(EPS * fast + 0.0 * size), _wide(pace + 0.0 * size))  # fmt: skip
+
+
+def _wide(size: Vector) -> Vector:
+    return size.reshape(len(size), -1)
+
+
+def _of_delta(system: System, found: Found, stated: Stated) -> Iterator[Identity]:
+    """Delta = A M^-1 A^T (47) and the eigenfactors of its parts."""
+    A, W = stated.A, inverse(stated.M)
+    P = A @ W
+    half = stated.A_rate @ P.turned
+    delta, delta_rate = P @ A.turned, half + half.turned - P @ stated.M_rate @ P.turned
+    turning = np.abs(_factors_of(system, found, stated.M_rate.value).C_rate).max(axis=(1, 2), keepdims=True)
+    groups = [group for group in _coupled(delta) if len(group) > 1]
+    if sum(map(len, groups)) != system.layout["s_delta"].stop - system.layout["s_delta"].start:
+        return  # rows coupled in form only
+    for group, (at, root_at) in zip(groups, _places(system, "C_delta", "s_delta", groups), strict=True):
+        shape, square = (len(found.y), len(group), len(group)), np.ix_(range(len(found.y)), group, group)
+        factors = Factors(found.y[:, at].reshape(shape), found.y[:, root_at],
+                          found.dy[:, at].reshape(shape), found.dy[:, root_at])  # fmt: skip
+        names = [f"Delta of rows {one}, {two}" for one in group for two in group]
+        size = _largest(factors, [range(len(group))])
+        yield from _factored(names, factors, delta[square], delta_rate[square], size, turning)
+
+
+def _coupled(delta: Rounded) -> list[list[int]]:
+    """Groups of rows of Delta between which there is something other than zero."""
+    coupled = np.asarray((~delta.near() & np.isfinite(delta.value)).any(axis=0))
+    groups: list[list[int]] = []
+    for row in range(len(coupled)):
+        joined = [group for group in groups if coupled[row, group].any()]
+        groups = [group for group in groups if group not in joined] + [
+            sorted([row, *(other for group in joined for other in group)])
+        ]
+    return sorted(groups)

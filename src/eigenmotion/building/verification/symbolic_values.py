@@ -1,0 +1,214 @@
+"""What the user's own expressions say at many places, in hyper-dual numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+import sympy
+
+from ...arguments.named_values import Vector
+from ...codegen.model import Model, multiplier, t
+from .compiled_values import Found
+from .evaluate import Evaluation
+from .hyperdual import HyperDual, given
+from .rounding_bounds import EPS, Rounded, joined, rounded
+from .test_points import Places
+
+_ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
+_AT_ONCE = 30_000
+"""Numbers in one array: enough to make Python's share small, few enough for the processor's cache."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """Values at k places, the places first, for the accelerations and multipliers that the compiled model found.
+
+    M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum_rate (k, n) = d/dt dT/dxdot; T_x, V_x, Q (k, n)
+    A, A_rate (k, m, n); row (k, m) = A xdot + b; row_rate (k, m) its rate; phi (k, h); quasi (k, n or 0)
+    outputs (k, n_outputs); events (k, n_events);
+    drawn (k, n_drawn); unknown: functions that could not be evaluated
+    """
+
+    M: Rounded
+    M_rate: Rounded
+    G: Rounded
+    T0: Rounded
+    V: Rounded
+    momentum_rate: Rounded
+    T_x: Rounded
+    V_x: Rounded
+    Q: Rounded
+    A: Rounded
+    A_rate: Rounded
+    row: Rounded
+    row_rate: Rounded
+    phi: Rounded
+    quasi: Rounded
+    outputs: Rounded
+    events: Rounded
+    drawn: Rounded
+    unknown: frozenset[str]
+
+
+def evaluate(model: Model, places: Places, found: Found, speed: Vector) -> Stated:
+    """Evaluate everything a model states; velocities are off by eps of `speed` (k, n)."""
+    statement = _Statement(model, places, found, speed)
+    with np.errstate(all="ignore"):
+        energies, along = statement.energies(), statement.along()
+        across, twice = statement.across(), statement.twice()
+        holonomic = {name: joined([across[name], along[name]], axis=1) for name in ("A", "A_rate", "row")}
+        row_rate = joined([twice, along.pop("row_rate")], axis=1)
+    parts = energies | across | along | holonomic
+    return Stated(**parts, row_rate=row_rate, unknown=statement.unknown)
+
+
+class _Statement:
+    """Evaluations of one model at the same places, with different parts varied."""
+
+    def __init__(self, model: Model, places: Places, found: Found, speed: Vector) -> None:
+        self.model, self.places, self.found = model, places, found
+        self.k, self.n = places.x.shape
+        self.x = _columns(rounded(places.x))
+        self.v = _columns(Rounded(places.v, EPS * np.maximum(np.abs(places.v), speed)))
+        self.a, self.each = _columns(rounded(found.a)), _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0)
+        self.time = rounded(places.t[:, None])
+        self._evaluations: list[Evaluation] = []
+
+    @property
+    def unknown(self) -> frozenset[str]:
+        """Functions met that have no counterpart in hyper-dual numbers."""
+        return frozenset().union(*(value.unknown for value in self._evaluations))
+
+    def energies(self) -> dict[str, Rounded]:
+        """M, G, T0 and the rate of M: T at rest, along each velocity and each two of them, with x and t moving."""
+        pairs = list(combinations(range(self.n), 2))
+        one, none = np.eye(self.n), np.zeros((1, self.n))
+        patterns = np.concatenate([none, one, -one, *(one[[i]] + one[[j]] for i, j in pairs)])
+        size = max(1, _AT_ONCE // len(patterns))
+        parts = [self._energies(slice(i, i + size), patterns) for i in range(0, self.k, size)]
+        unit = _units(self.found)
+        (T, T_rate) = (joined(part, axis=0) for part in zip(*parts, strict=True))
+        M, G, T0 = _quadratic(T, unit, pairs)
+        return {"M": M, "G": G, "T0": T0, "M_rate": _quadratic(T_rate, unit, pairs)[0]}
+
+    def _energies(self, rows: slice, patterns: Vector) -> tuple[Rounded, Rounded]:
+        unit = _units(self.found)[rows]
+        moving = [HyperDual(x[rows], v[rows]) for x, v in zip(self.x, self.v, strict=True)]
+        velocities = [given(patterns[:, i] * unit[:, i : i + 1]) for i in range(self.n)]
+        value = self._evaluation(moving, velocities, HyperDual(self.time[rows], _ONE), rows)
+        T = value(self.model.kinetic_energy)
+        shape = (len(unit), len(patterns))
+        return _filled(T.a, shape), _filled(T.b, shape)
+
+    def along(self) -> dict[str, Rounded]:
+        """What is differentiated along the motion and by velocities, and what is not differentiated."""
+        model = self.model
+        x = [HyperDual(*pair) for pair in zip(self.x, self.v, strict=True)]
+        v = [HyperDual(*parts) for parts in zip(self.v, self.a, self.each, strict=True)]
+        value = self._evaluation(x, v, HyperDual(self.time, _ONE))
+        rows = [value(row) for row in model.nonholonomic_constraints]
+        return {
+            "momentum_rate": _filled(value(model.kinetic_energy).f, (self.k, self.n)),
+            "Q": self._table(value(Q).a for Q in model.forces),
+            "A": self._matrix(row.c for row in rows), "A_rate": self._matrix(row.f for row in rows),
+            "row": self._table(row.a for row in rows), "row_rate": self._table(row.b for row in rows),
+            "quasi": self._table(value(y).a for y, _ in model.quasi_velocities),
+            "outputs": self._table(value(output).a for _, output in model.outputs),
+            "events": self._table(value(event.expression).a for _, event in model.events),
+            "drawn": self._table(value(number).a for shape in model.drawing for number in shape.numbers),
+        }  # fmt: skip
+
+    def across(self) -> dict[str, Rounded]:
+        """What is differentiated by coordinates, and of that the rate at rest."""
+        model = self.model
+        x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
+        value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.time, _ONE))
+        T, V = value(model.kinetic_energy), value(model.potential_energy)
+        phi = [value(row) for row in model.holonomic_constraints]
+        return {
+            "T_x": _filled(T.c, (self.k, self.n)), "V_x": _filled(V.c, (self.k, self.n)),
+            "V": _filled(V.a, (self.k, 1))[:, 0], "phi": self._table(row.a for row in phi),
+            "A": self._matrix(row.c for row in phi), "A_rate": self._matrix(row.f for row in phi),
+            "row": self._table(row.b for row in phi),
+        }  # fmt: skip
+
+    def twice(self) -> Rounded:
+        """d2 phi / dt2 (k, h) along the motion."""
+        x = [HyperDual(x, v, v, a) for x, v, a in zip(self.x, self.v, self.a, strict=True)]
+        value = self._evaluation(x, [], HyperDual(self.time, _ONE, _ONE))
+        return self._table(value(row).f for row in self.model.holonomic_constraints)
+
+    def _evaluation(
+        self,
+        x: Sequence[HyperDual],
+        v: Sequence[HyperDual],
+        time: HyperDual,
+        rows: slice = slice(None),
+    ) -> Evaluation:
+        """Return an evaluation in which coordinates, rates and the time have these values."""
+        model, places = self.model, self.places
+        values: dict[sympy.Basic, HyperDual] = {t: time}
+        values |= zip(model.coordinates, x, strict=True)
+        values |= zip(model.rates, v, strict=False)
+        values |= zip((rate.diff(t) for rate in model.rates), map(HyperDual, self.a), strict=True)
+        values |= zip((p for p, _ in model.parameters), map(HyperDual, self._parameters(rows)), strict=True)
+        values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(places.u[rows]))), strict=True)
+        values |= {multiplier(row): given(self.found.multipliers[:, row, None]) for row in range(model.m)}
+        value = Evaluation(values)
+        for y, P_xdot in model.quasi_velocities if v else ():
+            value.define(y, value(P_xdot))
+            value.define(y.diff(t), given(np.nan) if (rate := value(y).b) is None else HyperDual(rate))
+        self._evaluations.append(value)
+        return value
+
+    def _parameters(self, rows: slice) -> list[Rounded]:
+        """Return their values; whole ones are exact, such as those that say which contacts hold."""
+        p = self.places.p[rows]
+        return _columns(Rounded(p, np.where(p == np.round(p), 0.0, EPS * np.abs(p))))
+
+    def _table(self, values: Iterable[Rounded | None]) -> Rounded:
+        """(k, how many values)."""
+        columns = [_filled(value, (self.k, 1)) for value in values]
+        return joined([rounded(np.empty((self.k, 0))), *columns], axis=1)
+
+    def _matrix(self, values: Iterable[Rounded | None]) -> Rounded:
+        """(k, how many values, n)."""
+        rows = [_filled(value, (self.k, self.n))[:, None] for value in values]
+        return joined([rounded(np.empty((self.k, 0, self.n))), *rows], axis=1)
+
+
+def _columns(table: Rounded, axis: int = 1) -> list[Rounded]:
+    """Return the columns (k, 1), or the rows (1, n), of a table."""
+    values, bounds = (np.broadcast_to(part, table.value.shape) for part in (table.value, table.bound))
+    cut = (
+        np.split(part, table.value.shape[axis], axis) if table.value.shape[axis] else [] for part in (values, bounds)
+    )
+    return list(map(Rounded, *cut))
+
+
+def _filled(part: Rounded | None, shape: tuple[int, int]) -> Rounded:
+    return (part or _ZERO).filled(shape)
+
+
+def _units(found: Found) -> Vector:
+    """Velocities (k, n) of as much kinetic energy each as there is at rest, so that nothing is lost beside the rest."""
+    diagonal, T0 = np.einsum("kii->ki", found.M), np.abs(found.energies[:, 2:3])
+    unit = np.sqrt(np.where(T0 > 0.0, T0, 1.0) / np.abs(diagonal))
+    return np.where(np.isfinite(unit) & (unit > 0.0), unit, 1.0)
+
+
+def _quadratic(T: Rounded, unit: Vector, pairs: list[tuple[int, int]]) -> tuple[Rounded, Rounded, Rounded]:
+    """M (k, n, n), G (k, n), T0 (k,) of T at rest, at plus and minus each velocity, and at each two of them."""
+    n = unit.shape[1]
+    rest, plus, minus, both = T[:, :1], T[:, 1 : n + 1], T[:, n + 1 : 2 * n + 1], T[:, 2 * n + 1 :]
+    squares, (i, j) = plus + minus - 2.0 * rest, np.array(pairs, dtype=int).reshape(-1, 2).T
+    mixed = both - plus[:, i] - plus[:, j] + rest
+    M = Rounded(*(np.zeros((*unit.shape, n)) for _ in range(2)))
+    for table, diagonal, off in zip(*((one.value, one.bound) for one in (M, squares, mixed)), strict=True):
+        table[:, range(n), range(n)] = diagonal
+        table[:, i, j] = table[:, j, i] = off
+    one = rounded(1.0 / unit)
+    return M * one[:, :, None] * one[:, None, :], 0.5 * (plus - minus) * one, rest[:, 0]

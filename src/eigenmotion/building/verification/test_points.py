@@ -1,0 +1,87 @@
+"""Where a build is looked at: states, times, inputs and parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...runtime import CompiledModel, EvaluationError
+from ...system.system import System
+
+SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
+"""How large x and v are about; each state has an opposite, for chance alone leaves out signs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """k places: t (k,), x and v (k, n), u (k, n_inputs), p (k, n_parameters)."""
+
+    t: Vector
+    x: Vector
+    v: Vector
+    u: Vector
+    p: Vector
+
+    def described(self, number: int, system: System) -> str:
+        """Say where one of them is, in the model's names."""
+        values = [("t", self.t[number])]
+        values += zip(system.coordinates, self.x[number], strict=True)
+        values += zip((f"{name}'" for name in system.coordinates), self.v[number], strict=True)
+        values += zip(system.inputs, self.u[number], strict=True)
+        changed = self.p[number] != system.compiled.parameter_defaults
+        values += [(name, p) for name, p, new in zip(system.parameters, self.p[number], changed, strict=True) if new]
+        return ", ".join(f"{name} = {value:.6g}" for name, value in values)
+
+
+def draw(system: System, attempt: int) -> Places:
+    """Draw states of both signs about 0, of different sizes and of the start's, others about the start, and the start.
+
+    What follows a failed attempt lies closer to the start. Some places have other parameters than the defaults.
+    """
+    random = np.random.default_rng(attempt)
+    c, n, start = system.compiled, system.n, np.concatenate(system.initial)
+    own = np.where(start == 0.0, 1.0, np.abs(start))
+    far = _both_signs(random, np.array([*(np.full(2 * n, size) for size in SIZES), own]) * 0.3**attempt)
+    z = np.concatenate([[start], far, _nearby(random, start, 0.3 * 0.1**attempt, 4)])
+    k = len(z)
+    u = _nearby(random, c.input_defaults, 1.0, k)
+    p = np.tile(c.parameter_defaults, (k, 1))
+    other = [1, 1 + len(far) // 2, k - 2, k - 1]
+    p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
+    modes = [parameter for _, *both, _, _ in c.switches for parameter in both if parameter >= 0]
+    idle = [idles for *_, idles in c.switches]
+    p[:, modes], p[:, idle] = random.integers(0, 2, (k, len(modes))), 0.0
+    t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
+    for row in p:
+        _keep_declared(c, row)
+    return Places(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
+
+
+def _keep_declared(model: CompiledModel, p: Vector) -> None:
+    """Put numbers that parameters were not declared to have on the other side of 0, or back to their defaults."""
+    for k, own in enumerate(model.parameter_defaults.tolist() if any(model.declared) else ()):
+        p[k] = next(value for value in (p[k], -p[k], own) if _may_be(model, k, value))
+
+
+def _may_be(model: CompiledModel, k: int, value: float) -> bool:
+    alone = np.array(model.parameter_defaults)
+    alone[k] = value
+    try:
+        model.check_parameters(alone)
+    except EvaluationError:
+        return bool(value == model.parameter_defaults[k])
+    return True
+
+
+def _both_signs(random: np.random.Generator, sizes: Vector) -> Vector:
+    """Numbers of about these sizes, and their opposites."""
+    half = sizes * np.exp(random.normal(0.0, 0.5, sizes.shape)) * random.choice([-1.0, 1.0], sizes.shape)
+    return np.concatenate([half, -half])
+
+
+def _nearby(random: np.random.Generator, numbers: Vector, distance: float, count: int) -> Vector:
+    """Numbers off by up to `distance` times their size; by `distance` itself where they are 0."""
+    size = np.where(numbers == 0.0, 1.0, np.abs(numbers))
+    return np.asarray(numbers + distance * size * random.uniform(-1.0, 1.0, (count, len(numbers))))

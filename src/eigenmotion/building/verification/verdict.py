@@ -1,0 +1,144 @@
+"""Whether a compiled model is the model: its answers at random places against the user's own expressions."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from ...arguments.methods import METHODS
+from ...arguments.named_values import Vector
+from ...codegen.model import Model
+from ...system.system import System
+from ..errors import BuildError
+from .compiled_values import Found, ask
+from .first_steps import first_steps
+from .identities import Identity, equations, expressions, motion
+from .regularised_mass import factored
+from .rounding_bounds import FACTOR
+from .solve_errors import errors
+from .state_rates import rates, recovered
+from .symbolic_values import Stated, evaluate
+from .test_points import Places, draw
+
+KNOWN = 1e-3
+"""What rounding leaves less of than this part of the terms says nothing of them."""
+_ATTEMPTS = 3
+_log = logging.getLogger("eigenmotion")
+
+
+class ProofError(BuildError):
+    """The compiled model is not what its energies, forces and constraints say; names the term and the state.
+
+    Examples
+    --------
+    It is an error of the compiler or of this program, not of the model; `formulation` or `flags` may lead around it.
+
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> try:
+    ...     system = em.build(model)
+    ... except em.ProofError:
+    ...     system = em.build(model, flags="-O1")
+    """
+
+
+def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
+    """Hold a compiled model against what the user stated, at random places.
+
+    Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;
+    M, A, energies, quasi-velocities, outputs and events are those of the expressions; the right-hand side is the
+    rate of the state; and the first steps of runs by `methods` go as the accelerations say. Derivatives are taken in
+    hyper-dual numbers, so that nothing is shared with the generator.
+
+    Raises
+    ------
+    ProofError
+        One of these does not hold.
+    """
+    _prove_identities(model, system)
+    prove_methods(model, system, methods)
+
+
+def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
+    """Hold the first steps of runs by compiled methods, explicit ones first, against accelerations that are proved.
+
+    Raises
+    ------
+    ProofError
+        A method is off.
+    """
+    for method, what in first_steps(system, methods):
+        raise ProofError(f"{model.name}: what was compiled is not the model: a run by {method} {what} {_rest(system)}")
+
+
+def _prove_identities(model: Model, system: System) -> None:
+    """Try places until each term had a value somewhere, and name those that had none."""
+    for attempt in range(_ATTEMPTS):
+        unproved, silent = _compare(model, system, draw(system, attempt))
+        if not unproved:
+            return
+    if silent:
+        _log.warning("%s: not proved: no state was found at which the model has an acceleration", model.name)
+    for name in unproved:
+        _log.info("%s: not proved: %s has no value, or is all rounding, at the states tried", model.name, name)
+
+
+def _compare(model: Model, system: System, places: Places) -> tuple[list[str], bool]:
+    """Return what the places say nothing about, by the first names, and whether nothing moves at any of them."""
+    found = ask(system, places)
+    stated = evaluate(model, places, found, recovered(system, places.v, found))
+    if stated.unknown:
+        _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(stated.unknown)))
+    unproved: list[str] = []
+    with np.errstate(all="ignore"):
+        for identity in _identities(model, system, places, found, stated):
+            left, bound, size = _judged(identity)
+            _refuse(model, system, places, identity, left, bound)
+            blind = ~(FACTOR * bound <= KNOWN * size).any(axis=0)
+            unproved += np.array(identity.names)[blind][:1].tolist()
+    return unproved, bool(np.isnan(found.a).all())
+
+
+def _identities(model: Model, system: System, places: Places, found: Found, stated: Stated) -> Iterator[Identity]:
+    yield from expressions(model, places.v, found, stated)
+    whole, added = factored(system, found, stated)
+    yield from added
+    off = errors(found, whole, equations(found, stated))
+    yield from motion(model, places.v, found, stated, off)
+    yield from rates(system, places.v, found, whole, off)
+
+
+def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
+    """(k, r) each: what is left of each sum, what rounding may leave, how large its terms are; NaN where unknown."""
+    values, bounds = (np.array([getattr(term, part) for term in identity.terms]) for part in ("value", "bound"))
+    left, bound = np.abs(values.sum(axis=0)), bounds.sum(axis=0) + identity.more
+    size = np.maximum(np.abs(values).sum(axis=0), identity.scale)
+    if len(values) > 1:  # zero, says the one everywhere; and so does the other, to its rounding
+        size = np.where((np.count_nonzero(values, axis=0) <= 1).all(axis=0), np.inf, size)
+    if identity.always:
+        unanswered = ~np.isfinite(values[0]) & np.isfinite(values[1:]).all(axis=0)
+        others = bounds[1:].sum(axis=0) + identity.more
+        silent = unanswered & (FACTOR * others <= KNOWN * np.abs(values[1:]).sum(axis=0))
+        left, bound = np.where(silent, np.inf, left), np.where(silent, others, bound)
+    return left, bound, size
+
+
+def _refuse(model: Model, system: System, places: Places, identity: Identity, left: Vector, bound: Vector) -> None:
+    """Raise ProofError where more is left than rounding leaves."""
+    wrong = np.argwhere(left > FACTOR * bound)
+    if len(wrong) == 0:
+        return
+    place, row = max(wrong.tolist(), key=lambda at: (-at[0], left[tuple(at)] / bound[tuple(at)]))
+    raise ProofError(
+        f"{model.name}: what was compiled is not the model: {identity.names[row]} is off by {left[place, row]:.1e}, "
+        f"where rounding makes {bound[place, row]:.1e}, at {places.described(place, system)} {_rest(system)}"
+    )
+
+
+def _rest(system: System) -> str:
+    return (
+        f"({system.formulation}). Nothing is kept of this build. This is a fault of eigenmotion or of the C compiler, "
+        'not of the model: please report it; flags="-O1" or another compiler may do until it is mended'
+    )

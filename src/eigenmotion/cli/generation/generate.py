@@ -1,0 +1,67 @@
+"""`eigenmotion generate`."""
+
+import logging
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.building.request import Request
+from eigenmotion.building.source_check import differences_by_bytes, differences_by_hash, unified_diff
+from eigenmotion.codegen.render.emit import Sources
+from eigenmotion.files import write
+from eigenmotion.progress import clock
+
+from ..options import Shape, distinct, models, output, shaping
+
+_log = logging.getLogger("eigenmotion")
+
+
+@click.command("generate")
+@models
+@output
+@shaping
+@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a file is not as it should be.")
+@click.option("--strict", is_flag=True, help="--check by deriving again and comparing bytes.")
+@click.option("--diff", is_flag=True, help="Write nothing; show what would change.")
+def command(models: tuple[Path, ...], output: Path, check: bool, strict: bool, diff: bool, **shape: Any) -> int:
+    """Write the C, header and Cython sources of each MODEL, a Python file that defines `model`.
+
+    --check compares hashes that the files' headers hold, so it finds an edited model and an edited file at once;
+    --strict derives again and compares bytes, so it finds a changed generator too. --diff adds a unified diff; without
+    --check its exit code is 0.
+    """
+    requests = distinct([Shape(**shape).request(model) for model in models])
+    with clock():
+        return _done(requests, output, check=check, strict=strict, diff=diff)
+
+
+def _done(requests: list[Request], output: Path, *, check: bool, strict: bool, diff: bool) -> int:
+    if not (check or strict or diff):
+        for request in requests:
+            _write(_derived(request), output)
+        return 0
+    differs = [_check(request, output, strict or not check, diff) for request in requests]
+    return int(any(differs) and (check or strict))
+
+
+def _write(sources: Sources, folder: Path) -> None:
+    for file in sources.files:
+        new = write(folder / file.name, file.text.encode())
+        click.echo(f"{'wrote' if new else 'same '} {folder / file.name}")
+
+
+def _check(request: Request, folder: Path, derive: bool, diff: bool) -> bool:
+    """Report what is wrong with one model's files; True where something is."""
+    sources = _derived(request) if derive else None
+    differences = differences_by_bytes(sources, folder) if sources else differences_by_hash(request, folder)
+    for difference in differences:
+        click.echo(f"{difference.file}: {difference.reason}", err=True)
+    if diff and differences:
+        click.echo(unified_diff(sources or _derived(request), folder), nl=False)
+    return bool(differences)
+
+
+def _derived(request: Request) -> Sources:
+    _log.info("deriving %s", request.model.name)
+    return request.sources()

@@ -1,0 +1,66 @@
+"""`eigenmotion page`."""
+
+import logging
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.codegen.model import Model, ModelError
+from eigenmotion.codegen.model.normalise import name_of
+from eigenmotion.files import write
+from eigenmotion.progress import clock
+from eigenmotion.webpage.page import Run, page
+from eigenmotion.webpage.page_object import of_space
+
+from ..options import Finite, Shape, check_file, ending, model, setting, shaping, values
+
+_log = logging.getLogger("eigenmotion")
+
+
+@click.command("page")
+@model
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="The page; MODEL.html by default.")  # fmt: skip
+@ending(Finite())
+@click.option("--rtol", type=Finite(), default=1e-9, show_default=True, metavar="R", help="Relative tolerance.")
+@click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@setting
+@shaping
+def command(
+    model: Path, output: Path | None, t_end: float, rtol: float, atol: float, settings: tuple[str, ...], **shape: Any
+) -> None:
+    """Write a page on which MODEL moves: one file, with the model compiled to WebAssembly inside, for any browser.
+
+    Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
+    """
+    request = Shape(**shape).request(model)
+    target = output or Path(f"{request.model.name}.html")
+    _check(target, t_end, rtol, atol)
+    run = Run(t_end, rtol, atol, _given(request.model, settings))
+    with clock():
+        _log.info("compiling %s to WebAssembly", request.model.name)
+        library, missing = of_space(request.model)
+        text = page(request, model.read_text(encoding="utf-8"), run, library)
+    if missing:
+        click.echo(missing, err=True)
+    write(target, text.encode())
+    click.echo(f"wrote {target} ({len(text.encode()) / 1e3:.0f} kB); open it in a browser")
+    if not request.model.drawing:
+        click.echo(f"{request.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
+
+
+def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """Return what sliders begin with."""
+    given = values(model, settings)
+    if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & given.get("v0", {}).keys()):
+        raise click.UsageError(f"--set {speeds[0]}: a page has rates, not quasi-velocities")
+    return given
+
+
+def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:
+    """Find out before the work what would fail after it."""
+    check_file(target, "-o")
+    for name, value in (("--t-end", t_end), ("--rtol", rtol), ("--atol", atol)):
+        if value <= 0:
+            raise ModelError(f"{name} is {value:g}; a page needs a positive number")

@@ -1,0 +1,55 @@
+"""`eigenmotion equilibrium`."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion import ModelError
+from eigenmotion.analysis.equilibrium.equilibrium import Equilibrium, find_equilibrium
+from eigenmotion.analysis.linear.text import description, state_rows
+from eigenmotion.analysis.state.active_contacts import named_modes
+from eigenmotion.building.build import system_of
+from eigenmotion.progress import clock
+
+from ..options import Shape, model, setting, shaping, values
+
+
+@click.command("equilibrium")
+@model
+@setting
+@click.option("--free", multiple=True, metavar="NAME",
+              help="What to solve for: a coordinate, theta' for a rate, an input, a parameter; all coordinates unless "
+              "some are named.")  # fmt: skip
+@shaping
+def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **shape: Any) -> int:
+    """Find where MODEL stays as it is, at rest unless rates are set; print the state and its modes.
+
+    Where there is no such state near the one that is set, what is left is printed, with exit code 2. Contacts and
+    frictions hold as they can; where modes meet there are no eigenvalues unless one is set, as floor_held=0.
+    """
+    request = Shape(**shape).request(model)
+    given: dict[str, Any] = dict(values(request.model, settings))
+    with clock():
+        system = system_of(request)
+        found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
+        text = _described(found, given.get("parameters", {})) if found.success else found.message
+    click.echo("\n".join([text, *_solved(found, free)]))
+    return 0 if found.success else 2
+
+
+def _described(found: Equilibrium, given: Mapping[str, float]) -> str:
+    """Return the state and its modes, or why there are none."""
+    system = found.system
+    try:
+        return description(found.linearize(mode=named_modes(system.compiled, given)))
+    except ModelError as error:
+        return "\n".join([f"{system.name}: {found.message}", "", *state_rows(system.coordinates, found.x, found.v,
+                          found.acceleration), "", str(error)])  # fmt: skip
+
+
+def _solved(found: Equilibrium, free: tuple[str, ...]) -> list[str]:
+    """Say what inputs and parameters were found, where these were solved for."""
+    given = found.inputs | found.parameters
+    return [f"{name} = {given[name] + 0.0:.9g}" for name in free if name in given]

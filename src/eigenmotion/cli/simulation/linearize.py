@@ -1,0 +1,51 @@
+"""`eigenmotion linearize`."""
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.analysis.equilibrium.assemble import assemble
+from eigenmotion.analysis.linear.text import description, plane
+from eigenmotion.analysis.state.active_contacts import named_modes
+from eigenmotion.building.build import system_of
+from eigenmotion.presentation.figures import FORMATS, require_matplotlib, save
+from eigenmotion.progress import clock
+
+from ..options import Shape, check_writable, model, shaping, values
+
+
+@click.command("linearize")
+@model
+@click.option("--at", "settings", multiple=True, metavar="NAME=VALUE",
+              help="Where: a coordinate, theta'=1 for a rate, a parameter or an input; what is not named is the "
+              "model's initial value, or follows from the constraints; floor_held=0: where modes meet.")  # fmt: skip
+@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="Draw the eigenvalues, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+@shaping
+def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: Any) -> None:
+    """Linearise MODEL at a state: eigenvalues with frequency and damping, modes in words."""
+    check_plot(plot)
+    request = Shape(**shape).request(model)
+    given = values(request.model, settings, "--at")
+    with clock():
+        system = system_of(request)
+        x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
+        x, v = assemble(system, x0, v0, parameters=parameters, keep=tuple(x0 or ()))
+        mode = named_modes(system.compiled, parameters or {})
+        found = system.linearize(x, v, parameters=parameters, inputs=inputs, mode=mode)
+    click.echo(description(found))
+    if plot:
+        click.echo(f"drawn to {save(plane(found), plot)}")
+
+
+def check_plot(plot: Path | None) -> None:
+    """Find out before the work what would fail after it."""
+    if not plot:
+        return
+    require_matplotlib()
+    if plot.suffix not in FORMATS:
+        raise click.UsageError(f"--plot {plot}: known endings are {', '.join(FORMATS)}")
+    if not plot.absolute().parent.is_dir():
+        raise click.UsageError(f"--plot {plot}: there is no folder {plot.parent}")
+    check_writable(plot.absolute().parent, "--plot")

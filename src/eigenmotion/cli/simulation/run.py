@@ -1,0 +1,110 @@
+"""`eigenmotion run`."""
+
+import logging
+import time
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.arguments.methods import AUTO, IMPLICIT, METHODS
+from eigenmotion.building.build import system_of
+from eigenmotion.codegen.model import ModelError
+from eigenmotion.presentation.figures import FORMATS, require_matplotlib
+from eigenmotion.presentation.figures import save as save_figure
+from eigenmotion.progress import clock
+from eigenmotion.results.output.plot import coordinates
+from eigenmotion.results.output.saving import SAVERS, save
+from eigenmotion.results.output.summary import summary
+from eigenmotion.results.pictures.animation import ANIMATIONS, require_ffmpeg, save_animation
+from eigenmotion.results.pictures.moving_shapes import require_drawing
+from eigenmotion.results.solution import Solution
+from eigenmotion.runtime import StopReason
+from eigenmotion.simulation.simulate import simulate
+from eigenmotion.system.system import System
+
+from ..options import Finite, Shape, check_targets, ending, model, setting, shaping, values
+
+_log = logging.getLogger("eigenmotion")
+
+
+@click.command("run")
+@model
+@ending(Finite())
+@click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
+@click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@click.option("--method", default="dop853", show_default=True, metavar="NAME",
+              help=f"{', '.join(name for name in METHODS if name not in IMPLICIT)}; implicit, for stiff models: "
+              f"{', '.join(IMPLICIT)}; {AUTO}: what suits the scene.")  # fmt: skip
+@setting
+@click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
+@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+@click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help=f"Show the mechanism move, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
+@click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help=f"Save every row, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
+@shaping
+def command(
+    model: Path,
+    t_end: float,
+    rtol: float,
+    atol: float,
+    method: str,
+    settings: tuple[str, ...],
+    estimate_error: bool,
+    plot: Path | None,
+    animate: Path | None,
+    target: Path | None,
+    **shape: Any,
+) -> int:
+    """Simulate MODEL and print a summary.
+
+    A run that a terminal event ends is done (exit code 0). One that stops early for another reason prints the reason
+    and what was reached, and exits with 2; interrupted, with 130.
+    """
+    _check_targets(plot, animate, target)
+    request = Shape(**shape).request(model)
+    if animate and not request.model.drawing:
+        require_drawing(None, request.model.name)
+    given = values(request.model, settings)
+    options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
+    with clock():
+        system = system_of(request)
+        _log.info("running %s to t = %g", system.name, t_end)
+        start = time.perf_counter()
+        solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **given)
+        seconds = time.perf_counter() - start
+    click.echo(summary(system, solution, seconds))
+    if plot:
+        click.echo(f"drawn to {save_figure(coordinates(system, solution), plot)}")
+    if animate:
+        click.echo(f"moves in {save_animation(solution.animate(), animate)}")
+    if target:
+        save(system, solution, target)
+        click.echo(f"saved to {target}")
+    return _exit_code(solution)
+
+
+def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
+    """Find out before the run what would fail after it."""
+    if plot or animate:
+        require_matplotlib()
+    if animate and animate.suffix == ".mp4":
+        require_ffmpeg()
+    check_targets(("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("--save", target, SAVERS))
+
+
+def _simulated(system: System, t_end: float, **options: Any) -> Solution:
+    try:
+        return simulate(system, (0.0, t_end), **options)
+    except ModelError:
+        raise
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error
+
+
+def _exit_code(solution: Solution) -> int:
+    if solution.stop is StopReason.INTERRUPTED:
+        return 130
+    return 0 if solution.success else 2

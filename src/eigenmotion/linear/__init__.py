@@ -1,1 +1,0 @@
-"""What deviations from a motion obey, and where mechanisms rest."""

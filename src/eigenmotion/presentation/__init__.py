@@ -1,0 +1,1 @@
+"""Parts of pictures, tables and pages; they know no model."""

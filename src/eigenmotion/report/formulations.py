@@ -1,0 +1,83 @@
+"""One model in every formulation, generated and compiled anew, so that what it takes can be told."""
+
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..building.errors import BuildError, CompilerNotFoundError
+from ..building.request import request
+from ..building.shared_library import compile_in, load
+from ..building.toolchain import EXTENSION_SUFFIX, toolchain
+from ..codegen.choices import FORMULATIONS
+from ..codegen.equations.derive import derive
+from ..codegen.model import Model, ModelError
+from ..system.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A formulation of the model; times in s, generation includes derivation. `refused` says why there is none."""
+
+    formulation: str
+    system: System | None
+    generation: float = 0.0
+    compilation: float = 0.0
+    refused: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A model and its programs."""
+
+    model: Model
+    derivation: float
+    built: tuple[Built, ...]
+
+    @property
+    def systems(self) -> tuple[System, ...]:
+        """Return those that there are."""
+        return tuple(built.system for built in self.built if built.system is not None)
+
+
+def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
+    """Derive, generate and compile.
+
+    Raises
+    ------
+    ModelError, BuildError
+        No formulation can be built; that of the first. Or events act, of which no other solver here knows.
+    """
+    if any(event.acts for _, event in model.events) or model.contacts:
+        raise ModelError(
+            f"{model.name}: its events act on the motion, and a report compares motions without impacts and contacts. "
+            "Take out what acts, or compare runs by simulate(..., estimate_error=True)."
+        )
+    start = time.perf_counter()
+    derive(model)
+    derivation = time.perf_counter() - start
+    built = []
+    for k, formulation in enumerate(FORMULATIONS):
+        progress(k / len(FORMULATIONS), f"building {formulation}")
+        built.append(_built(model, formulation))
+    found = Subject(model, derivation, tuple(built))
+    if not found.systems:
+        raise BuildError(f"{model.name}: no formulation can be built. {built[0].refused}")
+    return found
+
+
+def _built(model: Model, formulation: str) -> Built:
+    start = time.perf_counter()
+    try:
+        sources = request(model, formulation=formulation).sources()
+        generated = time.perf_counter()
+        with tempfile.TemporaryDirectory(prefix="eigenmotion-report-") as place:
+            compile_in(sources, toolchain(), Path(place))
+            compiled = time.perf_counter()
+            system = load(Path(place) / f"{sources.name}{EXTENSION_SUFFIX}")
+    except CompilerNotFoundError:
+        raise
+    except (BuildError, ModelError) as error:
+        return Built(formulation, None, refused=str(error))
+    return Built(formulation, system, generated - start, compiled - generated)

@@ -1,0 +1,114 @@
+"""What came of the members of an ensemble, as arrays; and the room for all that parts fill."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arguments.members import Asked, Members
+from ..arguments.named_values import Vector
+from ..runtime import COUNTS, CompiledModel, StopReason
+from .trajectory import Leg
+
+REASONS = tuple(StopReason)
+_EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts", "S")
+
+
+@dataclass(eq=False)
+class Found:
+    """What came of some members: as `Chunk` has it, and what its numbers do not tell.
+
+    counts : (K, 7), the COUNTS of a Solution
+    S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
+    words : member -> how it ended, of those that run or are refused one by one
+    legs : member -> its modes, as of `Trajectory`, of models with contacts
+    """
+
+    y: Vector
+    t_end: Vector
+    status: NDArray[Any]
+    first: NDArray[Any]
+    second: NDArray[Any]
+    size: Vector
+    counts: NDArray[Any]
+    event_times: Vector
+    events: Vector
+    event_counts: NDArray[Any]
+    S: Vector
+    dt_events: Vector
+    words: dict[int, str] = field(default_factory=dict)
+    legs: dict[int, tuple[Leg, ...]] = field(default_factory=dict)
+
+    @classmethod
+    def none(cls, asked: Asked, count: int) -> "Found":
+        """Return members none of which has run."""
+        model, columns = asked.model, len(asked.differentiated.names) if asked.differentiated else 0
+        interrupted = REASONS.index(StopReason.INTERRUPTED)
+        return cls(
+            y=np.full((count, len(asked.t_eval), model.n_state), np.nan),
+            t_end=np.full(count, asked.t_start),
+            status=np.full(count, interrupted, dtype=np.intc),
+            first=np.full(count, -1, dtype=np.intc),
+            second=np.full(count, -1, dtype=np.intc),
+            size=np.zeros(count),
+            counts=np.zeros((count, len(COUNTS)), dtype=np.int_),
+            event_times=np.empty(0),
+            events=np.empty((0, model.n_state)),
+            event_counts=np.zeros((count, model.n_events), dtype=np.int_),
+            S=np.full((count, len(asked.t_eval), 2 * model.n, columns), np.nan),
+            dt_events=np.empty((0, columns)),
+        )
+
+    def by_mode(
+        self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: int
+    ) -> tuple[Vector, ...]:
+        """Return a function of rows (t, y, v, u), each with parameters of its own, those of its mode."""
+        t, *others = rows
+        parts = []
+        for k, columns in enumerate(zip(*others, strict=True)):
+            parameters = np.tile(members.row("parameters", k), (t.shape[1], 1))
+            for first, _, of_mode in self.legs.get(k, ()):
+                parameters[first:] = of_mode
+            alone = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
+            parts.append(function(*alone, parameters, least_norm))
+        return tuple(np.stack([part[:, 0] for part in each]) for each in zip(*parts, strict=True))
+
+
+class Collection:
+    """What comes of members, part by part in any order: room for all is taken at once."""
+
+    def __init__(self, asked: Asked, count: int) -> None:
+        self._whole, self._events = Found.none(asked, count), dict[int, tuple[Vector, ...]]()
+
+    def put(self, start: int, part: Found) -> None:
+        """Take over the members from `start` on."""
+        for name in _EACH:
+            getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
+        self._whole.words |= {start + k: text for k, text in part.words.items()}
+        self._whole.legs |= {start + k: legs for k, legs in part.legs.items()}
+        self._events[start] = part.event_times, part.events, part.dt_events
+
+    @property
+    def whole(self) -> Found:
+        """All of them."""
+        parts = [self._events[start] for start in sorted(self._events)]
+        if parts:
+            of_all = map(np.concatenate, zip(*parts, strict=True))
+            self._whole.event_times, self._whole.events, self._whole.dt_events = of_all
+        return self._whole
+
+
+def nothing(model: CompiledModel) -> dict[str, Any]:
+    """Return what follows from the rows of a run that has none."""
+    n, m, h, empty = model.n, model.m, model.h, np.empty(0)
+    shapes = {
+        "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
+        "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),
+    }  # fmt: skip
+    return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
+        "drawing": None,
+        "outputs": dict.fromkeys(model.outputs, empty),
+        "quasi_velocities": dict.fromkeys(model.quasi_velocities, empty),
+    }

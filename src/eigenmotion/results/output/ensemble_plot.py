@@ -1,0 +1,55 @@
+"""Pictures of many runs; need the extra `plot` (matplotlib)."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arguments.named_values import Vector
+from ...presentation.figures import BLUE, as_it_is, blank, uncluttered
+
+_BAND = (5, 95)  # percentiles
+
+
+def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64]) -> Any:
+    """Return a figure of x (K, n, nt) over time: the median and the middle nine tenths of the runs."""
+    figure = blank(8, 1.0 + 1.8 * len(names))
+    axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
+    for k, (name, one) in enumerate(zip(names, axes, strict=True)):
+        known = ~np.isnan(x[:, k]).all(axis=0)
+        low, middle, high = np.nanpercentile(x[:, k][:, known], [_BAND[0], 50, _BAND[1]], axis=0)
+        one.fill_between(t[known], low, high, color=BLUE, alpha=0.25, linewidth=0, label=f"{_BAND[0]} to {_BAND[1]} %")
+        one.plot(t[known], middle, color=BLUE, linewidth=1.6, label="median")
+        one.set_ylabel(as_it_is(name))
+        uncluttered(one)
+    axes[0].set_title(title)
+    axes[0].legend(loc="upper left", frameon=False)
+    axes[-1].set_xlabel("time $t$ [s]")
+    return figure
+
+
+def over_grid(title: str, names: Sequence[str], grid: Mapping[str, Sequence[float]], ends: NDArray[np.float64]) -> Any:
+    """Return a figure of each coordinate at the end, ends (K, n), over the two values of a grid, the first slowest."""
+    (slow, rows), (quick, columns) = grid.items()
+    figure = blank(6.5, 0.6 + 4.2 * len(names))
+    for k, (name, axes) in enumerate(zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True)):
+        values = ends[:, k].reshape(len(rows), len(columns))
+        image = axes.pcolormesh(columns, rows, values, shading="nearest", cmap="viridis", rasterized=True)
+        axes.set(xlabel=as_it_is(quick), ylabel=as_it_is(slow), title=title if k == 0 else "")
+        figure.colorbar(image, ax=axes, label=f"{as_it_is(name)} at the end")
+    return figure
+
+
+def ends(title: str, names: Sequence[str], swept: Mapping[str, Vector], found: NDArray[np.float64]) -> Any:
+    """Return a figure of each coordinate at the end, found (K, n), over the first value that was swept."""
+    figure = blank(8, 1.0 + 1.8 * len(names))
+    axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
+    label, values = next(iter(swept.items()), ("run", np.arange(len(found), dtype=np.float64)))
+    for k, (name, one) in enumerate(zip(names, axes, strict=True)):
+        one.plot(values, found[:, k], ".", color=BLUE, markersize=3, rasterized=True)
+        one.set_ylabel(f"{as_it_is(name)} at the end")
+        uncluttered(one)
+    axes[0].set_title(title)
+    axes[-1].set_xlabel(as_it_is(label))
+    return figure

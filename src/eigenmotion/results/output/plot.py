@@ -1,0 +1,123 @@
+"""Pictures of a solution; needs the extra `plot` (matplotlib)."""
+
+from collections.abc import Sequence
+from itertools import cycle
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from sympy import Symbol, latex
+
+from ...arguments.named_values import Vector
+from ...presentation.figures import COLOURS, STYLES, apart, as_it_is, blank, uncluttered
+from ..pictures.moving_shapes import Drawing
+from ..pictures.sketch import Sketch
+from ..solution import Solution
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+MARKERS = ("o", "s", "^", "D", "v")
+_MARKS = 8  # on each line
+_GHOSTS = 6
+_FEW = 30  # events that a line each does not hide the picture
+
+
+def coordinates(system: "System", solution: Solution) -> Any:
+    """Return a figure of x over t, one line a coordinate, with a row for each event below, and the mechanism beside.
+
+    Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
+    second; those of the coordinates are the model's and not known here.
+    """
+    rows = len(system.events)
+    heights = [max(4.0, 0.5 + 0.2 * system.n), *([0.2 * rows + 0.05] if rows else [])]
+    drawn = _drawn(solution)
+    figure = blank(8 if drawn is None else 12.5, sum(heights) + 0.6)
+    places = figure.add_gridspec(len(heights), 1 if drawn is None else 2, height_ratios=heights,
+                                 width_ratios=(8,) if drawn is None else (8, 4.5))  # fmt: skip
+    axes = figure.add_subplot(places[0, 0])
+    strip = [figure.add_subplot(places[1, 0], sharex=axes)] if rows else []
+    axes.tick_params(labelbottom=not strip)
+    t, x = _smooth(system, solution)
+    _draw_lines(axes, t, x, system.coordinates)
+    _name_lines(axes, x, system.coordinates)
+    axes.set(ylabel="coordinates", title=system.name.replace("_", " "))
+    for events in strip:
+        _draw_events(events, axes, system.events, solution.t_events)
+    if t[0] != t[-1]:
+        axes.set_xlim(t[0], t[-1])
+    figure.axes[-1].set_xlabel("time $t$ [s]")
+    if drawn is not None:
+        _sketch(figure, places[:, 1], drawn)
+    return figure
+
+
+def _drawn(solution: Solution) -> Drawing | None:
+    if solution.drawing is None or not len(solution.t):
+        return None
+    return solution.drawn(np.linspace(solution.t[0], solution.t[-1], 600))
+
+
+def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
+    """Draw the mechanism at the end, faintly where it was before, and the traces."""
+    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
+    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
+    sketch.show(len(drawn.t) - 1)
+
+
+def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
+    """Draw each with a colour, style and marker of its own: the cycles have no common divisor until 140 lines."""
+    looks = zip(names, x, cycle(COLOURS), cycle(STYLES), cycle(MARKERS), strict=False)
+    for k, (name, row, colour, style, marker) in enumerate(looks):
+        beside = (k + 0.5) / (_MARKS * len(names))  # those of the other lines
+        place = (beside, 1 / _MARKS) if t[0] != t[-1] else None
+        axes.plot(t, row, style, color=colour, marker=marker, markevery=place, markersize=5, linewidth=1.6, label=name)
+    uncluttered(axes)
+
+
+def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
+    """Write each name, with a piece of its line, behind the line's end: one above the other where ends are close."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
+
+    low, high = axes.get_ylim()
+    ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
+    gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
+    for line, name, end, place in zip(list(axes.get_lines()), names, ends, apart(ends, gap), strict=True):
+        look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
+        style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
+        axes.add_line(Line2D([1.0, 1.03], [end, place], linewidth=0.6, **look))
+        axes.add_line(Line2D([1.03, 1.055, 1.08], [place] * 3, linewidth=1.6, **style, **look))
+        axes.text(1.09, place, _label(name), va="center", **look)
+
+
+def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:
+    """Draw a row of ticks for each event, and lines across the picture where these are few."""
+    found = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
+    strip.eventplot(
+        found, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False
+    )
+    strip.set(yticks=range(len(names)), yticklabels=list(map(as_it_is, names)), ylim=(len(names) - 0.5, -0.5))
+    strip.tick_params(axis="y", length=0)
+    strip.spines[["top", "right", "left"]].set_visible(False)
+    if sum(map(len, found)) <= _FEW:
+        for time in np.concatenate(found):
+            axes.axvline(time, color="0.6", linewidth=0.8, linestyle=(0, (1, 2)), zorder=0)
+
+
+def _label(name: str) -> str:
+    """Return a name as mathematics, or as it is where matplotlib cannot read that."""
+    from matplotlib.mathtext import MathTextParser  # noqa: PLC0415, an optional package
+
+    label = f"${latex(Symbol(name))}$"
+    try:
+        MathTextParser("path").parse(label)
+    except ValueError:
+        return as_it_is(name)
+    return label
+
+
+def _smooth(system: "System", solution: Solution) -> tuple[Vector, Vector]:
+    """Return t (k,) and x (n, k): dense enough for the eye where the solution was kept dense, else its rows."""
+    if solution.sol is None:
+        return solution.t, solution.x
+    t = np.linspace(solution.t[0], solution.t[-1], 2000)
+    return t, solution.sol(t)[system.layout["x"]]

@@ -1,0 +1,48 @@
+"""Solutions as files: .npz holds every row there is, .csv the motion as a table."""
+
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...files import write
+from ...presentation.tables import as_csv
+from ..columns import columns, moving
+from ..solution import Solution
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+_ARRAYS = (
+    "t", "y", "x", "v", "eta", "C", "s", "multipliers", "energy", "jacobi_integral",
+    "constraint_residual", "position_residual", "factor_residual",
+)  # fmt: skip
+
+
+def save(system: "System", solution: Solution, path: Path) -> None:
+    """Write a solution in the format that the ending of `path` names; the file is there in full or not at all."""
+    write(path, SAVERS[path.suffix](system, solution))
+
+
+def _npz(system: "System", solution: Solution) -> bytes:
+    buffer = io.BytesIO()
+    arrays = {name: solution[name] for name in _ARRAYS}
+    arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
+    arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
+    np.savez_compressed(buffer, coordinates=np.array(system.coordinates), **arrays)
+    return buffer.getvalue()
+
+
+def _csv(system: "System", solution: Solution) -> bytes:
+    """Columns: t, each coordinate, each rate (marked '), each multiplier, energy, each output; full precision."""
+    ours = ["t", *(f"lambda{k}" for k in range(system.m)), "energy"]
+    motion = moving(ours, system.coordinates)
+    outputs = columns({*ours, *motion, *system.coordinates}, [("output", name) for name in solution.outputs])
+    numbers = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
+                         *solution.outputs.values()])  # fmt: skip
+    return as_csv(["t", *motion, *ours[1:], *outputs], numbers.T.tolist()).encode()
+
+
+SAVERS: dict[str, Callable[["System", Solution], bytes]] = {".npz": _npz, ".csv": _csv}

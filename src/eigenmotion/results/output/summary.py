@@ -1,0 +1,119 @@
+"""What a run came to, in a few lines of text."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ..multiplier_uniqueness import in_words
+from ..solution import Solution
+
+if TYPE_CHECKING:
+    from ...system.system import System
+
+
+def summary(system: "System", solution: Solution, seconds: float) -> str:
+    """Say how a run ended, where, how well it kept its invariants, and what it cost.
+
+    Parameters
+    ----------
+    seconds
+        Wall time of the run [s], that of the error estimate included.
+    """
+    checking = solution.error_cost.seconds if solution.error_cost else 0.0
+    rows = [
+        ("model", f"{system.name}, {system.formulation}, {system.n_state} states"),
+        ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
+        *_events(system, solution),
+        *_invariants(system, solution),
+        ("cost", f"{solution.cost}, by {solution.method}"),
+        ("time", f"{_duration(seconds - checking)} for the run"),
+        *_estimate(solution),
+        *_not_unique(system, solution),
+    ]
+    lines = [f"{label:<22} {text}" for label, text in rows]
+    if not solution.success:
+        lines.append(f"{'':<22} {solution.message}")
+    return "\n".join([*lines, "", _final_state(system, solution)])
+
+
+def _events(system: "System", solution: Solution) -> list[tuple[str, str]]:
+    """How often each event happened, when last, and what holds at the end."""
+    rows = []
+    for name, times in zip(system.events, solution.t_events or (), strict=True):
+        last = (
+            "" if not len(times) else f"at t = {times[0]:.10g}" if len(times) == 1 else f"last at t = {times[-1]:.10g}"
+        )
+        rows.append((f"event {name}", f"{len(times)} times, {last}" if len(times) > 1 else last or "did not happen"))
+    if solution.modes:
+        mode = ", ".join(f"{name} = {value:g}" for name, value in solution.modes[-1][1].items())
+        rows.append(("mode at the end", mode))
+    return rows
+
+
+def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
+    """Only what this scene has: energy where it is conserved, constraints and factors where there are any."""
+    rows = []
+    if system.conserves_energy:
+        label = "energy change" if _acted(system, solution) else "energy drift"
+        drift = solution.jacobi_integral - solution.jacobi_integral[0]
+        rows.append((label, f"{_largest(drift):.2e} of {solution.jacobi_integral[0]:.6g}"))
+    if system.h:
+        rows.append(("position violation", f"{_largest(solution.position_residual):.2e}"))
+    if system.m:
+        rows.append(("constraint violation", f"{_largest(solution.constraint_residual):.2e}"))
+    if system.formulation == "eigenfactor":
+        rows.append(("factor residual", f"{_largest(solution.factor_residual):.2e}"))
+    return rows
+
+
+def _not_unique(system: "System", solution: Solution) -> list[tuple[str, str]]:
+    """Of which constraint rows the multipliers are a choice."""
+    rows = in_words(system.compiled, solution.not_unique)
+    return [("multipliers", f"of {rows} not unique: those of least norm")] if rows else []
+
+
+def _acted(system: "System", solution: Solution) -> bool:
+    """Whether an event changed the state, and so the energy."""
+    happened = zip(solution.t_events or (), system.compiled.acting, strict=True)
+    return any(len(times) > 0 and acts for times, acts in happened)
+
+
+def _estimate(solution: Solution) -> list[tuple[str, str]]:
+    """How large the error is, and what it took to find out, where that was asked for."""
+    estimate, cost = solution.error_estimate, solution.error_cost
+    if estimate is None or cost is None:
+        return []
+    if np.isnan(estimate.scaled):
+        return [("estimated error", estimate.message)]
+    size = (
+        f"{estimate.scaled:.1e} at t = {estimate.t:.10g}, at most {estimate.scaled_largest:.1e} on the way: "
+        "largest |error of x| / (1 + |x|)"
+    )
+    second = (
+        f"{cost.method} at rtol {cost.rtol:.1e}, {cost.nfev} right-hand sides, {_duration(cost.seconds)}: "
+        f"{cost.share:.2g} times as long as the steps of the first"
+    )
+    rows = [("estimated error", size), ("from a second run", second)]
+    return [*rows, ("", estimate.message)] if estimate.message else rows
+
+
+def _final_state(system: "System", solution: Solution) -> str:
+    """The last row; beside it the error of each number, where that was estimated there."""
+    width, estimate = max(map(len, system.coordinates)), solution.error_estimate
+    table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
+    lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]
+    for name, *numbers in zip(system.coordinates, *table.values(), strict=True):
+        lines.append(f"{name:<{width}} " + " ".join(f"{number + 0.0:>23.16g}" for number in numbers))
+    if estimate is None or np.isnan(estimate.scaled) or estimate.t != solution.t[-1]:
+        return "\n".join(lines)
+    errors = ["errors of x, xdot", *(f"{x:>14.1e} {v:>8.1e}" for x, v in zip(estimate.x, estimate.v, strict=True))]
+    return "\n".join(f"{line}   {more}" for line, more in zip(lines, errors, strict=True))
+
+
+def _largest(values: Vector) -> float:
+    return float(np.max(np.abs(values), initial=0.0))
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.3g} s" if seconds >= 1 else f"{1e3 * seconds:.3g} ms"

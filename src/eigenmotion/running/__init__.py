@@ -1,1 +1,0 @@
-"""From a start to a motion: steps, what watches them, and how a run ends."""

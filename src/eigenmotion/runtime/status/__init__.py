@@ -1,0 +1,1 @@
+"""How calls and runs end, in words."""

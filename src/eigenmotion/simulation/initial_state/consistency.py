@@ -1,0 +1,169 @@
+"""Whether a mechanism can start where it is told to."""
+
+from enum import IntEnum
+from itertools import combinations
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...runtime import CompiledModel, EvaluationError, Prepared
+from .projection import Projection
+
+_CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
+_STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
+
+
+def start_state(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0, A v + b = 0 and that Omega is known.
+
+    Left to the projection are residuals up to ten times rtol of the terms that cancel in a row, and what a change of
+    every x_k and v_k by ten times atol_k would make.
+
+    Raises
+    ------
+    ModelError
+        One of them does not hold; says which coordinate or row, by how much, and which start would do. Or x is inside
+        a contact.
+    EvaluationError
+        A coordinate is declared to have other values.
+    """
+    y = _start(model, prepared, t, x, v, rtol, atol)
+    if model.extrapolates:
+        _check_turning(model, prepared, t, x)
+    return y
+
+
+def check_direction(model: CompiledModel, start: float, end: float) -> None:
+    """Refuse to run events backwards that act: what was before an impact or a reset does not follow from what is after.
+
+    Raises
+    ------
+    ModelError
+        The model has such events, and `end` is before `start`.
+    """
+    if model.acts and end < start:
+        acting = [name for name, acts in zip(model.events, model.acting, strict=True) if acts]
+        raise ModelError(
+            f"{model.name}: t_span runs backwards, but events that act ({', '.join(map(repr, acting))}) do so forwards "
+            "only: what was before an impact or a reset does not follow from what is after it. Run forwards."
+        )
+
+
+def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
+    """Refuse a state that is off the constraints by more than rounding in what the user computed, as `start_state`."""
+    _start(model, prepared, t, x, v, 0.0, np.zeros(model.n))
+
+
+def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
+    """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
+    C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))
+    close = [
+        (i, j)
+        for i, j in combinations(range(model.n), 2)
+        if model.block[i] == model.block[j] and abs(s[i] ** 2 - s[j] ** 2) < _CLOSE * max(s[i], s[j]) ** 2
+    ]
+    if not close:
+        return
+    mu = C @ (model.scales[:, None] * model.factored_gradient(t, x, prepared) * model.scales) @ C.T
+    size = np.abs(mu).max(initial=0.0)
+    for i, j in close:
+        if max(np.abs(mu[:, i, j]).max(), np.abs(mu[:, i, i] - mu[:, j, j]).max()) > _STILL * size:
+            names = ", ".join(repr(name) for name, block in zip(model.coordinates, model.block, strict=True)
+                              if block == model.block[i])  # fmt: skip
+            raise ModelError(
+                f"{model.name}: eigenvalues of the mass matrix coincide at x0, among {names}, and "
+                'close_eigenvalues="extrapolate" has nothing yet to extrapolate from. Start elsewhere, or build with '
+                'close_eigenvalues="bounded", which runs through.'
+            )
+
+
+class _Refusal(IntEnum):
+    """Why no motion starts at a state: em_refusal of em_start_check.h."""
+
+    UNDECLARED = 1
+    WITHOUT_INERTIA = 2
+    OFF_POSITION = 3
+    OFF_VELOCITY = 4
+    WITHIN_CONTACT = 5
+    WITHOUT_STATE = 6
+
+
+def _start(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,), or raise as `start_state`."""
+    refusal, y, at, off = model.start(t, x, v, prepared, rtol, atol)
+    if not refusal:
+        return y
+    model.check_start(x)  # raises where that is why
+    if refusal == _Refusal.WITHOUT_INERTIA:
+        words = _of_masses(model, model.factored_matrix(t, x, prepared), at)
+    elif refusal == _Refusal.WITHIN_CONTACT:
+        words = _of_contact(model, *(model.inside(t, x, v, prepared, rtol, atol) or ("", np.nan)))
+    elif refusal == _Refusal.WITHOUT_STATE:
+        words = _of_state(model, prepared, t, x, v)
+    else:
+        words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, t, x, v)}"
+    raise ModelError(f"{model.name}: {words}")
+
+
+_OFF = {
+    _Refusal.OFF_POSITION: "x0 is off holonomic constraint",
+    _Refusal.OFF_VELOCITY: "v0 does not satisfy A v + b = 0 in constraint",
+}
+_OF_CONSTRAINTS = (
+    ", not even along the constraints",
+    " The weights of the constraints are those of the model's own initial values: give it others where x0 is far away.",
+)
+
+
+def _of_masses(model: CompiledModel, M: Vector, coordinate: int) -> str:
+    if not np.isfinite(M).all():
+        i, j = (model.coordinates[k] for k in np.argwhere(~np.isfinite(M))[0])
+        return f"the mass matrix at x0 is not finite in row {i!r}, column {j!r}"
+    alone, weights = _OF_CONSTRAINTS if model.augmented else ("", "")
+    return (
+        f"the mass matrix at x0 is not positive definite at coordinate {model.coordinates[coordinate]!r}{alone}. "
+        f"Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out.{weights}"
+    )
+
+
+def _rows(model: CompiledModel, off: Vector) -> str:
+    return ", ".join(f"{name} by {r:.6g}" for name, r in zip(model.row_names, off.tolist(), strict=True) if r != 0.0)
+
+
+def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> str:
+    remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
+    try:
+        x, v = Projection(model, prepared, t, least_norm=True)(x, v)
+    except (EvaluationError, ModelError):
+        return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
+    return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+
+
+def _of_contact(model: CompiledModel, name: str, gap: float) -> str:
+    """Say that a start is within what a contact or an impact keeps apart: it would never come to strike."""
+    if model.events.index(name) not in {switch[0] for switch in model.switches}:
+        return (
+            f"x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "
+            "and never negative. Start where it is at least 0, or turn the signs of phi and of the event."
+        )
+    return (
+        f"x0 is inside contact {name!r}: its gap is {gap:.6g} there, and never negative. Start where "
+        "it is at least 0, or turn the sign of the gap."
+    )
+
+
+def _of_state(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> str:
+    try:
+        model.state(t, x, v, prepared)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
+    return "the state at x0, v0 is not finite; look for a division by zero there"
+
+
+def _listed(values: Vector) -> str:
+    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"

@@ -1,0 +1,152 @@
+"""The consistent state nearest to a given one."""
+
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...codegen.model import ModelError
+from ...runtime import CompiledModel, Prepared
+
+RESOLVED = 1e-6
+"""How much rows and slopes may change, relative to themselves, from one number to the next that a double can be."""
+_ENOUGH = 100
+"""Sweeps along the constraints; each reduces what is left by about (distance x curvature)."""
+
+
+class ConsistentState(tuple[Vector, Vector]):
+    """(x, v), each (n,), on the constraints; unpacks as a pair.
+
+    Attributes
+    ----------
+    x, v : (n,)
+    dx, dv : (n,), how far each coordinate [u_k] and each velocity [u_k / s] moved
+    distance : sqrt(dx^T M dx) [sqrt(J) s], with M at the x0 given: the mass metric
+    velocity_distance : sqrt(dv^T M dv) [sqrt(J)], with M at x: half its square is the kinetic energy of dv
+    """
+
+    x: Vector
+    v: Vector
+    dx: Vector
+    dv: Vector
+    distance: float
+    velocity_distance: float
+
+    def __new__(cls, x: Vector, v: Vector, **moved: object) -> "ConsistentState":
+        """Make the pair; see the attributes."""
+        made = super().__new__(cls, (x, v))
+        made.__dict__.update(moved, x=x, v=v)
+        return made
+
+    def __repr__(self) -> str:
+        return f"ConsistentState(x={self.x}, v={self.v}, distance={self.distance:.3g})"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _remade, (self.__dict__,)
+
+
+def _remade(fields: dict[str, Vector]) -> ConsistentState:
+    return ConsistentState(**fields)
+
+
+@dataclass(frozen=True, slots=True)
+class Projection:
+    """The mass metric at one time and parameter set.
+
+    least_norm : whether constraint rows may depend on each other
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    least_norm: int
+
+    def __call__(self, x0: Vector, v0: Vector) -> ConsistentState:
+        """Return the state with phi(x, t) = 0 and A v + b = 0 nearest to x0, v0.
+
+        First (x - x0)^T M(x0) (x - x0) is least, then (v - v0)^T M(x) (v - v0). Newton's method in the mass metric
+        reaches phi = 0; steps along the constraints, each followed by Newton's method, take away what of x - x0 is
+        tangential to them.
+
+        Raises
+        ------
+        EvaluationError
+            phi = 0 is not reached, constraint rows depend on each other, or M is singular; names the row.
+        ModelError
+            What is nearest is not finite, or so large that nobody can tell whether it is on the constraints.
+        """
+        with np.errstate(all="ignore"):  # what is not finite has a name of its own
+            return self._checked(self._nearest(x0, v0))
+
+    def _nearest(self, x0: Vector, v0: Vector) -> ConsistentState:
+        M = self._mass(x0)
+        x, v = self._reached(x0, v0)
+        for _ in range(_ENOUGH if self.model.h else 0):
+            tangential = self._tangential(M, x, x - x0)
+            if length(M, tangential) <= 1e-15 * length(M, x) + 1e-12 * length(M, x - x0):
+                break
+            nearer, v = self._reached(x - tangential, v0)
+            if not length(M, nearer - x0) < length(M, x - x0):
+                break
+            x = nearer
+        x, v = self._reached(x, v0)
+        dx, dv = x - x0, v - v0
+        moved = {"dx": dx, "dv": dv, "distance": length(M, dx), "velocity_distance": length(self._mass(x), dv)}
+        return ConsistentState(x, v, **moved)
+
+    def _checked(self, found: ConsistentState) -> ConsistentState:
+        names = self.model.coordinates
+        if not np.isfinite(found).all():
+            k = int(np.argmin(np.isfinite(found).all(axis=0)))
+            raise ModelError(f"{self.model.name}: what is nearest to x0, v0 on the constraints is not finite at "
+                             f"{names[k]!r}. Give smaller numbers")  # fmt: skip
+        check_resolved(self.model, self.prepared, self.t, found.x)
+        return found
+
+    def _reached(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        return self.model.project(self.t, x, v, self.prepared, self.least_norm)
+
+    def _mass(self, x: Vector) -> Vector:
+        return self.model.factored_matrix(self.t, x, self.prepared)
+
+    def _tangential(self, M: Vector, x: Vector, d: Vector) -> Vector:
+        """Return the part of d along the constraints at x: d - M^-1 A^T (A M^-1 A^T)^+ A d."""
+        A = self.model.pfaffian(self.t, x, self.prepared)[0][: self.model.h]
+        W = np.linalg.solve(M, A.T)
+        lengths = np.sqrt(np.einsum("ij,ji->i", A, W))
+        units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # rows of length one: which depend is no matter of units
+        A, W = units[:, None] * A, W * units
+        return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
+
+
+def check_resolved(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
+    """Refuse positions next to which, one number on, the holonomic rows are others: angles of 1e16, that nobody knows.
+
+    phi is nowhere off by more than rounding there, whatever it is.
+
+    Raises
+    ------
+    ModelError
+        Names the coordinate.
+    """
+    A = model.pfaffian(t, x, prepared)[0][: model.h]
+    for k, name in enumerate(model.coordinates if model.h else ()):
+        beside = model.pfaffian(t, next_to(x, k), prepared)[0][: model.h]
+        if not np.linalg.norm(beside - A) <= RESOLVED * np.linalg.norm(A):
+            raise ModelError(
+                f"{model.name}: {name} = {x[k]:.6g} is so large that from it to the next number the constraints are "
+                "others: nobody can tell whether they hold. Give an angle nearer to 0, or a length in another unit"
+            )
+
+
+def next_to(x: Vector, k: int) -> Vector:
+    """Return x with the next number that a double can be in place of x_k."""
+    beside = x.copy()
+    beside[k] += np.spacing(beside[k])
+    return beside
+
+
+def length(M: Vector, d: Vector) -> float:
+    """Return sqrt(d^T M d), in the mass metric."""
+    return sqrt(max(float(d @ M @ d), 0.0))

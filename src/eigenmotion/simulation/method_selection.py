@@ -1,0 +1,101 @@
+"""Which method a run takes that leaves the choice to us: method="auto".
+
+As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, benchmarks/ensemble.py, docs/theory.md).
+"""
+
+from math import inf, sqrt
+
+import numpy as np
+
+from ..arguments.methods import METHODS, Method
+from ..arguments.options import Task
+from ..runtime import CompiledModel, EvaluationError
+
+_LEAST_LANES = 4
+_TIGHT = {"eigenfactor": 1e-6}
+_TIGHT_OTHERWISE = 1e-5
+_TIGHT_WITH_MANY = {4: ((150, 1e-11),), 8: ((150, 1e-10), (100, 1e-8), (60, 1e-7))}
+"""By the width of vectors: so many numbers of eigenfactors in the state, whose products fill them by themselves, gain
+by nodes only from such tolerances on. Measured on chains of 8 to 16 coordinates."""
+_PLACED = ((6, 1e-7), (1, 3e-11))
+"""Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
+_STIFF = METHODS["radau9"]
+_APART = 100.0
+"""How many times as fast as all that lasts must be what dies out, for a scene to be stiff;"""
+_SPANS = 50.0
+"""in the span it falls by e to the power of minus so much;"""
+_DAMPED = 0.1
+"""its rate has at least this part of it real, for what oscillates for long has to be resolved;"""
+_STEPS = 2000.0
+"""and stability would take at least about so many explicit steps."""
+_ABOUT = 2.0
+"""What differences, which say whether derivatives are worth a look, may be off by: those are compiled as asked for."""
+_NONE = np.empty(0)
+
+
+def automatic_of_run(task: Task) -> tuple[Method, str]:
+    """Return a stiff method, and why in words, where the scene is stiff at its start; else as `automatic`, and "".
+
+    What may come later, a contact, say, the start does not tell: an explicit run says so at its end. Nor does it where
+    a controller is still to be asked.
+    """
+    fast = 0.0 if task.inputs.sampled else _dying_rate(task)
+    if not fast:
+        return automatic(task.model, task.rtol, task.least_norm != 0), ""
+    return _STIFF, (
+        f" method='auto' took {_STIFF.name}, since the scene is stiff: at its start something dies out at a rate of "
+        f"{fast:.2g} / s, {_APART:g} times as fast as what lasts, or more."
+    )
+
+
+def _dying_rate(task: Task) -> float:
+    """Return the rate by which stability would keep explicit steps short, and not their error; 0: there is none.
+
+    From the eigenvalues of the motion's Jacobian at the start, which do not depend on units or coordinates.
+    """
+    span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
+    u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
+    about = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm, task.atol)
+    if _ABOUT * (sqrt(about) + about) * abs(span) <= 4 * _STEPS:
+        return 0.0
+    v = model.velocity_rows(np.array([task.t_start]), task.y[None], prepared)
+    z = np.concatenate([task.y[: model.n], v[0]])
+    try:
+        J = model.motion_jacobian(task.t_start, z, prepared, u, task.least_norm)
+    except EvaluationError:
+        return 0.0
+    size = float(np.linalg.norm(J[model.n :]))
+    if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
+        return 0.0
+    roots = np.linalg.eigvals(J)
+    sizes, dies = np.abs(roots), -roots.real * span
+    dying = (dies > _SPANS) & (dies > _DAMPED * sizes * abs(span))
+    fast, lasting = sizes[dying].max(initial=0.0), sizes[~dying].max(initial=1 / abs(span))
+    return float(fast) if fast > _APART * lasting and fast * abs(span) > 4 * _STEPS else 0.0
+
+
+def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
+    """Return steps by nodes where their length pays, else dop853.
+
+    It does at tight tolerances, where the processor evaluates four nodes and more at once.
+    """
+    side_by_side = model.lanes >= _LEAST_LANES and not least_norm
+    return METHODS["ra15" if side_by_side and rtol <= _nodes_pay(model) else "dop853"]
+
+
+def _nodes_pay(model: CompiledModel) -> float:
+    """Return the tolerance from which on they do."""
+    factors = model.n_state - 2 * model.n
+    otherwise = _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
+    return next((rtol for many, rtol in _TIGHT_WITH_MANY.get(model.lanes, ()) if factors > many), otherwise)
+
+
+def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
+    """Return dop853 where lanes hold a run each, which is quicker than one run's nodes in them; else as of one run."""
+    in_lanes = model.flocks and not least_norm and rtol > _longer_steps_pay(model.h)
+    return METHODS["dop853"] if in_lanes else automatic(model, rtol, least_norm)
+
+
+def _longer_steps_pay(positions: int) -> float:
+    """Return the tolerance up to which they do: steps are put on positions number by number, not in lanes."""
+    return next((rtol for least, rtol in _PLACED if positions >= least), 0.0)

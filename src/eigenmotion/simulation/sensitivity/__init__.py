@@ -1,0 +1,1 @@
+"""Derivatives of a run by what it is given."""

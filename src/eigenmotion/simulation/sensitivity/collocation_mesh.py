@@ -1,0 +1,89 @@
+"""Spans of what a run went through, for linear equations beside it; and their collocation, Radau IIA at eight nodes."""
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from ...arguments.named_values import Vector
+from .run_path import Path
+
+NODES = 8
+_BESIDE = 1e-9
+"""Of the time between two stops: how far from an event spans begin and end (em_variation_events.h)."""
+
+
+class Mesh(NamedTuple):
+    """Spans between the stops of a path: its start, its events and its end. No kink lies within one.
+
+    stops : (stops,) nodes of the path; spans_after : (stops,) how many spans follow each; start, end : (spans,)
+    """
+
+    stops: NDArray[np.int_]
+    spans_after: NDArray[np.int_]
+    start: Vector
+    end: Vector
+
+
+def mesh_of(path: Path, kinks: Vector) -> Mesh:
+    """Return the spans of a path between kinks."""
+    t = path.t
+    if not (len(path.mark_row) or len(kinks)) and len(t) > 1:  # as most runs are
+        e = _edges(t[0], t[-1], False, False, kinks)
+        return Mesh(np.array([0, len(t) - 1]), np.array([len(e) - 1, 0]), e[:-1], e[1:])
+    marked = np.zeros(len(t), dtype=bool)
+    marked[path.mark_row] = True
+    made = np.append(False, t[1:] == t[:-1])  # by events that act
+    stops = marked | made
+    stops[[0, -1]] = True
+    stops = np.flatnonzero(stops)
+    edges = [_edges(t[a], t[b], marked[a] or made[a], marked[b], kinks) for a, b in pairwise(stops)]
+    after = np.array([*(len(one) - 1 for one in edges), 0], dtype=int)
+    nothing = np.empty(0)
+    return Mesh(stops, after, np.concatenate([nothing, *(one[:-1] for one in edges)]),
+                np.concatenate([nothing, *(one[1:] for one in edges)]))  # fmt: skip
+
+
+def _edges(a: float, b: float, leaves: bool, meets: bool, kinks: Vector) -> Vector:
+    """Return where spans between two stops begin and end, (k,)."""
+    if a == b:
+        return np.array([a])
+    first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
+    within = kinks[(kinks > min(first, last)) & (kinks < max(first, last))]  # those beside an event are seen there
+    return np.concatenate([[first], within if a < b else within[::-1], [last]])
+
+
+def _lagrange(x: Vector) -> Vector:
+    """Return the polynomials (..., nodes) that are 1 at one node and 0 at the others."""
+    apart = PLACE[:, None] - PLACE + np.eye(NODES)
+    factors = (x[..., None, None] - PLACE) / apart
+    factors[..., np.eye(NODES, dtype=bool)] = 1.0
+    return np.asarray(factors.prod(axis=-1))
+
+
+def weights(x: Vector) -> tuple[Vector, Vector]:
+    """Return b, b2 (k, nodes): integrals from 0 to x (k,) of what has such values at the nodes, once and twice."""
+    values = _lagrange(x[:, None] * _POINTS)  # (k, points, nodes)
+    once = x[:, None] * np.einsum("q,kqj->kj", _GAUSS, values)
+    twice = x[:, None] ** 2 * np.einsum("q,kqj->kj", _GAUSS * (1 - _POINTS), values)
+    return once, twice
+
+
+def _places() -> Vector:
+    """Return the nodes: 1 and where P_8 - P_7 vanishes else."""
+    difference = np.zeros(NODES + 1)
+    difference[-2:] = -1.0, 1.0
+    x = np.sort(legendre.legroots(difference))
+    x[-1] = 1.0
+    for _ in range(3):
+        x[:-1] -= legendre.legval(x[:-1], difference) / legendre.legval(x[:-1], legendre.legder(difference))
+    return np.asarray((x + 1) / 2)
+
+
+_POINTS, _GAUSS = ((points + 1 - k) / 2 for k, points in enumerate(legendre.leggauss(NODES)))
+PLACE = _places()
+A, A2 = weights(PLACE)
+SERIES = np.linalg.inv(legendre.legvander(2.0 * PLACE - 1.0, NODES - 1))
+"""(terms, nodes): Legendre's series on [0, 1] of what has such values at the nodes."""

@@ -1,0 +1,143 @@
+"""What a run went through, in order: its rows, and its events, with the states before and after those that act."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arguments.named_values import Vector
+from ...arguments.options import Task
+from ...results.solution import Solution
+from ...runtime import Prepared
+from ...runtime.variations import act_along
+
+Place = tuple[int, int]
+"""An event, and which time it is that it happens."""
+
+
+_NONE = np.empty(0, dtype=int)
+
+
+class Path(NamedTuple):
+    """Nodes of a run in its order, each time once, but for what follows events that act.
+
+    t : (k,); z : (k, 2 n) of x, v; where no event happens, rows at one time have a node each
+    mark_row, mark_event : (marks,) at which node an event happens, and which; where some act, the next node is after
+    of_rows : the node of each row of the run; of_events : for each event (e,) its marks
+    prepared : in the mode of the first node
+    """
+
+    t: Vector
+    z: Vector
+    mark_row: NDArray[np.int_]
+    mark_event: NDArray[np.int_]
+    of_rows: NDArray[np.int_]
+    of_events: list[NDArray[np.int_]]
+    prepared: Prepared
+
+
+def path_of(task: Task, solution: Solution) -> Path:
+    """Read it off a solution."""
+    start, prepared = _start(task)
+    if not any(len(each) for each in solution.t_events or ()):
+        return _undisturbed(task, solution, start, prepared)
+    times, states, marks = _happened(task, solution)
+    sign = 1.0 if task.t_end >= task.t_start else -1.0
+    t = np.concatenate([[task.t_start], solution.t, times])
+    y = np.concatenate([start[None], solution.y.T, states])
+    first = len(t) - len(times)
+    order = np.lexsort((np.arange(len(t)), np.arange(len(t)) < first, sign * t))
+    seen: set[float] = set(times.tolist())
+    nodes = [k for k in order.tolist() if k >= first or not (t[k] in seen or seen.add(t[k]))]  # type: ignore[func-returns-value]
+    place = {k: node for node, k in enumerate(nodes)}
+    t, y = t[nodes], y[nodes]
+    mark_row = np.array([place[first + at] for at, _ in marks], dtype=int)
+    keep = np.argsort(mark_row, kind="stable")
+    of_event = {mark: number for number, mark in enumerate(marks[k][1] for k in keep)}
+    counts = [len(each) for each in solution.t_events or ()]
+    return Path(
+        t, rows_of_motion(task, t, np.ascontiguousarray(y)), mark_row[keep],
+        np.array([marks[k][1][0] for k in keep], dtype=int), _of_rows(t, solution.t, task.t_eval is None),
+        [np.array([of_event[event, time] for time in range(count)], dtype=int) for event, count in enumerate(counts)],
+        prepared,
+    )  # fmt: skip
+
+
+def _undisturbed(task: Task, solution: Solution, start: Vector, prepared: Prepared) -> Path:
+    """Read it off where no event happens."""
+    t, y = solution.t, solution.y.T
+    first = 0 if len(t) and t[0] == task.t_start else 1
+    if first:
+        t, y = np.concatenate(((task.t_start,), t)), np.concatenate((start[None], y))
+    events = [_NONE for _ in solution.t_events or ()]
+    return Path(t, rows_of_motion(task, t, y), _NONE, _NONE, np.arange(first, len(t)), events, prepared)
+
+
+def rows_of_motion(task: Task, t: Vector, y: Vector) -> Vector:
+    """Return z (k, 2 n) = x, v of states y (k, n_state)."""
+    return np.concatenate((y[:, : task.model.n], task.model.velocity_rows(t, y, task.prepared)), axis=1)
+
+
+def _start(task: Task) -> tuple[Vector, Prepared]:
+    """Return y (n_state,) and the constants in the mode in which a run starts."""
+    c, n = task.model, task.model.n
+    if not c.switches:
+        return task.y, task.prepared
+    v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
+    u, none, nowhere = task.inputs.at(task.t_start), np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
+    x, v, prepared, _ = act_along(c, task.t_start, task.y[:n], v, task.prepared, u, task.least_norm, none,
+                                  nowhere[: 2 * n], nowhere[2 * n :])  # fmt: skip
+    return c.state(task.t_start, x, v, prepared), prepared
+
+
+def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Place]]]:
+    """Return times and states of all that events add to a path, in order, and at which of them each event happens."""
+    c, states = task.model, solution.y_events or []
+    after = (solution.y_after_events or states) if c.acts else states
+    at_once: dict[float, list[Place]] = {}
+    for event, times in enumerate(solution.t_events or ()):
+        for time, t in enumerate(times.tolist()):
+            at_once.setdefault(t, []).append((event, time))
+    t_made: list[float] = []
+    made: list[Vector] = []
+    marks: list[tuple[int, Place]] = []
+    for t, places in at_once.items():
+        acted = [(k, time) for k, time in places if c.acting[k] and time < len(after[k])]  # else it ended the run
+        groups = _in_turns(acted, states, after)
+        others = [place for place in places if place not in acted]
+        marks += [(len(made), place) for place in others]
+        t_made.append(t)
+        made.append(states[places[0][0]][places[0][1]] if not groups else states[groups[0][0][0]][groups[0][0][1]])
+        for group in groups:
+            marks += [(len(made) - 1, place) for place in group]
+            t_made.append(t)
+            made.append(after[group[0][0]][group[0][1]])
+    return np.array(t_made), np.array(made).reshape(-1, c.n_state), marks
+
+
+def _in_turns(places: list[Place], states: Sequence[Vector], after: Sequence[Vector]) -> list[list[Place]]:
+    """Return what acts at one time in groups that act together, each on what the one before has made."""
+    groups: dict[bytes, list[Place]] = {}
+    for event, time in places:
+        groups.setdefault(states[event][time].tobytes(), []).append((event, time))
+    made = {before: after[group[0][0]][group[0][1]].tobytes() for before, group in groups.items()}
+    turn = next((before for before in groups if before not in made.values()), None)
+    found = []
+    while turn in groups:
+        found.append(groups.pop(turn))
+        turn = made[turn]
+    return found + list(groups.values())
+
+
+def _of_rows(t: Vector, rows: Vector, every_step: bool) -> NDArray[np.int_]:
+    """Return the node of each row: of rows at one time each its own, where every step has one; else the first."""
+    first: dict[float, int] = {}
+    for node, time in enumerate(t.tolist()):
+        first.setdefault(time, node)
+    found, last = [], -1
+    for time in rows.tolist():
+        again = every_step and last >= 0 and t[last] == time and last + 1 < len(t) and t[last + 1] == time
+        last = last + 1 if again else first[time]
+        found.append(last)
+    return np.array(found, dtype=int)

@@ -1,0 +1,157 @@
+"""How a motion changes with parameters, inputs and its start."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arguments.differentiation import Differentiated, rates_of
+from ...arguments.methods import Method
+from ...arguments.named_values import Vector
+from ...arguments.options import Task
+from ...codegen.model.normalise import ModelError
+from ...results.sensitivity import Sensitivity
+from ...results.solution import Solution
+from ...runtime import EvaluationError, Run
+from ...runtime.variations import quasi_partials, tangent, vary
+from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
+from .run_path import Path, path_of
+
+TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
+"""How many steps of a run make one of the equations of variation at first, whose polynomials are of higher degree. Then
+the error of these equations says how long it is (em_variation_error.h)."""
+_LEAST = 1e-13
+"""The least tolerance of that error, relative."""
+
+
+class Directions(NamedTuple):
+    """What a motion is differentiated by, in the order of `names`.
+
+    S : (2 n, columns), of x and v at the start; P : (n_arguments - 2 n, columns), of inputs, parameters, time
+    """
+
+    names: tuple[str, ...]
+    S: Vector
+    P: Vector
+
+
+def directions(asked: Differentiated, task: Task) -> Directions:
+    """Return the directions in which a run begins.
+
+    Raises
+    ------
+    ModelError
+        A sampled input is named, or a controller is asked on the way.
+    """
+    c, names = task.model, asked.names
+    if task.inputs.sampled:
+        raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
+                         "loop by a run with its control law in the model's forces")  # fmt: skip
+    S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
+    state, given = _places(c.coordinates, c.inputs, c.parameters)
+    for column, name in enumerate(names):
+        if name in state:
+            S[state[name], column] = 1.0
+        elif name in given:
+            P[given[name], column] = 1.0
+            if given[name] < c.n_inputs:
+                _check_constant(task, given[name])
+    if asked.from_quasi:
+        _quasi(task, names, S, P)
+    return Directions(names, S, P)
+
+
+@lru_cache(maxsize=16)
+def _places(
+    coordinates: tuple[str, ...], inputs: tuple[str, ...], parameters: tuple[str, ...]
+) -> tuple[dict[str, int], dict[str, int]]:
+    """Return the rows of S and of P by name."""
+    state, given = (*coordinates, *rates_of(coordinates)), (*inputs, *parameters)
+    return {name: row for row, name in enumerate(state)}, {name: row for row, name in enumerate(given)}
+
+
+def _check_constant(task: Task, k: int) -> None:
+    if not isinstance(task.inputs.signals[k], int | float):
+        name = task.model.inputs[k]
+        raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
+
+
+def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
+    """Where the start is given in quasi-velocities y = P v, these stay: P dv = dy - (dP v)."""
+    c = task.model
+    x, v = task.y[: c.n], c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
+    D = quasi_partials(c, task.t_start, x, v, task.prepared)
+    moved = D[:, : c.n] @ S[: c.n] + D[:, 2 * c.n :] @ P
+    for column, name in enumerate(names):
+        if name in c.quasi_velocities:
+            moved[c.quasi_velocities.index(name), column] -= 1.0
+    free = [column for column, name in enumerate(names) if not name.endswith("'")]
+    S[c.n :, free] = -np.linalg.solve(D[:, c.n : 2 * c.n], moved[:, free])
+
+
+def sensitivity(task: Task, solution: Solution, asked: Directions, method: Method) -> dict[str, Sensitivity]:
+    """Return name -> derivatives of all rows of a run that has kept its dense output.
+
+    Raises
+    ------
+    ModelError
+        A force jumps where no event of the model says so, or events act whose times have no derivative: two at
+        once, or one that only touches zero.
+    """
+    n, path = task.model.n, path_of(task, solution)
+    found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3.0))
+    if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
+        remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
+                  "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
+        raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
+    rows = found[path.of_rows].T  # (columns, 2 n, k)
+    if not task.model.events:
+        return {name: Sensitivity(dx, dv) for name, dx, dv in zip(asked.names, rows[:, :n], rows[:, n:], strict=True)}
+    return {
+        name: Sensitivity.of(one[:n], one[n:], [shifts[marks, column] for marks in path.of_events])
+        for column, (name, one) in enumerate(zip(asked.names, rows, strict=True))
+    }
+
+
+def _varied(
+    task: Task, solution: Solution, asked: Directions, path: Path, together: float
+) -> tuple[Vector, Vector, EvaluationError | None]:
+    """Return directions (k, 2 n, columns) at all nodes, changes (marks, columns) of event times, and why they end.
+
+    They are NaN from there on.
+    """
+    c, n, columns = task.model, task.model.n, len(asked.names)
+    try:
+        S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, asked.S, asked.P)
+    except EvaluationError as error:
+        return np.full((len(path.t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan), error
+    kinks = np.empty(0)
+    if c.n_inputs:
+        kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
+    mesh = mesh_of(path, np.union1d(kinks, _breaks(task, path)))
+    marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
+    rows = path.t if len(mesh.stops) < len(path.t) else np.empty(0)
+    at_stops, shifts, at_rows, _, fault = vary(
+        c, path.prepared, _kept(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
+        max(task.rtol, _LEAST), together, (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after),
+        (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, asked.P, task.stabilise, task.least_norm,
+    )  # fmt: skip
+    if not len(rows):
+        return at_stops, shifts, fault
+    at_rows[mesh.stops] = at_stops
+    return at_rows, shifts, fault
+
+
+def _kept(solution: Solution) -> Run | None:
+    """Return the run that keeps what is between its rows; None where it has no steps."""
+    run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
+    return run if isinstance(run, Run) else None
+
+
+def _breaks(task: Task, path: Path) -> Vector:
+    """Return the times (k,) at which conditions in the time alone change on the way of a path."""
+    end, found = float(path.t[-1]), []
+    t, sign = float(path.t[0]), 1.0 if task.t_end >= task.t_start else -1.0
+    while sign * (t := task.model.piece(t, sign, path.prepared)[0]) < sign * end:
+        found.append(t)
+    return np.array(found)

@@ -1,0 +1,268 @@
+"""A run: its options, the checks before it, and its result."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments import options
+from ..arguments.differentiation import differentiated
+from ..arguments.methods import AUTO, METHODS, Method, method_of
+from ..arguments.named_values import Vector, unknown
+from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
+from ..codegen.model.normalise import ModelError, shown, truth
+from ..results.multiplier_uniqueness import with_shared
+from ..results.solution import DenseOutput, Solution
+from ..runtime import CompiledModel, EvaluationError, plain
+from .compiled_run import run_compiled
+from .error_estimate import with_error_estimate
+from .initial_state.consistency import check_direction, start_state
+from .initial_state.restart import given_start
+from .method_selection import automatic_of_run
+from .sensitivity.sensitivities import directions, sensitivity
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+NAMES = {name: name for name in (*METHODS, AUTO)}
+STABILISATIONS = {"project": True, "none": False}
+_OPTIONS = (
+    *("x0", "v0", "start", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
+    *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
+    "sensitivities",
+)
+
+
+def simulate(
+    system: "System",
+    t_span: tuple[float, float],
+    *positional: Never,
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    start: Any = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    t_eval: ArrayLike | None = None,
+    dense_output: bool = False,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "auto",
+    estimate_error: "bool | System" = False,
+    sensitivities: Sequence[Any] | None = None,
+    **misspelt: Any,
+) -> Solution:
+    """Integrate the motion from t_span[0] to t_span[1], forwards or backwards.
+
+    Parameters
+    ----------
+    x0, v0
+        (n,), or mapping coordinate -> value over the model's `initial`; v0 also quasi-velocity -> value. They must
+        satisfy the constraints (to ten times rtol); `System.project_initial_state` gives the nearest that do.
+    start
+        In place of x0 and v0: a Solution, to go on where it ended, or a pair (t, y); t is t_span[0].
+    parameters
+        Mapping name -> value over the defaults, array, or what `System.prepare` returned.
+    inputs
+        Mapping name -> number, (times, values) (linear interpolation), Signal, or Sampled: a controller, asked every
+        period. What it raises comes out as it is, with what was done as its `solution`.
+    method
+        "rk34", "dopri5", "dop853": Runge-Kutta; "ra15": eight Radau nodes side by side, order 15, often the quickest
+        where motions are smooth and tolerances tight; "radau5", "radau9": implicit, for stiff scenes, Radau IIA of
+        orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its start, else "dop853" or
+        "ra15", by tolerance, formulation and processor, which `Solution.method` names. All are compiled; upper or lower
+        case. Solvers of SciPy and SUNDIALS are served by `System.rhs` and `System.jacobian`.
+    rtol, atol
+        A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
+        (carried over to the velocity; 1e-9 where missing).
+    t_eval
+        (k,) times of the rows, sorted in the direction of time; None: one row for every accepted step.
+    dense_output
+        Keep y(t) as `Solution.sol`.
+    first_step, max_step
+        [s]; chosen and unbounded by default.
+    max_steps
+        Accepted steps before the run ends as TOO_MANY_STEPS, in every method. A million rows of 20 states are 160 MB.
+    stabilisation
+        "project": constraints and eigenfactors are restored after every step. "none": the paper.
+    dependent_constraints
+        "auto": rows that depend on each other from the start, and are consistent, share the multipliers of least norm,
+        and `Solution.not_unique` names them. "least_norm": so do rows that come to depend on each other on the way.
+        "refuse": neither is run.
+    estimate_error
+        True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
+        `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
+        formulation: let that one do the second run, so that what a formulation got wrong shows too.
+    sensitivities
+        Names of parameters ("K1"), constant inputs, initial positions ("theta1") and rates ("theta1'"), or
+        quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows, with a
+        start that the constraints move, and through events, whose times have `dt_events`.
+
+    Returns
+    -------
+    Solution
+        What was computed, also where the run failed or Ctrl-C ended it: `success`, `stop` and `message` say.
+
+    Raises
+    ------
+    ModelError
+        Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> sol = em.simulate(em.build(model), (0.0, 1.0), x0={"theta": 1.0}, t_eval=[0.0, 0.5, 1.0], rtol=1e-9)
+    >>> sol.x.round(6)
+    array([[ 1.      ,  0.104258, -0.980067]])
+    """
+    compiled = getattr(system, "compiled", None)
+    if positional or misspelt or not isinstance(compiled, CompiledModel):
+        raise refused("simulate", system, positional, misspelt, _OPTIONS)
+    named = method if type(method) is str and method in METHODS else method_of(method, NAMES)
+    task = None if not (inputs is None and start is None) else plain.task(
+        Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
+        first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
+    )  # fmt: skip
+    if task is None:
+        task = _checked(
+            system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
+            max_steps, stabilisation, dependent_constraints,
+        )  # fmt: skip
+    return _answered(task, named, v0, estimate_error, sensitivities)
+
+
+def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any) -> Solution:
+    """Run a task by the method of that name, with what was asked about its motion."""
+    task, shared = _shared(task) if task.least_norm else (task, ())
+    chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
+    if task.inputs.sampled:
+        _check_sampled(task, estimate_error)
+    if task.t_end < task.t_start:
+        check_direction(task.model, task.t_start, task.t_end)
+    asked = None
+    if sensitivities is not None:
+        asked = directions(differentiated(task.model, sensitivities, v0), task)
+        dense, task = task.dense, task._replace(dense=task.dense or TO_DERIVE)
+    if estimate_error is False:
+        solution = run_task(task, chosen)
+    else:
+        checker = None if estimate_error is True else _checker(estimate_error)
+        solution = with_error_estimate(task, chosen, checker, run_task)
+    if why:
+        solution["message"] += why
+    if shared:
+        solution["not_unique"] = shared
+        solution["message"] = with_shared(solution["message"], task.model, shared)
+    if asked is not None:
+        solution["sensitivity"] = sensitivity(task, solution, asked, chosen)
+        solution["sol"] = solution["sol"] if dense else None
+    return solution
+
+
+def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
+    """Return the task as it is run, and the rows whose multipliers are not unique from its start."""
+    depend, rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)
+    if not depend and task.least_norm == options.SHARED_FROM_START and not task.model.has_cones:
+        task = task._replace(least_norm=options.DEPENDENT["refuse"])
+    return task, rows
+
+
+def _checked(
+    system: "System", t_span: Any, x0: Any, v0: Any, given: Any, parameters: Any, inputs: Any, rtol: Any, atol: Any,
+    t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
+    dependent_constraints: Any,
+) -> Task:  # fmt: skip
+    """Return the task, of all that means one; what does not is refused by its name."""
+    start, end = options.span(t_span)
+    relative, absolute = options.tolerances(system.compiled, rtol, atol)
+    first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
+    prepared = _prepared(system, parameters)
+    signals = _inputs(system, inputs, start, end)
+    y = _begin(system, prepared, start, x0, v0, given, relative, absolute)
+    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
+    return Task(
+        system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
+        truth(dense_output, "dense_output"), first, longest, most, stabilise,
+        options.least_norm_of(dependent_constraints),
+    )  # fmt: skip
+
+
+def _begin(
+    system: "System", prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,) to start from: at x0, v0, or where another run ended."""
+    if given is None:
+        x, v = system.start(x0, v0, start, prepared)
+        return start_state(system.compiled, prepared, start, x, v, rtol, atol)
+    if not (x0 is None and v0 is None):
+        raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")
+    t, y = given_start(system.compiled, prepared, given, rtol, atol)
+    if t != start:
+        raise ModelError(f"start is a state at t = {t!r}, but t_span begins at {start!r}")
+    return y
+
+
+def refused(
+    call: str, system: object, positional: tuple[object, ...], misspelt: Mapping[str, object], known: tuple[str, ...]
+) -> OptionError:
+    """Return what Python would take, or refuse in words that do not help, in words that do; `known` are the options."""
+    if not is_system(system):
+        return no_system(call, system, ", t_span")
+    if positional:
+        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(known, positional, strict=False))
+        return OptionError(f"{call}: everything after t_span is given by keyword; did you mean {words}?")
+    return OptionError(f"{call}: {unknown('option', misspelt, known, SCIPY_OPTIONS)}")
+
+
+def _checker(given: Any) -> CompiledModel:
+    if not is_system(given):
+        raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
+    checker: CompiledModel = given.compiled
+    return checker
+
+
+def run_task(task: Task, method: Method) -> Solution:
+    """Run what has been checked."""
+    found = run_compiled(task, method)
+    if task.dense and task.t_start == task.t_end and found.success and len(found.t):
+        row = found.y.T[:1]  # there are no steps to interpolate in
+        found["sol"] = DenseOutput(found.t, partial(_standing, row))
+    return found
+
+
+def _standing(row: Vector, t: Vector) -> Vector:
+    """Return the one row (1, n_state) there is at every t (k,)."""
+    return np.repeat(row, len(t), axis=0)
+
+
+def _check_sampled(task: Task, estimate_error: Any) -> None:
+    """Refuse what controllers cannot be asked in."""
+    if task.t_end < task.t_start:
+        raise ModelError("Sampled inputs are for runs forwards in time: a controller knows the past alone")
+    if estimate_error is not False:
+        raise ModelError(
+            "estimate_error asks a controller twice, at states that differ: run without it, and then again with the "
+            "inputs that the solution has held"
+        )
+
+
+def _prepared(system: "System", parameters: Any) -> Any:
+    try:
+        return system.prepare(parameters)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
+
+
+def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
+    bound = system.bind(given)
+    if (gap := bound.uncovered(start, end)) is not None:
+        name = tuple(system.inputs)[gap[0]]
+        raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
+    return bound

@@ -1,0 +1,214 @@
+"""A mechanism step by step, for whoever decides on the way: `System.stepper`."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments import options
+from ..arguments.methods import FIXED, STEPPED, method_of
+from ..arguments.named_values import Vector, unknown
+from ..arguments.options import OptionError, Task, choice
+from ..codegen.model.normalise import ModelError, number, real
+from ..runtime import Steps
+from .initial_state.consistency import start_state
+from .initial_state.restart import given_start
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items()}
+_OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "method", "step", "max_step", "max_steps",
+            "stabilisation", "dependent_constraints")  # fmt: skip
+
+
+class Stepper(Steps):
+    """A mechanism at a time, that goes on as far as it is told: `System.stepper` opens one.
+
+    `advance(t, inputs=None)` goes exactly to t, forwards or back, with the step size and the history of the steps
+    before; `inputs` are numbers by name (or an array of all in order) that hold from here on. Where it cannot, it
+    raises an EvaluationError whose `stop` is a StopReason, and stands at the last state it came to, from which it can
+    be advanced again, with other inputs, say. `save()` returns all of the motion as bytes, `restore(saved)` goes back
+    there, to the last bit. No memory is taken on the way. Terminal events do not end an advance: `events` says what
+    passed zero in the last one, and when.
+
+    Two steppers share nothing; each belongs to one thread at a time. It pickles, as what it was opened with and what
+    `save` returns.
+
+    Attributes
+    ----------
+    t, x, v, y : float [s], (n,), (n,), (n_state,)
+        Where it stands; y in the published meaning, which starts other runs (`simulate(..., start=(s.t, s.y))`).
+    u : (n_inputs,)
+        The inputs that hold; NaN where a signal does.
+    events : dict name -> (k,) [s]
+        When each passed zero in the last advance.
+    nfev, nsteps, nrejected : int
+        Right-hand sides, accepted and rejected steps so far.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> stepper = em.build(model).stepper(x0={"theta": 1.0}, rtol=1e-9)
+    >>> stepper.advance(0.5)
+    >>> saved = stepper.save()
+    >>> stepper.advance(1.0)
+    >>> stepper.x.round(6)
+    array([-0.980067])
+    >>> stepper.restore(saved)
+    >>> stepper.t
+    0.5
+    """
+
+    @property
+    def energy(self) -> float:
+        """T + V [J]."""
+        T2, T1, T0, V = self._energies()
+        return T2 + T1 + T0 + V
+
+    @property
+    def jacobi_integral(self) -> float:
+        """T2 - T0 + V [J]."""
+        T2, _, T0, V = self._energies()
+        return T2 - T0 + V
+
+    def _energies(self) -> list[float]:
+        found = self.model.energy_rows(np.array([self.t]), self.x[None], self.v[None], self.prepared)
+        numbers: list[float] = found[0].tolist()
+        return numbers
+
+    @property
+    def acceleration(self) -> Vector:
+        """(n,) d2x/dt2 with the inputs that hold."""
+        return self._motion()[0]
+
+    @property
+    def multipliers(self) -> Vector:
+        """(m,) of the constraints, which push with -A^T lambda (7)."""
+        return self._motion()[1]
+
+    def _motion(self) -> tuple[Vector, Vector]:
+        task = self.task
+        found: tuple[Vector, Vector] = self.model.acceleration(
+            self.t, self.x, self.v, self.prepared, self._inputs(), task.least_norm
+        )
+        return found
+
+    @property
+    def not_unique(self) -> tuple[int, ...]:
+        """The constraint rows whose multipliers are one choice of many here, that of least norm."""
+        found: tuple[int, ...] = self.model.redundant(self.t, self.x, self.prepared)[1]
+        return found
+
+    @property
+    def outputs(self) -> dict[str, float]:
+        """Name of each output -> its value."""
+        task, u = self.task, self._inputs()
+        rows = self.model.output_rows(
+            np.array([self.t]), self.x[None], self.v[None], u[None], self.prepared, task.least_norm
+        )
+        return dict(zip(self.model.outputs, rows[0].tolist(), strict=True))
+
+    def _inputs(self) -> Vector:
+        held, signals = self.u, self.task.inputs.at(self.t)
+        return np.where(np.isnan(held), signals, held)
+
+    def __repr__(self) -> str:
+        return f"<Stepper of {self.model.name} at t = {self.t:.9g}>"
+
+
+def stepper(
+    system: "System",
+    *positional: Never,
+    t: float | None = None,
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    start: Any = None,
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    method: str = "dop853",
+    step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "auto",
+    **misspelt: Any,
+) -> Stepper:
+    """Open a stepper: this mechanism at time t, which goes on as far as `advance` tells it.
+
+    Parameters
+    ----------
+    t, x0, v0, parameters
+        Where it starts, as in `simulate`; t is 0 by default.
+    inputs
+        As in `simulate`; those that are numbers can be changed at every `advance`.
+    start
+        In place of t, x0 and v0: a Solution, or a pair (t, y), to go on from.
+    method
+        A compiled one of `simulate`, or one of fixed step: "rk4" (order 4; 4 right-hand sides a step), "midpoint"
+        (order 2; 2). These do the same work in every step, and nothing says how large their error is.
+    step
+        [s] of a method of fixed step: an advance is made in equal steps no longer than this.
+    rtol, atol, max_step, stabilisation, dependent_constraints
+        As in `simulate`; max_steps is of one advance.
+
+    Raises
+    ------
+    ModelError
+        An unknown name or option, a value out of range, or a start that the mechanism cannot have.
+    """
+    if positional:
+        raise OptionError("stepper: everything is given by keyword, as t=0.0, x0={...}")
+    if misspelt:
+        raise OptionError(f"stepper: {unknown('option', misspelt, _OPTIONS)}")
+    named = method_named(method)
+    first = fixed_step(named, step)
+    relative, absolute = options.tolerances(system.compiled, rtol, atol)
+    _, longest, most = options.step_limits(None, max_step, max_steps, np.inf)
+    prepared = system.prepare(parameters)
+    begin, y = _start(system, prepared, t, x0, v0, start, relative, absolute)
+    task = Task(
+        system.compiled, prepared, system.bind(inputs), begin, np.inf, y, relative, absolute, None, False, first,
+        longest, most, choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
+        options.least_norm_of(dependent_constraints),
+    )  # fmt: skip
+    if task.inputs.sampled:
+        raise ModelError(f"{system.name}: a stepper takes no Sampled input: call the controller between two advances")
+    return Stepper(task, METHOD_NUMBERS[named])
+
+
+def method_named(given: str) -> str:
+    """Return a method of steppers by its name, whatever its case."""
+    name: str = method_of(given, {name: name for name in STEPPED})
+    return name
+
+
+def fixed_step(method: str, step: float | None) -> float:
+    """Return the step of a method that needs one, 0 for the others."""
+    if method not in FIXED:
+        if step is not None:
+            raise ModelError(f"step is for methods of fixed step ({', '.join(FIXED)}); {method} chooses its own")
+        return 0.0
+    if step is None:
+        raise ModelError(f"method {method!r} needs step=..., the length of its steps in seconds")
+    length = real(step, "step")
+    if not 0 < length < np.inf:
+        raise ModelError(f"step is {length}, but must be above 0 and finite")
+    return length
+
+
+def _start(
+    system: "System", prepared: Any, t: Any, x0: Any, v0: Any, start: Any, rtol: float, atol: Vector
+) -> tuple[float, Vector]:
+    """Return the time and the state (n_state,) to start from."""
+    if start is not None:
+        if not (t is None and x0 is None and v0 is None):
+            raise ModelError("stepper: start= says all of t, x0 and v0; give either it or them")
+        return given_start(system.compiled, prepared, start, rtol, atol)
+    begin = 0.0 if t is None else number(t, "t")
+    x, v = system.start(x0, v0, begin, prepared)
+    return begin, start_state(system.compiled, prepared, begin, x, v, rtol, atol)

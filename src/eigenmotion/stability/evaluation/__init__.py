@@ -1,0 +1,1 @@
+"""Every run of every case, and what becomes of it."""

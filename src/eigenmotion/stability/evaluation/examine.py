@@ -1,0 +1,142 @@
+"""One point of a case: every run, and what becomes of it."""
+
+import time
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from ...building.build import build
+from ...building.errors import BuildError
+from ...codegen.model import Model, ModelError
+from ...results.solution import Solution
+from ...runtime import EvaluationError, StopReason
+from ...simulation.simulate import simulate
+from ...system.system import System
+from ..cases.case import Case, Trial
+from ..cases.variants import Variant
+from .contact_conditions import missed
+from .contact_outputs import watched
+from .error_indicators import indicators
+from .expected_rows import Expected, expected_of
+from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
+
+
+@dataclass(frozen=True, slots=True)
+class Examined:
+    """A point of a case and its cells; `how`, `reference_error` and `kappa` are those of what is Expected there."""
+
+    case: str
+    point: str
+    how: str
+    reference_error: float
+    kappa: float
+    periods: float
+    cells: tuple[Cell, ...]
+
+
+def examine(case: Case, value: float, planted: Mapping[Variant, System] | None = None) -> Examined:
+    """Run every variant and method of a case at one value.
+
+    Parameters
+    ----------
+    planted
+        Programs to use in place of those of the case's model: a test plants faults in them.
+
+    Raises
+    ------
+    BuildError
+        Generated code does not compile.
+    """
+    known = planted or {}
+    model = watched(case.model(value))
+    built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
+    expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
+    chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
+    cells = tuple(_cell(case, model, expected, built[variant], variant, method) for variant, method in chosen)
+    return Examined(
+        case.name, expected.trial.label, expected.how, expected.error, expected.kappa, expected.trial.periods, cells
+    )
+
+
+def program(case: Case, value: float, variant: Variant) -> System | str:
+    """Return the compiled program, or why there is none."""
+    try:
+        return _built(watched(case.model(value)), tuple(variant.build.items()), case.flags)
+    except BuildError:  # code that does not compile is no answer to a user
+        raise
+    except ModelError as error:
+        return str(error)
+
+
+@cache
+def _built(model: Model, options: tuple[tuple[str, str], ...], flags: str | None) -> System:
+    chosen: dict[str, Any] = dict(options)
+    return build(model, flags=flags, **chosen)
+
+
+def _cell(
+    case: Case, model: Model, expected: Expected, system: System | str, variant: Variant, method: str
+) -> Cell:  # fmt: skip
+    tolerance = case.tolerances[method]
+    blank = Cell(case.name, expected.trial.label, variant.label, method, tolerance)
+    if isinstance(system, str):
+        return replace(blank, reason="not offered", message=system)
+    begin = time.perf_counter()
+    try:
+        solution = _run(case, expected.trial, system, variant, method)
+    except (ModelError, EvaluationError) as error:
+        return replace(blank, reason="start refused", message=str(error), seconds=time.perf_counter() - begin)
+    except Exception as error:  # whatever else: it has no name
+        return replace(blank, outcome=Outcome.WRONG, reason="unnamed", message=f"{type(error).__name__}: {error}")
+    done = replace(blank, nsteps=int(solution.nsteps), nfev=int(solution.nfev), seconds=time.perf_counter() - begin)
+    if not solution.success:
+        return replace(done, reason=str(solution.stop), message=solution.message)
+    compared = _compared(done, expected, system, solution)
+    if not solution.modes:
+        return compared
+    at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
+    return _with_conditions(compared, missed(at_every_step, system, model, expected.trial.parameters))
+
+
+def _with_conditions(compared: Cell, by: float) -> Cell:
+    """Return a cell whose contacts and frictions miss their conditions by so much."""
+    if compared.bound is None or by <= compared.bound:
+        return compared
+    return replace(compared, outcome=Outcome.WRONG, reason="contacts and frictions", message=f"off by {by:.2g}")
+
+
+def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str, every_step: bool = False) -> Solution:
+    tolerance = case.tolerances[method]
+    options: dict[str, Any] = variant.run
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        return simulate(
+            system,
+            (trial.start, float(trial.times[-1])),
+            x0=trial.x0,
+            v0=trial.v0,
+            parameters=trial.parameters,
+            inputs=trial.inputs,
+            method=method,
+            rtol=tolerance,
+            atol=tolerance * trial.units,
+            t_eval=None if every_step else trial.times,
+            max_steps=case.max_steps,
+            **options,
+        )
+
+
+def _compared(done: Cell, expected: Expected, system: System, solution: Solution) -> Cell:
+    trial, bound = expected.trial, min(MARGIN * done.tolerance * (1 + expected.kappa), MEANINGLESS)
+    if solution.stop is not StopReason.FINISHED or len(solution.t) != len(trial.times):
+        message = f"{len(solution.t)} of {len(trial.times)} rows"
+        return replace(done, outcome=Outcome.WRONG, reason="rows missing", message=message, bound=bound)
+    error = expected.error_of(np.concatenate([solution.x, solution.v]).T)
+    shown = indicators(trial, system, solution)
+    outcome = judged(error, bound, shown.largest, trial.periods)
+    reason = "" if np.isfinite(error) else "not finite"
+    return replace(done, outcome=outcome, reason=reason, error=error, bound=bound, shown=shown)

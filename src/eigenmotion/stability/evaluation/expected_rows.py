@@ -1,0 +1,97 @@
+"""The rows that the runs of a point are compared with, how far they can be trusted, and kappa."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...reference.integration import NotReachedError
+from ...runtime import EvaluationError
+from ...system.system import System
+from ..cases.case import Trial
+from ..expectation.truth import CHECK, FINE, ROUGH
+
+DIRECTIONS = 3  # random ones, in which the initial data are perturbed
+_DELTA = 1e-6  # size of the perturbations
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What the runs of a point are compared with, and its worth.
+
+    Attributes
+    ----------
+    exact : (k, 2n) rows of x, v
+    scale : (2n,) by which errors are divided
+    error : of the rows themselves, so scaled
+    kappa : growth of a perturbation of the initial data
+    """
+
+    trial: Trial
+    how: str
+    exact: Vector
+    scale: Vector
+    error: float
+    kappa: float
+
+    def error_of(self, rows: Vector) -> float:
+        """Return the largest scaled error of rows (k, 2n); angles that wind are compared modulo a turn."""
+        difference = rows - self.exact
+        if self.trial.turns is not None:
+            winding = np.flatnonzero(self.trial.turns)
+            turns = self.trial.turns[winding]
+            difference[:, winding] -= turns * np.round(difference[:, winding] / turns)
+        return float(np.max(np.abs(difference) / self.scale))
+
+
+def expected_of(trial: Trial, system: System | None) -> Expected:
+    """Compute all of it; the system, if there is one, puts perturbed starts back onto its constraints."""
+    start = np.concatenate([trial.x0, trial.v0])
+    times = np.concatenate([[trial.start], trial.times])
+    with np.errstate(all="ignore"):
+        try:
+            exact = trial.truth.rows(start, times, FINE)
+        except NotReachedError as reason:
+            return _none(trial, str(reason))
+        scale = np.tile(trial.units, 2) + np.max(np.abs(exact), axis=0)
+        raw = Expected(trial, trial.truth.how, exact, scale, 0.0, 0.0)
+        own = raw.error_of(trial.truth.rows(start, times, CHECK)) + trial.truth.own
+        kappa = max((_growth(raw, other, times) for other in _perturbed(trial, system)), default=0.0)
+    return replace(raw, exact=exact[1:], error=own, kappa=kappa)
+
+
+def _none(trial: Trial, why: str) -> Expected:
+    """No motion to compare with, as where M is singular: whoever finds one is wrong."""
+    shape = len(trial.times), 2 * len(trial.x0)
+    return Expected(trial, f"none: {why}", np.full(shape, np.nan), np.ones(shape[1]), np.nan, 0.0)
+
+
+def _growth(expected: Expected, start: Vector, times: Vector) -> float:
+    """Return by how much a perturbation of the start has grown at the most."""
+    before = float(np.max(np.abs(start - expected.exact[0]) / expected.scale))
+    if before == 0.0:
+        return 0.0
+    return expected.error_of(expected.trial.truth.rows(start, times, ROUGH)) / before
+
+
+def _perturbed(trial: Trial, system: System | None) -> list[Vector]:
+    """Return starts (2n,) near the trial's, each moved in a random direction, back onto the constraints."""
+    if not trial.nearby:
+        return []
+    random, n = np.random.default_rng(0), len(trial.x0)
+    start, sizes = np.concatenate([trial.x0, trial.v0]), np.tile(trial.units, 2)
+    starts = [start + _DELTA * (sizes + np.abs(start)) * random.choice((-1.0, 1.0), 2 * n) for _ in range(DIRECTIONS)]
+    if system is None or system.m == 0:
+        return starts
+    return [projected for s in starts if (projected := _projected(trial, system, s)) is not None]
+
+
+def _projected(trial: Trial, system: System, start: Vector) -> Vector | None:
+    n = system.n
+    try:
+        x, v = system.project_initial_state(
+            start[:n], start[n:], trial.start, trial.parameters, dependent_constraints="least_norm"
+        )
+    except EvaluationError:
+        return None
+    return np.concatenate([x, v])

@@ -1,0 +1,66 @@
+"""What becomes of a run, and when it counts as right, degraded, refused or wrong."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from math import pi
+
+from .error_indicators import NOTHING_SHOWN, Indicators
+
+MARGIN = 100.0  # a right error is at most this many tolerances times 1 + kappa
+MEANINGLESS = 0.1  # and never more than this part of the motion itself
+DEGRADED = 100.0  # and one that is larger by no more than this is degraded
+
+
+class Outcome(StrEnum):
+    """How a cell of the matrix ended; from best to worst."""
+
+    RIGHT = "right"
+    REFUSED = "refused"
+    DEGRADED = "degraded"
+    WRONG = "wrong"
+
+
+RULES = {
+    Outcome.RIGHT: f"The run says it succeeded, and its error is at most {MARGIN:g} x tolerance x (1 + kappa), "
+    f"and at most {MEANINGLESS:g}.",
+    Outcome.REFUSED: "No program, no start or no end, and a named reason instead.",
+    Outcome.DEGRADED: f"The run says it succeeded with an error above that, but at most {DEGRADED:g} times that; or, "
+    "over a span of N periods, at most 2 pi N times the largest of the run's own indicators: the drift of the energy, "
+    "the residuals of constraints and eigenfactors, each relative to its own terms. (A frequency that is off by such "
+    "a drift is out of phase by that.)",
+    Outcome.WRONG: "The run says it succeeded with an error above all that; or it ended without a row for every time "
+    "asked for, or with numbers that are not finite, or without a named reason; or a contact or a friction does what "
+    "it may not at an accepted step.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One run of the matrix. None: there is no such number.
+
+    error : largest, over rows and over components of x and v, of |y - y_ref| / (unit + max |y_ref|)
+    bound : of a right error
+    shown : what the run itself shows of it
+    """
+
+    case: str
+    point: str
+    variant: str
+    method: str
+    tolerance: float
+    outcome: Outcome = Outcome.REFUSED
+    reason: str = ""
+    message: str = ""
+    error: float | None = None
+    bound: float | None = None
+    shown: Indicators = NOTHING_SHOWN
+    nsteps: int | None = None
+    nfev: int | None = None
+    seconds: float = 0.0
+
+
+def judged(error: float, bound: float, indicator: float, periods: float = 0.0) -> Outcome:
+    """Return the outcome of a run that says it succeeded; NaN is wrong."""
+    if error <= bound:
+        return Outcome.RIGHT
+    return Outcome.DEGRADED if error <= max(DEGRADED * bound, 2 * pi * periods * indicator) else Outcome.WRONG

@@ -1,0 +1,1 @@
+"""Motions that the cases should show: closed forms, and integration in extended precision."""

@@ -1,0 +1,93 @@
+"""What a run is compared with: closed forms, or independent integration in extended precision."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Protocol
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...codegen.model import Model
+from ...codegen.model.symbolic.lagrange import Lagrange
+from ...reference.collocation import Collocation
+from ...reference.extended_precision import Extended, Rhs, extended
+from ...reference.integration import Midpoint, followed, graded
+from ...reference.lagrange_equations import classical
+
+FINE, CHECK, ROUGH = range(3)  # how well rows are wanted: to compare with; to tell the error of that; to 1e-9
+
+
+class Truth(Protocol):
+    """Rows (k, 2n) of x, v at times (k,) for a start (2n,) at the first of the times."""
+
+    @property
+    def how(self) -> str:
+        """What it is, in words."""
+
+    @property
+    def own(self) -> float:
+        """Error that two levels do not show: rounding."""
+
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:
+        """Integrate, or evaluate."""
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """function(start (2n,), elapsed (k,)) -> (k, 2n)."""
+
+    function: Callable[[Vector, Vector], Vector]
+    how: str
+    own: float = 1e-12
+
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, as exact as it gets
+        return self.function(start, times - times[0])
+
+
+@dataclass(frozen=True)
+class Integrated:
+    """Extrapolated midpoint steps in extended precision; lengths in units of `scale` (2n,), for the step's error."""
+
+    rhs: Rhs
+    scale: Vector
+    how: str = "extrapolated midpoint steps of order 14 in extended precision, on equations apart from the generator's"
+    own: float = 1e-14
+
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:
+        found = self._followed(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
+        return np.asarray(found * self.scale, dtype=np.float64)
+
+    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+        columns, tolerance = ((7, 1e-13), (5, 1e-12), (5, 1e-9))[level]
+        return followed(Midpoint(columns), rhs, z, elapsed, tolerance)
+
+
+@dataclass(frozen=True)
+class Collocated(Integrated):
+    """Radau IIA steps of order 9 on a graded mesh, for motions with strongly damped parts."""
+
+    how: str = (
+        "Radau IIA collocation of order 9 on a graded mesh, residuals in extended precision, on equations apart from "
+        "the generator's"
+    )
+
+    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+        return graded(Collocation(5, rounding=1e-15), rhs, z, elapsed, (16, 11, 7)[level])
+
+
+def _scaled(truth: Integrated, times: Vector) -> Rhs:
+    """Return the right-hand side in elapsed time and units of `scale`."""
+    scale, begin = truth.scale.astype(np.longdouble), np.longdouble(times[0])
+    way = -1 if times[-1] < times[0] else 1
+    return lambda elapsed, z: way * truth.rhs(begin + way * elapsed, z * scale) / scale
+
+
+@cache
+def _equations(model: Model) -> Lagrange:
+    return classical(model)
+
+
+def lagrange(model: Model, parameters: Mapping[str, float]) -> Rhs:
+    """Return f(t, y) of the classical equations in extended precision, with these values over the model's."""
+    return extended(_equations(model).with_values(parameters))

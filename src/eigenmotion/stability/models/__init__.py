@@ -1,0 +1,1 @@
+"""Small mechanisms made to be driven to their limits."""

@@ -1,0 +1,1 @@
+"""The matrix in words, pictures and files."""

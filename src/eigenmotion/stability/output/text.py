@@ -1,0 +1,44 @@
+"""What the matrix says, in words."""
+
+from collections import Counter
+
+from ...presentation.text import number
+from ..cases.case import Case
+from ..evaluation.matrix import Matrix
+from ..evaluation.outcome import Cell, Outcome
+
+LETTERS = {
+    "not offered": "F", "start refused": "X", "step size underflow": "S", "too many steps": "N",
+    "non-finite state": "I", "singular mass matrix": "M", "dependent constraints": "C", "coincident eigenvalues": "E",
+    "position not reached": "P", "eigenfactors drifted": "D",
+    "event undefined": "U", "energy drifted": "W", "constraints drifted": "B",
+}  # fmt: skip
+
+
+def summary(matrix: Matrix) -> tuple[str, ...]:
+    """Count outcomes; name what is wrong and what is degraded."""
+    counts = ", ".join(f"{matrix.count(outcome)} {outcome}" for outcome in Outcome)
+    lines = [f"{len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: {counts}."]
+    lines += [f"WRONG: {described(cell)}" for cell in matrix.cells if cell.outcome is Outcome.WRONG]
+    return tuple(lines)
+
+
+def described(cell: Cell) -> str:
+    """One cell in a line."""
+    point = cell.point.replace("\n", " ")
+    error = f"error {number(cell.error)}, bound {number(cell.bound)}, indicators {number(cell.shown.largest)}"
+    what = cell.reason if cell.error is None else error
+    return f"{cell.case} at {point}, {cell.variant}, {cell.method} at {cell.tolerance:g}: {cell.outcome}; {what}"
+
+
+def mark(cell: Cell) -> str:
+    """Write a cell as the power of ten of its error, or the letter of its reason."""
+    if cell.error is None:
+        return LETTERS.get(cell.reason, "!")
+    return "" if not cell.error > 0 else f"{cell.error:.0e}".split("e")[1].replace("-0", "-").replace("+0", "")
+
+
+def reasons(matrix: Matrix, case: Case) -> tuple[tuple[str, int], ...]:
+    """Return the named reasons of a case and how often each is given."""
+    found = Counter(cell.reason for point in matrix.of(case) for cell in point.cells if cell.reason)
+    return tuple(found.most_common())

@@ -1,0 +1,88 @@
+"""Names and equations in MathML, which browsers set without help."""
+
+from collections.abc import Iterator, Mapping
+from html import escape
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.printing.mathml import MathMLPresentationPrinter
+
+from ..codegen.model.normalise import name_of
+from ..codegen.model.symbolic.equations import Equations
+
+_DOTS = {1: "·", 2: "··"}  # seen in any font, as accents over letters are not
+_TALL = 4000
+"""Longest text of a matrix that a page shows; longer ones nobody reads."""
+
+
+class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
+    """As SymPy prints, but for rates, for which symbols stand: these get dots over their letters."""
+
+    def __init__(self, rates: Mapping[sympy.Symbol, sympy.Derivative]) -> None:
+        super().__init__()
+        self.rates = rates
+
+    def _print_Function(self, function: sympy.Function) -> Any:
+        if isinstance(function, AppliedUndef):
+            return self._print(sympy.Symbol(name_of(function)))
+        return super()._print_Function(function)
+
+    def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
+        rate = self.rates.get(symbol)
+        if rate is not None:
+            return self._dotted(rate)
+        return super()._print_Symbol(sympy.Symbol(escape(symbol.name)), style)  # SymPy writes names as they are
+
+    def _dotted(self, rate: sympy.Derivative) -> Any:
+        name, dotted, mark = self._print(rate.expr), self.dom.createElement("mover"), self.dom.createElement("mo")
+        mark.appendChild(self.dom.createTextNode(_DOTS[int(rate.derivative_count)]))
+        letter = name.firstChild if name.tagName == "msub" else name
+        if letter is not name:
+            name.replaceChild(dotted, letter)
+        dotted.appendChild(letter)
+        dotted.appendChild(mark)
+        return dotted if letter is name else name
+
+
+def mathml(expression: sympy.Basic) -> str:
+    """Return the MathML of an expression, without the element `math` around it."""
+    rates = {sympy.Dummy(name_of(rate)): rate for rate in sorted(expression.atoms(sympy.Derivative), key=name_of)}
+    plain = expression.xreplace({rate: symbol for symbol, rate in rates.items()})
+    text: str = _Printer(rates).doprint(plain)
+    return text.replace("<mo>&InvisibleTimes;</mo>", "<mo>&#x2062;</mo>")
+
+
+def label(symbol: sympy.Basic) -> str:
+    """Return a name, or a rate, as a formula of its own."""
+    return f"<math>{mathml(symbol)}</math>"
+
+
+def formulas(equations: Equations) -> Iterator[str]:
+    """Return the equations, and below what stands in them, each a formula."""
+    yield from _form(bool(equations.A.rows))
+    column = _matrix(sympy.Matrix(equations.x))
+    yield f"<math><mrow><mi>x</mi><mo>=</mo>{column}</mrow></math>"
+    names = {"M": "<mi>M</mi>", "bias": "<mi>h</mi>", "A": "<mi>A</mi>", "b": "<mi>b</mi>", "gamma": "<mi>γ</mi>"}
+    for name, part in equations.parts.items():
+        written = _matrix(part)
+        if len(str(part)) > _TALL:
+            written = f"<mtext>too long to read here: eigenmotion explain --latex shows it ({name})</mtext>"
+        yield f"<math><mrow>{names[name]}<mo>=</mo>{written}</mrow></math>"
+
+
+def _matrix(part: sympy.MatrixBase) -> str:
+    rows = "".join(
+        "<mtr>" + "".join(f"<mtd>{mathml(entry)}</mtd>" for entry in part.row(i)) + "</mtr>" for i in range(part.rows)
+    )
+    kind = "column" if part.cols == 1 else "matrix"
+    return f"<mtable class='{kind}'>{rows}</mtable>"
+
+
+def _form(constrained: bool) -> Iterator[str]:
+    dot, dots = (f"<mover><mi>x</mi><mo>{_DOTS[k]}</mo></mover>" for k in (1, 2))
+    push = "<mo>+</mo><msup><mi>A</mi><mi>T</mi></msup><mi>λ</mi>" if constrained else ""
+    yield f"<math><mrow><mi>M</mi>{dots}{push}<mo>=</mo><mi>h</mi></mrow></math>"
+    if constrained:
+        yield f"<math><mrow><mi>A</mi>{dot}<mo>+</mo><mi>b</mi><mo>=</mo><mn>0</mn></mrow></math>"
+        yield f"<math><mrow><mi>A</mi>{dots}<mo>+</mo><mi>γ</mi><mo>=</mo><mn>0</mn></mrow></math>"

@@ -1,0 +1,144 @@
+"""The page of a model: one file that opens without a network, with the model compiled into it."""
+
+import base64
+import gzip
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+
+from ..building.request import Request
+from ..codegen.compiler import program
+from ..codegen.model import Model
+from ..codegen.model.normalise import name_of
+from ..runtime.status.stop_reasons import StopReason, explain
+from .faces import faces
+from .mathml import formulas, label
+from .three import Three
+from .wasm import module
+
+SCRIPTS = (
+    "drawing/vectors", "theme", "gestures", "motion/motion", "motion/engine", "drawing/shapes", "drawing/stage",
+    "drawing/space", "drawing/plots", "controls", "player", "main",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """How long the page's runs are [s], and their tolerances; what sliders begin with, in place of the model's values.
+
+    given : "parameters", "inputs", "x0", "v0" -> name -> value
+    """
+
+    t_end: float = 10.0
+    rtol: float = 1e-9
+    atol: float = 1e-9
+    given: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    def value(self, kind: str, name: str, default: float) -> float:
+        """Return what a slider begins with."""
+        return self.given.get(kind, {}).get(name, default)
+
+
+def page(wanted: Request, source: str, run: Run, space: Three | None = None) -> str:
+    """Return the page of a request as HTML.
+
+    Parameters
+    ----------
+    source
+        The text of the model's file, for readers to download.
+    space
+        three.js, for drawings in space; without it a plain canvas shows them.
+
+    Raises
+    ------
+    BuildError
+        There is no compiler for WebAssembly, or it refused the code.
+    """
+    model, made = wanted.model, program(wanted.model, wanted.choices)
+    return _environment().get_template("page.html.jinja").render(
+        title=model.name.replace("_", " "), summary=summary(source), space=made.dimension == len("xyz"),
+        inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=made.left_out,
+        download=f"{model.name}.py", source=_base64(source.encode()), origin=wanted.origin,
+        licence=space.licence if space else "", formulation=made.formulation, rtol=f"{run.rtol:g}",
+        atol=f"{run.atol:g}",
+        about=_json(about(model, run, made.conserves_energy)), wasm=_packed(module(wanted)),
+        parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
+    )  # fmt: skip
+
+
+def _parts(space: Three | None) -> dict[str, str]:
+    """Packed texts by the names of their elements."""
+    texts = {"three-core": space.core, "three-module": space.module} if space else {}
+    return {name: _packed(text.encode()) for name, text in texts.items()}
+
+
+def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
+    """Return what the scripts know of a model: names, defaults, shapes, and how runs end."""
+    shapes, first = [], 0
+    for shape, around in zip(model.drawing, faces(model), strict=True):
+        shapes.append({"kind": shape.kind, "first": first, "count": len(shape.numbers)} | around)
+        first += len(shape.numbers)
+    rates = zip(model.coordinates, model.rates, model.initial_x, strict=True)
+    return {
+        "name": model.name, "n": model.n, "m": model.m, "h": model.h, "conservesEnergy": conserves_energy,
+        "coordinates": [
+            {"name": name_of(x), "label": label(x), "rate": label(v), "value": run.value("x0", name_of(x), x0)}
+            for x, v, x0 in rates
+        ],
+        "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)],
+        "parameters": [_parameter(model, p, run.value("parameters", p.name, value)) for p, value in model.parameters],
+        "inputs": [
+            {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value)}
+            for u, value in model.inputs
+        ],
+        "dimension": model.drawing[0].dimension if model.drawing else 0, "shapes": shapes,
+        "tEnd": run.t_end, "rtol": run.rtol, "atol": run.atol,
+        "endings": list(map(_ending, StopReason)),
+    }  # fmt: skip
+
+
+def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
+    """What the scripts know of a parameter; modes of contacts are the run's to set, and have no slider."""
+    positive = bool(symbol.is_nonnegative) and value > 0
+    mode = any(symbol in (one.holds, one.slides, one.idles) for one in model.switches)
+    return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
+
+
+def _ending(stop: StopReason) -> dict[str, Any]:
+    """How a run ends, in words; `placed` has gaps for the name of a coordinate and for a constraint row."""
+    placed = explain(stop, ("#",), 0).replace("#", "{coordinate}").replace("row 0", "row {row}")
+    return {"name": str(stop), "text": explain(stop, ()), "placed": placed, "failure": not stop.success}
+
+
+def summary(source: str) -> str:
+    """Return the first line of the docstring of a model's file."""
+    first = source.lstrip().splitlines()[0] if source.strip() else ""
+    return first.strip('"').strip() if first.startswith('"""') else ""
+
+
+def _json(content: Mapping[str, Any]) -> str:
+    """Return JSON that may stand in a script element."""
+    return json.dumps(content, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def _packed(content: bytes) -> str:
+    return _base64(gzip.compress(content, 9, mtime=0))
+
+
+def _base64(content: bytes) -> str:
+    return base64.b64encode(content).decode()
+
+
+@cache
+def _environment() -> Environment:
+    return Environment(loader=FunctionLoader(_load), undefined=StrictUndefined, autoescape=False, trim_blocks=True)
+
+
+def _load(name: str) -> str | None:
+    path = files("eigenmotion.webpage").joinpath("page", name)
+    return path.read_text(encoding="utf-8") if path.is_file() else None

@@ -1,0 +1,93 @@
+"""A model's generated C as WebAssembly: by the extra `page`, the `ziglang` wheel, or a clang with a wasm sysroot."""
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from ..building.build import cached_sources
+from ..building.cache import entry, guarded, key
+from ..building.errors import BuildError, CompilerNotFoundError
+from ..building.request import Request
+from ..building.toolchain import INCLUDE, ZIG, run, zig_is_there
+from ..codegen.render.emit import Sources
+
+_FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w")
+_HARNESS = Path(__file__).parent / "em_page.c"
+_TRIED = "#include <math.h>\n#include <stdlib.h>\nint main(void) { return malloc(1) == 0; }\n"
+
+
+@dataclass(frozen=True, slots=True)
+class WasmCompiler:
+    """A command that compiles C, with its library, to WebAssembly; `identity` tells its version."""
+
+    command: tuple[str, ...]
+    identity: str
+
+
+def module(wanted: Request) -> bytes:
+    """Return the WebAssembly of a request, compiled unless it was before.
+
+    Raises
+    ------
+    CompilerNotFoundError
+        There is nothing to compile it with; says what to install.
+    """
+    tools, sources = wasm_compiler(), cached_sources(wanted)
+    texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
+    headers = [path.read_bytes() for path in sorted(INCLUDE.rglob("*.h"))]
+    name = key(tools.identity, *_FLAGS, _HARNESS.read_bytes(), *texts, *headers)
+    folder = entry("pages", name, lambda folder: _compile(sources, tools, folder))
+    with guarded():
+        return (folder / f"{sources.name}.wasm").read_bytes()
+
+
+def _compile(sources: Sources, tools: WasmCompiler, folder: Path) -> None:
+    """Compile in a folder of its own, for compilers leave files about; keep the module only."""
+    name = sources.name
+    with tempfile.TemporaryDirectory() as place:
+        work = Path(place)
+        for file in sources.files:
+            (work / file.name).write_text(file.text, encoding="utf-8")
+        options = (*_FLAGS, f"-DEM_PAGE_MODEL={name}_model", f"-I{INCLUDE}", "-I.")
+        run((*tools.command, *options, f"{name}.c", str(_HARNESS), "-o", f"{name}.wasm"), work)
+        shutil.copyfile(work / f"{name}.wasm", folder / f"{name}.wasm")
+
+
+@cache
+def wasm_compiler() -> WasmCompiler:
+    """Return what compiles C to WebAssembly here.
+
+    Raises
+    ------
+    CompilerNotFoundError
+        There is none.
+    """
+    for command in _candidates():
+        with suppress(BuildError):
+            version = run((*command, "--version")).splitlines()[0]
+            if "ziglang" in command or _compiles(command):
+                return WasmCompiler(command, f"{' '.join(command)} {version}")
+    raise CompilerNotFoundError(
+        "a page holds the model as WebAssembly, and there is no compiler for that: pip install 'eigenmotion[page]' "
+        "(the ziglang wheel), or install a clang with wasm-ld and a WASI sysroot "
+        "(Debian: clang lld wasi-libc libclang-rt-dev-wasm32)"
+    )
+
+
+def _candidates() -> Iterator[tuple[str, ...]]:
+    if zig_is_there():
+        yield (*ZIG, "-target", "wasm32-wasi")
+    if clang := shutil.which("clang"):
+        yield (clang, "--target=wasm32-wasi")
+
+
+def _compiles(command: tuple[str, ...]) -> bool:
+    """Whether there is a library and a linker, too."""
+    with tempfile.TemporaryDirectory() as place:
+        (Path(place) / "tried.c").write_text(_TRIED, encoding="utf-8")
+        run((*command, "tried.c", "-o", "tried.wasm"), Path(place))
+        return (Path(place) / "tried.wasm").exists()
