@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:f9755c9749959d0aaf061bb50e8220ff185f8a02a460463a815b7e5722825319 */
+/* body sha256:28c1a4254a22817acb91c34329058e3589d42ccc4b9a61f79e8522184dee546e */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -246,15 +246,15 @@ EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c
     p[8] = r;
 }
 
-/* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
+/* impact_data: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
 EM_EXPORT void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                       const double *restrict u, double *restrict struck)
+                       const double *restrict u, double *restrict impact_data)
 {
-    struck[0] = 0.0;
-    struck[1] = 1.0;
-    struck[2] = 0.0;
+    impact_data[0] = 0.0;
+    impact_data[1] = 1.0;
+    impact_data[2] = 0.0;
     const double e = c[2];
-    struck[3] = e;
+    impact_data[3] = e;
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
@@ -338,8 +338,9 @@ EM_EXPORT void event_partials(double t, const double *restrict x, const double *
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_COLD_PATH /* no explicit step calls it */
-EM_EXPORT void blow_partials(double t, const double *restrict x, const double *restrict a,
-                             const double *restrict lambda, const double *restrict c, double *restrict D)
+EM_EXPORT void impact_balance_partials(double t, const double *restrict x, const double *restrict a,
+                                       const double *restrict lambda, const double *restrict c,
+                                       double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double x_ddot = a[0];
@@ -477,7 +478,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 
 /* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
  * acts. */
-EM_EXPORT const em_event_action deeds[] = { {0, -1, 0, 1, 1} };
+EM_EXPORT const em_event_action event_actions[] = { {0, -1, 0, 1, 1} };
 EM_EXPORT const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
  * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
@@ -715,7 +716,7 @@ const em_model bouncing_ball_model = {
     .interpolate = interpolate,
     .release = release,
     .event = em_watched,
-    .deeds = deeds,
+    .event_actions = event_actions,
     .n_switches = N_SWITCHES,
     .switches = switches,
     .lanes = &bouncing_ball_lanes,

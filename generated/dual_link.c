@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:30b747afbdcb2923dffcef3d60353fb07b6495459c4d274b775d5448260a6bd5 */
+/* body sha256:2bd8e57bb05315bac53c97cc78f2ac11fb477def1f550ec1697be14408babb96 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1350,7 +1350,7 @@ const em_model dual_link_model = {
     .event = model_events,
     .lanes = &dual_link_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:eadf781979c2a64b88c7c6f1c804a25b8b45609187c62de1e18f1d524c897a27 */
+/* body sha256:36eac40990b4d762dd0ecc4dc6ea8d263eb791f1cbd3357ca3777cb5dfe91189 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1269,7 +1269,7 @@ const em_model four_bar_model = {
     .event = model_events,
     .lanes = &four_bar_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:fe908d88cadfdd091cf5386a7b4a507dde339a5b3c387b0b1ec44c229df698c4 */
+/* body sha256:726f90aa2d8d6c6e1f15f7b44e4030570548b637fbaeb1d2bb200cca461c31d9 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -544,7 +544,7 @@ const em_model pendulum_model = {
     .event = model_events,
     .lanes = &pendulum_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:ec437efe2bbba428e65c070ef087498d26f6100c41d4676d8d44965f67725a0e */
+/* body sha256:28e42b29f7217c51d2098d48a4cead1e1b02cf19342ceac0b7a9ef2dc6dc5654 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1317,7 +1317,7 @@ const em_model rolling_disk_model = {
     .event = model_events,
     .lanes = &rolling_disk_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

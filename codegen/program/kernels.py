@@ -260,7 +260,7 @@ class _Writing:
 
     def impacts(self) -> Kernel:
         rows = [(*one.N, one.rate, one.restitution) for one in self.mechanics.impacts]
-        return self.moving("impacts", "struck", rows)
+        return self.moving("impacts", "impact_data", rows)
 
     def resets(self) -> Kernel:
         return self.moving("resets", "after", [one.after for one in self.mechanics.resets])

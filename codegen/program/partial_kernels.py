@@ -37,7 +37,7 @@ class _Writing:
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
-            breaks=self.if_any("break_partials", breaks, arguments, "c"),
+            breaks=self.if_any("time_event_partials", breaks, arguments, "c"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
             mass_matrix=self.gradient("mass_matrix_gradient", self.terms.dM),
             factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
@@ -57,7 +57,7 @@ class _Writing:
             return dict.fromkeys((*rows, "blow"))
         nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
         of_state = "t", "x", "v", "c", "u"
-        blow = self.dense("blow_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
+        blow = self.dense("impact_balance_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
         of_each = {
             name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
         }

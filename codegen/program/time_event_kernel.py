@@ -22,7 +22,7 @@ def break_kernel(terms: Terms, symbols: Symbols) -> BreakKernel:
     graph, found = terms.graph, terms.breaks
     nodes = [node for one in found.times for node in (one.at, one.period, one.terms)]
     entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, node in enumerate(nodes)]
-    kernel = written(graph, [Draft("model_breaks", entries, ("c", "at"))], symbols, None)[0] if nodes else None
+    kernel = written(graph, [Draft("model_time_events", entries, ("c", "at"))], symbols, None)[0] if nodes else None
     text = ToSympy(graph, _AnySymbol())
     named = (
         str(text(one.at)) + (f" + k*({text(one.period)})" if one.period != graph.zero else "") for one in found.times

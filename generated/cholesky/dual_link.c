@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:c9c5376dbbf2dd5ee45e6783a57b8a23d69d4bbdd63a78861b726e2d8ab96e05 */
+/* body sha256:2365a74859cb8acbcc038bc63b974bc76306e50eb383d53819610997480bfd57 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -1118,7 +1118,7 @@ const em_model dual_link_model = {
     .event = model_events,
     .lanes = &dual_link_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:7502e1b7fad9f668c8c8d04f5d3bee50a478a86861edc683c840ab481ada7ed1 */
+/* body sha256:ce5eee0edb7d72b2632f01efee261bc980b292bdd45c7c8e95a2410109a7f8c0 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -1090,7 +1090,7 @@ const em_model dual_link_model = {
     .event = model_events,
     .lanes = &dual_link_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:ef3b18fdced2a7d4f00f0b649d961e7d6de3a4c6b6372a65f341f1f957f88416 */
+/* body sha256:58e20be41f5b03cf4b75db65867b5bc5cb28e275e4dac2fe9061cce8cc931e89 */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -1062,7 +1062,7 @@ const em_model dual_link_model = {
     .event = model_events,
     .lanes = &dual_link_lanes,
     .enter = enter,
-    .board = em_member_load,
+    .load = em_member_load,
     .look = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,

@@ -99,7 +99,7 @@ cdef extern from "eigenmotion.h" nogil:
         em_rows rows
         em_rows *events
         em_rows *after
-        em_rows legs
+        em_rows segments
         em_dense_step *dense_steps
         double *dense_table
         size_t n_dense
@@ -187,7 +187,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
-        const em_event_action *deeds
+        const em_event_action *event_actions
         const char *const *rows
         int n_switches
         const em_switch *switches
@@ -218,8 +218,8 @@ cdef extern from "eigenmotion.h" nogil:
                        em_fault *) noexcept nogil
         int (*act_along)(double, double *, double *, double *, const double *, int, int *, em_pile *, int, double *,
                          const double *, em_fault *) noexcept nogil
-        int n_breaks
-        void (*breaks)(const double *, double *) noexcept nogil
-        void (*break_partials)(const double *, double *) noexcept nogil
+        int n_time_events
+        void (*time_events)(const double *, double *) noexcept nogil
+        void (*time_event_partials)(const double *, double *) noexcept nogil
         void (*rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
         const em_declared *declared

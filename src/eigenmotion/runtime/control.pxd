@@ -10,7 +10,7 @@ cdef extern from "em_control.h" nogil:
         double *u
         em_run run
         em_signal *inputs
-        void *walk
+        void *run_state
 
     em_stepper *em_stepper_open(const em_model *model, const em_run *task, const double *u)
     int em_stepper_advance(em_stepper *s, double t, const double *u)

@@ -13,7 +13,7 @@ _REASONS = tuple(StopReason)
 cdef class RunInParts(Run):
     """A run that is at its start, and goes on as far as it is told; parameters as of `Run`."""
 
-    cdef void *walk
+    cdef void *run_state
     cdef bint jumped
     cdef long most_steps
 
@@ -22,26 +22,26 @@ cdef class RunInParts(Run):
             raise TypeError(f"{self.model.name}: its table has no open: where it is written by hand, it gives what "
                             "em_handle.h has")
         self.most_steps = self.run.max_steps
-        self.walk = self.run.model.open(&self.run)
-        if self.walk == NULL:
+        self.run_state = self.run.model.open(&self.run)
+        if self.run_state == NULL:
             self.stop = _REASONS[<int> self.run.fault.status]
 
     def __dealloc__(self):
         self.shut()
 
     cdef shut(self):
-        if self.walk != NULL:
-            self.run.model.close(self.walk)
-        self.walk = NULL
+        if self.run_state != NULL:
+            self.run.model.close(self.run_state)
+        self.run_state = NULL
 
     def advance(self, double t):
         """Go on to t. Whether the run has come there, and goes on."""
         cdef int ended
-        if self.walk == NULL:
+        if self.run_state == NULL:
             return False
         self.run.max_steps = self.most_steps - self.run.n_steps
         with nogil:
-            ended = self.run.model.advance(self.walk, t, self.jumped)
+            ended = self.run.model.advance(self.run_state, t, self.jumped)
         self.jumped = False
         if self.pending is not None:
             raise self.pending
@@ -56,7 +56,7 @@ cdef class RunInParts(Run):
     def now(self):
         """x, v (n,) where the run stands."""
         cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
-        self.run.model.now(self.walk, x.data, v.data)
+        self.run.model.now(self.run_state, x.data, v.data)
         return x.array, v.array
 
     def close(self, stop=None):

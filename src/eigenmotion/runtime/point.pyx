@@ -87,7 +87,7 @@ cdef class PointModel:
             mine.motion_derivatives, mine.motion_along = found.motion_derivatives, found.motion_along
             mine.jacobian, mine.tangent = found.jacobian, found.tangent
             mine.constraint_partials, mine.output_partials = found.constraint_partials, found.output_partials
-            mine.event_partials, mine.break_partials = found.event_partials, found.break_partials
+            mine.event_partials, mine.time_event_partials = found.event_partials, found.time_event_partials
             mine.quasi_partials = found.quasi_partials
             mine.motion_jacobian = found.motion_jacobian
 
@@ -122,8 +122,8 @@ cdef class PointModel:
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
-        self.acts = c.deeds != NULL
-        self.acting = tuple([self.acts and c.deeds[k].acts != 0 for k in range(c.n_events)])
+        self.acts = c.event_actions != NULL
+        self.acting = tuple([self.acts and c.event_actions[k].acts != 0 for k in range(c.n_events)])
         self.switches = tuple([(one["event"], one["holds"], one["slides"], one["row"], one["idles"])
                                for one in [c.switches[k] for k in range(c.n_switches)]])
         self.has_cones = any([c.switches[k].shift >= 0 for k in range(c.n_switches)])
@@ -212,7 +212,7 @@ cdef class PointModel:
         if event < 0:
             return None
         self.model.event(t, q.data, w.data, c.c, self.model.input_defaults, g.data)
-        return self.events[event], g.data[event] * self.model.deeds[event].keeps_apart
+        return self.events[event], g.data[event] * self.model.event_actions[event].keeps_apart
 
     def identity(self, Prepared c not None):
         """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
@@ -223,13 +223,13 @@ cdef class PointModel:
 
     def piece(self, double t, double direction, Prepared c not None):
         """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_time_events.h)."""
-        cdef int n = self.model.n_breaks
+        cdef int n = self.model.n_time_events
         cdef double inside[2]
         cdef Numbers at
         if n == 0:
             return direction * INFINITY, -INFINITY, INFINITY
         at = zeros((n, 3))
-        self.model.breaks(c.c, at.data)
+        self.model.time_events(c.c, at.data)
         cdef double end = em_next_time_event(n, at.data, t, direction)
         em_time_event_sides(n, at.data, t, end, direction, inside)
         return end, inside[0], inside[1]

@@ -20,5 +20,5 @@ def record(
     modes: tuple[tuple[float, dict[str, float]], ...] = (),
 ) -> dict[str, Any]: ...
 def modes_of(
-    model: PointModel, legs: Sequence[tuple[int, float, tuple[float, ...]]]
+    model: PointModel, segments: Sequence[tuple[int, float, tuple[float, ...]]]
 ) -> tuple[tuple[float, dict[str, float]], ...]: ...

@@ -46,10 +46,10 @@ cdef dict _mode_of(model, parameters):
     return mode
 
 
-cpdef tuple modes_of(model, legs):
-    """For each leg, as of `Run.legs`, since when, and the parameters of the mode by name."""
-    if not legs:
+cpdef tuple modes_of(model, segments):
+    """For each segment, as of `Run.segments`, since when, and the parameters of the mode by name."""
+    if not segments:
         return ()
-    found = [(t, _mode_of(model, parameters)) for _, t, parameters in legs]
+    found = [(t, _mode_of(model, parameters)) for _, t, parameters in segments]
     last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
     return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])

@@ -119,18 +119,18 @@ cdef class Run:
         return tuple(map(list, zip(*[self.table(&tables[k]) for k in range(self.model.n_events)])))
 
     @property
-    def legs(self):
+    def segments(self):
         """Between events that change the mode: of each the first row, since when, its parameters; () without modes."""
-        cdef em_rows *legs = &self.run.legs
+        cdef em_rows *segments = &self.run.segments
         cdef const double *c
         cdef Py_ssize_t k, i
-        if legs.count == 0:
+        if segments.count == 0:
             return ()
         found = []
-        for k in range(legs.count):
-            c = legs.y + k * legs.width
+        for k in range(segments.count):
+            c = segments.y + k * segments.width
             parameters = tuple([c[i] for i in range(self.model.model.n_parameters)])
-            found.append((int(c[legs.width - 1]), legs.t[k], parameters))
+            found.append((int(c[segments.width - 1]), segments.t[k], parameters))
         return tuple(found)
 
     def fields(self, str method):
@@ -143,7 +143,7 @@ cdef class Run:
             after = [now if acts else y for now, y, acts in zip(after, y_events, self.model.acting)]
         counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
                   self.run.n_jacobians, self.run.n_factors)
-        modes = modes_of(self.model, self.legs) if self.run.legs.count > 0 else ()
+        modes = modes_of(self.model, self.segments) if self.run.segments.count > 0 else ()
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after, modes)
 
     @property
@@ -173,9 +173,9 @@ cdef class Run:
         steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
         table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
         times = run.t_start, run.t_end, run.t_reached
-        legs = (<char *> run.legs.y)[:run.legs.count * run.legs.width * sizeof(double)] if run.legs.count else b""
+        segments = (<char *> run.segments.y)[:run.segments.count * run.segments.width * sizeof(double)] if run.segments.count else b""
         return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table,
-                       legs)
+                       segments)
 
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
@@ -201,7 +201,7 @@ cdef class Run:
 
 
 def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
-          bytes steps, bytes table, bytes legs=b""):
+          bytes steps, bytes table, bytes segments=b""):
     """A run that is over, of which there are the interpolants."""
     if not 0 <= method <= EM_RADAU9:
         raise ValueError(f"{prepared.model.name}: a run of another version, by a method (number {method}) that is no more")
@@ -219,9 +219,9 @@ def _kept(Prepared prepared not None, int method, int stabilise, int least_norm,
     memcpy(run.dense_steps, <char *> steps, len(steps))
     memcpy(run.dense_table, <char *> table, len(table))
     run.n_dense = count
-    run.legs.width = prepared.model.model.n_prepared + 1
-    run.legs.y = <double *> calloc(len(legs) + 1, 1)
-    if run.legs.y == NULL:
+    run.segments.width = prepared.model.model.n_prepared + 1
+    run.segments.y = <double *> calloc(len(segments) + 1, 1)
+    if run.segments.y == NULL:
         raise MemoryError
-    memcpy(run.legs.y, <char *> legs, len(legs))
+    memcpy(run.segments.y, <char *> segments, len(segments))
     return made

@@ -214,7 +214,7 @@ cdef class Steps:
         cdef em_fault fault
         cdef Numbers made = zeros((self.model.n_state,))
         self.claim()
-        if self.model.model.publish(self.steps.walk, made.data, &fault) != 0:
+        if self.model.model.publish(self.steps.run_state, made.data, &fault) != 0:
             raise self.model.failure(&fault)
         return made.array
 

@@ -37,4 +37,4 @@ def solution_of(task: Task, method: Method, run: Run) -> Solution:
     fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    return Solution((task, run.legs), fields)
+    return Solution((task, run.segments), fields)

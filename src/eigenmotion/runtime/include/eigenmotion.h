@@ -125,7 +125,7 @@ typedef struct em_model {
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
-    const em_event_action *deeds;          /* (n_events), or NULL: events change nothing */
+    const em_event_action *event_actions;          /* (n_events), or NULL: events change nothing */
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
 
@@ -133,20 +133,20 @@ typedef struct em_model {
     /* A run whose steps are to be made in lanes, at its start, and its mode. NULL: it cannot, and run is as it was but for
      * its fault. */
     void *(*enter)(em_run *run, int *mode);
-    void (*board)(void *walk, em_lane_group *f, int lane); /* goes on in this lane, of a flock of its mode */
+    void (*load)(void *run_state, em_lane_group *f, int lane); /* goes on in this lane, of a flock of its mode */
     /* At a step. 0: goes on; 1: has ended; 2: goes on in the other mode; -1: begin anew, number by number */
-    int (*look)(void *walk, em_lane_group *f, int lane, em_landing landing);
+    int (*look)(void *run_state, em_lane_group *f, int lane, em_landing landing);
 
     /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
     void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */
-    int (*advance)(void *walk, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
-    double (*now)(const void *walk, double *x, double *v); /* t; x, v (n) */
-    int (*publish)(const void *walk, double *y, em_fault *fault); /* y (n_state), published meaning */
+    int (*advance)(void *run_state, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
+    double (*now)(const void *run_state, double *x, double *v); /* t; x, v (n) */
+    int (*publish)(const void *run_state, double *y, em_fault *fault); /* y (n_state), published meaning */
     size_t (*saved)(void);             /* how many bytes hold all of its motion */
-    void (*save)(const void *walk, void *saved);
-    void (*restore)(void *walk, const void *saved);
-    void (*close)(void *walk);
-    int (*again)(void *walk); /* at the start that its run says now, as after open, with no memory taken: the status */
+    void (*save)(const void *run_state, void *saved);
+    void (*restore)(void *run_state, const void *saved);
+    void (*close)(void *run_state);
+    int (*again)(void *run_state); /* at the start that its run says now, as after open, with no memory taken: the status */
 
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */
@@ -178,9 +178,9 @@ typedef struct em_model {
     int (*act_along)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                      int columns, double *S, const double *P, em_fault *fault);
 
-    int n_breaks; /* conditions in the time alone: they change at times at + k period, k whole (em_time_events.h) */
-    void (*breaks)(const double *c, double *at);        /* (n_breaks, 3): at, period, eps terms its rounding; or NULL */
-    void (*break_partials)(const double *c, double *D); /* (n_breaks, 2, n_arguments), of at and period; or NULL */
+    int n_time_events; /* conditions in the time alone: they change at times at + k period, k whole (em_time_events.h) */
+    void (*time_events)(const double *c, double *at);        /* (n_time_events, 3): at, period, eps terms its rounding; or NULL */
+    void (*time_event_partials)(const double *c, double *D); /* (n_time_events, 2, n_arguments), of at and period; or NULL */
 
     /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
     void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);

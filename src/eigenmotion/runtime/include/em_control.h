@@ -23,14 +23,14 @@ typedef struct em_stepper {
     em_run run;          /* what is asked; counts; why the last advance failed; crossings of events in it */
     em_signal *inputs;   /* (n_inputs) */
     double *start, *c;   /* the state (n_state) and the constants (n_prepared) that it began with */
-    void *walk;
+    void *run_state;
 } em_stepper;
 
 enum { EM_EVENTS_KEPT = 64 }; /* crossings of one event in one advance; of more the last is kept */
 
 static inline void em_stepper_close(em_stepper *s) {
     if (s == NULL) return;
-    if (s->walk != NULL) s->model->close(s->walk);
+    if (s->run_state != NULL) s->model->close(s->run_state);
     s->model->release(&s->run);
     free(s);
 }
@@ -45,7 +45,7 @@ static inline int em_stepper_room(em_rows *rows) {
 
 /* Tables of events, of a size that does not change; of modes the last alone is kept. 0, or -1 without memory. */
 static inline int em_stepper_reserve(em_stepper *s) {
-    s->run.legs.most = 1;
+    s->run.segments.most = 1;
     for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
         if (em_stepper_room(&s->run.events[k]) || em_stepper_room(&s->run.after[k])) return -1;
     return 0;
@@ -91,9 +91,9 @@ static inline em_stepper *em_stepper_open(const em_model *model, const em_run *t
     s->run.t_eval = &s->run.t_start; /* none of them: no rows are kept */
     s->run.n_t_eval = 0;
     s->run.dense = 0;
-    s->walk = model->open(&s->run);
-    if (s->walk == NULL || em_stepper_reserve(s)) return em_stepper_close(s), NULL;
-    s->t = model->now(s->walk, s->x, s->v);
+    s->run_state = model->open(&s->run);
+    if (s->run_state == NULL || em_stepper_reserve(s)) return em_stepper_close(s), NULL;
+    s->t = model->now(s->run_state, s->x, s->v);
     return s;
 }
 
@@ -107,8 +107,8 @@ static inline int em_stepper_begin(em_stepper *s, double t, const double *y, con
         if (s->inputs[k].kind == EM_CONSTANT) s->u[k] = u[k];
     s->run.t_start = t;
     s->run.prepared = s->c;
-    model->again(s->walk);
-    s->t = model->now(s->walk, s->x, s->v);
+    model->again(s->run_state);
+    s->t = model->now(s->run_state, s->x, s->v);
     return (int)s->run.fault.status;
 }
 
@@ -132,8 +132,8 @@ static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
     const int jumped = u != NULL && em_stepper_set(s, u);
     for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
         s->run.events[k].count = s->run.after[k].count = 0;
-    const int failed = s->model->advance(s->walk, t, jumped);
-    s->t = s->model->now(s->walk, s->x, s->v);
+    const int failed = s->model->advance(s->run_state, t, jumped);
+    s->t = s->model->now(s->run_state, s->x, s->v);
     return failed;
 }
 
@@ -145,14 +145,14 @@ static inline size_t em_stepper_size(const em_stepper *s) {
 /* All of the motion, so that after em_stepper_restore every number comes out again to the last bit: in the same program,
  * by a stepper of the same task. */
 static inline void em_stepper_save(const em_stepper *s, void *saved) {
-    s->model->save(s->walk, saved);
+    s->model->save(s->run_state, saved);
     memcpy((char *)saved + s->model->saved(), s->u, (size_t)s->model->n_inputs * sizeof(double));
 }
 
 static inline void em_stepper_restore(em_stepper *s, const void *saved) {
-    s->model->restore(s->walk, saved);
+    s->model->restore(s->run_state, saved);
     memcpy(s->u, (const char *)saved + s->model->saved(), (size_t)s->model->n_inputs * sizeof(double));
-    s->t = s->model->now(s->walk, s->x, s->v);
+    s->t = s->model->now(s->run_state, s->x, s->v);
 }
 
 #endif

@@ -18,7 +18,7 @@ typedef enum em_landing {
 typedef struct em_lane_group {
     const em_run *task;   /* what is asked of all */
     int mode;             /* of all */
-    double rtol, direction, stretch; /* as a walk has them (em_run_state.h) */
+    double rtol, direction, stretch; /* as a run_state has them (em_run_state.h) */
     double *y, *y_new, *f_new; /* (n_state, width) */
     double *memory, *memory_new; /* (remembered, width) */
     double *K;            /* (12, n_state, width): K_0 is f at y */

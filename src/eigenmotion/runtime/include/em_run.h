@@ -94,7 +94,7 @@ typedef enum em_kept { EM_NOT_KEPT, EM_DENSE, EM_TO_DERIVE } em_kept;
 typedef struct em_dense_step {
     double t, h;
     int mode, kept; /* kept: as em_run's, within the step */
-    size_t leg;     /* of em_run's legs */
+    size_t segment;     /* of em_run's segments */
 } em_dense_step;
 
 /* What becomes of constraint rows that depend on each other: a fault; multipliers of least norm; or these where they do
@@ -132,7 +132,7 @@ typedef struct em_run {
     em_rows rows;                /* width n_state, published meaning */
     em_rows *events;             /* (n_events), width n_state */
     em_rows *after;              /* (n_events) the states after those that acted */
-    em_rows legs;                /* width n_prepared + 1: between events that change the mode, where a model has modes:
+    em_rows segments;                /* width n_prepared + 1: between events that change the mode, where a model has modes:
                                     since when, the constants then (`prepared` is the last), its first row of `rows` */
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */

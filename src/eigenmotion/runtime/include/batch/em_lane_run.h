@@ -14,13 +14,13 @@ static int em_member_remembers(const em_run_state *w) { return w->run->model->la
 /* When the lane's steps are looked at next. */
 static void em_member_plan(const em_run_state *w, em_lane_group *f, int lane) {
     const em_run *run = w->run;
-    f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_witness;
+    f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_energy_check;
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
 /* Whether a step would end at a break, which lanes do not know of. */
 static int em_time_events_ahead(const em_run_state *w) {
-    return w->model->n_breaks > 0 &&
+    return w->model->n_time_events > 0 &&
            (isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0);
 }
 
@@ -33,9 +33,9 @@ EM_EXPORT void *em_member_enter(const em_model *model, em_run *run, int *mode) {
     return w;
 }
 
-/* em_model.board */
-EM_COLD_PATH EM_EXPORT void em_member_load(void *walk, em_lane_group *f, int lane) {
-    const em_run_state *const w = walk;
+/* em_model.load */
+EM_COLD_PATH EM_EXPORT void em_member_load(void *run_state, em_lane_group *f, int lane) {
+    const em_run_state *const w = run_state;
     const em_run *const run = w->run;
     const int width = w->lanes->width;
     const double steps = (double)run->n_steps;
@@ -131,8 +131,8 @@ EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int
 }
 
 /* em_model.look: what em_land and em_advance do about an accepted step. */
-EM_COLD_PATH EM_EXPORT int em_member_check(void *walk, em_lane_group *f, int lane, em_landing landing) {
-    em_run_state *const w = walk;
+EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing) {
+    em_run_state *const w = run_state;
     int terminal = 0;
     em_member_read(w, f, lane);
     double t_stop = w->t_new;

@@ -12,16 +12,16 @@
 
 enum {
     EM_TOGETHER = 4, /* states whose sums are made together */
-    EM_FLOCK_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
-    EM_FLOCK_STAGES = 12,
+    EM_GROUP_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
+    EM_GROUP_STAGES = 12,
     EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
-    EM_FLOCK_LOOKS = 64 /* attempts between two looks at whether an end is wanted */
+    EM_GROUP_LOOKS = 64 /* attempts between two looks at whether an end is wanted */
 };
 
 /* The arrays of a flock (em_lanes.h), as vectors. */
 typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
-    real (*K)[EM_FLOCK_STATE];
+    real (*K)[EM_GROUP_STATE];
     real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs;
     real *stiff, *n_stiff, *next_judge, *next_look, *t_look, *memory, *memory_new;
 } em_lane_state;
@@ -33,11 +33,11 @@ typedef struct em_lane_state {
 
 /* How much of a state changes within a step: in mode 1 C and s rest. */
 EM_INLINE int em_group_moving(const em_lane_group *f) {
-    return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_FLOCK_STATE;
+    return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_GROUP_STATE;
 }
 
 /* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, of the states from k on */
-EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], int k, real *sum) {
+EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_GROUP_STATE], int k, real *sum) {
     for (int i = 0; i < EM_TOGETHER; ++i) sum[i] = a[0] * K[0][k + i];
     EM_UNROLL
     for (int j = 1; j < n; ++j) {
@@ -47,7 +47,7 @@ EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], i
 }
 
 /* out <- y + h sum_j a_j K_j over j < n */
-EM_INLINE void em_group_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
+EM_INLINE void em_group_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_GROUP_STATE], real *out) {
     for (int k = 0; k < moving; k += EM_TOGETHER) {
         real sum[EM_TOGETHER];
         em_group_sum(a, n, K, k, sum);
@@ -87,7 +87,7 @@ EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, re
 }
 
 /* Both errors (EM_TOGETHER) of the states from k on: what is read is read once. */
-EM_INLINE void em_group_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, real *third) {
+EM_INLINE void em_group_errors(real (*K)[EM_GROUP_STATE], int k, real *fifth, real *third) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     for (int i = 0; i < EM_TOGETHER; ++i) {
         fifth[i] = rk->e[0][0] * K[0][k + i];
@@ -115,7 +115,7 @@ EM_INLINE real em_group_squares(int n, const real *a, const real *b) {
 
 /* The norm of the error (em_runge_kutta.h). */
 EM_INLINE void em_group_norm(const em_lane_group *f, em_lane_state *w, const real *weight) {
-    real sum[2], error[2][EM_FLOCK_STATE], v[N];
+    real sum[2], error[2][EM_GROUP_STATE], v[N];
     for (int k = 0; k < em_group_moving(f); k += EM_TOGETHER) em_group_errors(w->K, k, error[0] + k, error[1] + k);
     for (int e = 0; e < 2; ++e) {
         EM_VELOCITY(f->mode, w->y, w->c, w->memory, error[e] + N, v);
@@ -203,8 +203,8 @@ EM_INLINE void em_group_control(const em_lane_state *w, em_attempts *found) {
 static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     em_attempts found = {.settled = ~(em_truth){0}};
-    real argument[EM_FLOCK_STATE], weight[N_STATE], v[N];
-    for (int k = em_group_moving(f); k < EM_FLOCK_STATE; ++k) w->y_new[k] = w->y[k];
+    real argument[EM_GROUP_STATE], weight[N_STATE], v[N];
+    for (int k = em_group_moving(f); k < EM_GROUP_STATE; ++k) w->y_new[k] = w->y[k];
     EM_UNROLL
     for (int stage = 1; stage < rk->stages; ++stage) {
         const real t = *w->t + rk->c[stage] * *w->h;
@@ -230,7 +230,7 @@ EM_INLINE em_truth em_group_due(const em_lane_group *f, const em_lane_state *w, 
 #ifdef EM_PIVOTS
     if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
 #endif
-    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_FLOCK_STAGES >= *w->next_look) |
+    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_look) |
            (f->direction * (*w->t_new - *w->t_look) >= 0.0);
 }
 
@@ -256,7 +256,7 @@ static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     *w->n_steps += em_where(took, one, none);
     *w->n_rejected += em_where(tried & ~took, one, none);
     *w->retries = em_where(took, none, *w->retries + em_where(tried, one, none));
-    *w->n_rhs += em_where(took, one, none) + em_where(tried, em_real(EM_FLOCK_STAGES - 1.0), none);
+    *w->n_rhs += em_where(took, one, none) + em_where(tried, em_real(EM_GROUP_STAGES - 1.0), none);
 }
 
 /* -1 in lanes with a run. */
@@ -286,14 +286,14 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
 /* As long as there are members, and no other flock is to go on first: f->look puts them into lanes. */
 static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
-        (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_FLOCK_STATE])f->K,
+        (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
         (real *)f->longest, (real *)f->n_steps, (real *)f->n_rejected, (real *)f->retries, (real *)f->n_rhs,
         (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look,
         (real *)f->memory, (real *)f->memory_new};
     for (unsigned attempt = 1; f->n_live > 0 && !f->pauses; ++attempt) {
         em_group_step(f, &w);
-        if (attempt % EM_FLOCK_LOOKS == 0 && f->stopped(f)) return;
+        if (attempt % EM_GROUP_LOOKS == 0 && f->stopped(f)) return;
     }
 }
 

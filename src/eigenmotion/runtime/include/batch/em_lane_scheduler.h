@@ -9,12 +9,12 @@
 
 #include "batch/em_members.h"
 
-enum { EM_MOST_MODES = 2, EM_SEATS = EM_MOST_MODES * EM_MOST_LANES };
+enum { EM_MOST_MODES = 2, EM_SLOTS = EM_MOST_MODES * EM_MOST_LANES };
 
 /* A run under way: of which member, and what it works with. */
 typedef struct em_slot {
     em_run run;
-    void *walk;
+    void *run_state;
     size_t member;
     double *c, *y;
     int taken;
@@ -22,9 +22,9 @@ typedef struct em_slot {
 
 typedef struct em_lane_scheduler {
     em_ensemble *e;
-    em_lane_group flock[EM_MOST_MODES];
-    em_slot seats[EM_SEATS];
-    em_slot *in_lane[EM_MOST_MODES][EM_MOST_LANES], *waiting[EM_MOST_MODES][EM_SEATS];
+    em_lane_group groups[EM_MOST_MODES];
+    em_slot slots[EM_SLOTS];
+    em_slot *in_lane[EM_MOST_MODES][EM_MOST_LANES], *waiting[EM_MOST_MODES][EM_SLOTS];
     int n_waiting[EM_MOST_MODES], modes, width, stopped;
     size_t next;
 } em_lane_scheduler;
@@ -46,46 +46,46 @@ static int em_ensemble_rests(const em_ensemble *e, size_t member) {
     return 1;
 }
 
-/* A run has ended: its seat is free. kept: what came of it; else the member is run anew, number by number. */
-static void em_leave(em_lane_scheduler *w, em_slot *seat, int kept) {
+/* A run has ended: its slot is free. kept: what came of it; else the member is run anew, number by number. */
+static void em_leave(em_lane_scheduler *w, em_slot *slot, int kept) {
     em_ensemble *const e = w->e;
-    if (seat->walk != NULL) e->model->close(seat->walk);
-    if (kept) em_ensemble_keep(e, seat->member, &seat->run);
-    e->model->release(&seat->run);
-    if (!kept) em_ensemble_member(e, seat->member, seat->c, seat->y);
-    seat->taken = 0;
+    if (slot->run_state != NULL) e->model->close(slot->run_state);
+    if (kept) em_ensemble_keep(e, slot->member, &slot->run);
+    e->model->release(&slot->run);
+    if (!kept) em_ensemble_member(e, slot->member, slot->c, slot->y);
+    slot->taken = 0;
 }
 
 static em_slot *em_free_slot(em_lane_scheduler *w) {
-    em_slot *seat = w->seats;
-    while (seat->taken) ++seat;
-    return seat;
+    em_slot *slot = w->slots;
+    while (slot->taken) ++slot;
+    return slot;
 }
 
-/* The next member takes a seat and waits for a lane of its mode; or all that came of it is kept already. */
+/* The next member takes a slot and waits for a lane of its mode; or all that came of it is kept already. */
 static void em_arrive(em_lane_scheduler *w) {
     em_ensemble *const e = w->e;
-    em_slot *const seat = em_free_slot(w);
-    em_run *const run = &seat->run;
+    em_slot *const slot = em_free_slot(w);
+    em_run *const run = &slot->run;
     int mode = 0;
-    seat->member = w->next++;
-    seat->walk = NULL;
-    seat->taken = 1;
+    slot->member = w->next++;
+    slot->run_state = NULL;
+    slot->taken = 1;
     *run = e->task;
-    if (!em_ensemble_stopped(e) && em_ensemble_rests(e, seat->member) &&
-        em_ensemble_start(e, seat->member, seat->c, seat->y, &run->fault) == 0) {
-        run->prepared = seat->c;
-        run->y_start = seat->y;
-        run->inputs = e->inputs ? e->inputs + seat->member * e->inputs_stride : NULL;
-        seat->walk = e->model->enter(run, &mode);
+    if (!em_ensemble_stopped(e) && em_ensemble_rests(e, slot->member) &&
+        em_ensemble_start(e, slot->member, slot->c, slot->y, &run->fault) == 0) {
+        run->prepared = slot->c;
+        run->y_start = slot->y;
+        run->inputs = e->inputs ? e->inputs + slot->member * e->inputs_stride : NULL;
+        slot->run_state = e->model->enter(run, &mode);
     }
-    if (seat->walk == NULL) em_leave(w, seat, 0);
-    else w->waiting[mode][w->n_waiting[mode]++] = seat;
+    if (slot->run_state == NULL) em_leave(w, slot, 0);
+    else w->waiting[mode][w->n_waiting[mode]++] = slot;
 }
 
 /* How many lanes of a flock could be in use; new members count as of mode 0. */
 static size_t em_ready(const em_lane_scheduler *w, int mode) {
-    const size_t here = (size_t)(w->flock[mode].n_live + w->n_waiting[mode]);
+    const size_t here = (size_t)(w->groups[mode].n_live + w->n_waiting[mode]);
     const size_t more = mode == 0 ? w->e->count - w->next : 0;
     return here + more < (size_t)w->width ? here + more : (size_t)w->width;
 }
@@ -99,13 +99,13 @@ static int em_yields_lane(const em_lane_scheduler *w, int mode) {
 
 /* Somebody into an empty lane, unless the other flock is to go on first; where nobody is left it stands still. */
 static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
-    em_lane_group *const f = &w->flock[mode];
+    em_lane_group *const f = &w->groups[mode];
     while (!(f->pauses = em_yields_lane(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
     f->live[lane] = !f->pauses && w->n_waiting[mode] > 0;
     f->n_live += f->live[lane];
     if (f->live[lane]) {
-        em_slot *const seat = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
-        w->e->model->board(seat->walk, f, lane);
+        em_slot *const slot = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
+        w->e->model->load(slot->run_state, f, lane);
         return;
     }
     f->t[lane] = f->task->t_end;
@@ -116,13 +116,13 @@ static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
 static int em_ensemble_look(em_lane_group *f, int lane, em_landing landing) {
     enum { ANEW = -1, GOES_ON, ENDED, CHANGES };
     em_lane_scheduler *const w = f->with;
-    em_slot *const seat = w->in_lane[f->mode][lane];
-    const int came = landing == EM_LOST ? ANEW : w->e->model->look(seat->walk, f, lane, landing);
+    em_slot *const slot = w->in_lane[f->mode][lane];
+    const int came = landing == EM_LOST ? ANEW : w->e->model->look(slot->run_state, f, lane, landing);
     if (came == GOES_ON) return 0;
     f->live[lane] = 0;
     --f->n_live;
-    if (came == CHANGES) w->waiting[!f->mode][w->n_waiting[!f->mode]++] = seat;
-    else em_leave(w, seat, came == ENDED);
+    if (came == CHANGES) w->waiting[!f->mode][w->n_waiting[!f->mode]++] = slot;
+    else em_leave(w, slot, came == ENDED);
     em_fill_lane(w, f->mode, lane);
     return 1;
 }
@@ -135,15 +135,15 @@ static int em_ensemble_all_stop(em_lane_group *f) {
 
 /* Runs that were on their way when an end was asked for. */
 static void em_ensemble_give_up(em_lane_scheduler *w) {
-    for (em_slot *seat = w->seats; seat < w->seats + EM_SEATS; ++seat) {
-        if (!seat->taken) continue;
-        seat->run.fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
+    for (em_slot *slot = w->slots; slot < w->slots + EM_SLOTS; ++slot) {
+        if (!slot->taken) continue;
+        slot->run.fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
         for (int mode = 0; mode < w->modes; ++mode)
             for (int lane = 0; lane < w->width; ++lane)
-                if (w->in_lane[mode][lane] == seat && w->flock[mode].live[lane]) seat->run.t_reached = w->flock[mode].t[lane];
-        em_leave(w, seat, 1);
+                if (w->in_lane[mode][lane] == slot && w->groups[mode].live[lane]) slot->run.t_reached = w->groups[mode].t[lane];
+        em_leave(w, slot, 1);
     }
-    while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->seats->c, w->seats->y);
+    while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->slots->c, w->slots->y);
 }
 
 /* The next numbers of a block of memory. */
@@ -153,13 +153,13 @@ static double *em_cut_off(double **place, size_t size) {
     return piece;
 }
 
-enum { EM_FLOCK_STEPS = 12, EM_FLOCK_NUMBERS = 16 };
+enum { EM_GROUP_STEPS = 12, EM_GROUP_NUMBERS = 16 };
 
 /* Numbers of all tables of a flock. */
 static size_t em_group_size(const em_model *model) {
     const size_t states = ((size_t)model->n_state + 3) / 4 * 4, memory = 2 * (size_t)model->lanes->remembered;
-    const size_t rows = (EM_FLOCK_STEPS + 3) * states + memory + (size_t)model->n_prepared + (size_t)model->n_inputs;
-    return (rows + EM_FLOCK_NUMBERS) * (size_t)model->lanes->width;
+    const size_t rows = (EM_GROUP_STEPS + 3) * states + memory + (size_t)model->n_prepared + (size_t)model->n_inputs;
+    return (rows + EM_GROUP_NUMBERS) * (size_t)model->lanes->width;
 }
 
 /* The tables of a flock, one after the other. */
@@ -167,18 +167,18 @@ static void em_group_tables(em_lane_group *f, const em_model *model, double *pla
     const size_t width = (size_t)model->lanes->width, states = ((size_t)model->n_state + 3) / 4 * 4;
     const size_t memory = (size_t)model->lanes->remembered;
     double **const tables[] = {&f->K, &f->y, &f->y_new, &f->f_new, &f->memory, &f->memory_new, &f->c, &f->u};
-    const size_t sizes[] = {EM_FLOCK_STEPS * states, states, states, states, memory, memory, (size_t)model->n_prepared,
+    const size_t sizes[] = {EM_GROUP_STEPS * states, states, states, states, memory, memory, (size_t)model->n_prepared,
                             (size_t)model->n_inputs};
-    double **const numbers[EM_FLOCK_NUMBERS] = {
+    double **const numbers[EM_GROUP_NUMBERS] = {
         &f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps, &f->n_rejected,
         &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_judge, &f->next_look, &f->t_look};
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_cut_off(&place, sizes[k] * width);
-    for (int k = 0; k < EM_FLOCK_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
+    for (int k = 0; k < EM_GROUP_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
 }
 
 static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
     const em_run *const task = &w->e->task;
-    em_lane_group *const f = &w->flock[mode];
+    em_lane_group *const f = &w->groups[mode];
     *f = (em_lane_group){.task = task, .mode = mode, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = w};
     f->rtol = task->rtol > 100.0 * DBL_EPSILON ? task->rtol : 100.0 * DBL_EPSILON;
     f->direction = task->t_end < task->t_start ? -1.0 : 1.0;
@@ -191,21 +191,21 @@ static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
 static double *em_lane_scheduler_open(em_lane_scheduler *w) {
     enum { LINE = 8 };
     const em_model *model = w->e->model;
-    const size_t c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state, flock = em_group_size(model);
-    double *const block = calloc((size_t)w->modes * flock + LINE + EM_SEATS * (c + n), sizeof *block);
+    const size_t c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state, group = em_group_size(model);
+    double *const block = calloc((size_t)w->modes * group + LINE + EM_SLOTS * (c + n), sizeof *block);
     if (block == NULL) return NULL;
     double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
-    for (int mode = 0; mode < w->modes; ++mode) em_group_begin(w, mode, em_cut_off(&place, flock));
-    for (int k = 0; k < EM_SEATS; ++k) {
-        w->seats[k].c = em_cut_off(&place, c);
-        w->seats[k].y = em_cut_off(&place, n);
+    for (int mode = 0; mode < w->modes; ++mode) em_group_begin(w, mode, em_cut_off(&place, group));
+    for (int k = 0; k < EM_SLOTS; ++k) {
+        w->slots[k].c = em_cut_off(&place, c);
+        w->slots[k].y = em_cut_off(&place, n);
     }
     return block;
 }
 
 /* Lanes that are empty are filled, and the flock goes on until it gives way to the other. */
 static void em_group_go_on(em_lane_scheduler *w, int mode) {
-    em_lane_group *const f = &w->flock[mode];
+    em_lane_group *const f = &w->groups[mode];
     for (int lane = 0; lane < w->width; ++lane)
         if (!f->live[lane]) em_fill_lane(w, mode, lane);
     if (f->n_live > 0 && !f->pauses) w->e->model->lanes->run(f);

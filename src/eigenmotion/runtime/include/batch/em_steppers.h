@@ -35,7 +35,7 @@ typedef struct em_steppers {
 static int em_steppers_width(const em_model *model, const em_run *task) {
     const int fixed = task->method == EM_RK4 || task->method == EM_MIDPOINT;
     const em_lanes *const lanes = model->lanes;
-    if (!fixed || model->m > 0 || model->n_events > 0 || model->n_breaks > 0 || lanes == NULL || lanes->run == NULL) return 1;
+    if (!fixed || model->m > 0 || model->n_events > 0 || model->n_time_events > 0 || lanes == NULL || lanes->run == NULL) return 1;
     for (int k = 0; k < model->n_inputs; ++k)
         if (task->inputs != NULL && task->inputs[k].kind != EM_CONSTANT) return 1;
     return lanes->width == 2 || lanes->width == 4 || lanes->width == 8 ? lanes->width : 1;
@@ -283,7 +283,7 @@ static const double *em_steppers_constants(const em_steppers *s, size_t member, 
 
 /* y (n_state) of a member in the published meaning. 0, or -1 and *fault */
 static int em_steppers_state(const em_steppers *s, size_t member, double *y, em_fault *fault) {
-    if (s->steppers != NULL) return s->model->publish(s->steppers[member]->walk, y, fault);
+    if (s->steppers != NULL) return s->model->publish(s->steppers[member]->run_state, y, fault);
     em_lane_out(s->width, (int)(member % (size_t)s->width), s->model->n_state,
                 em_steppers_of(s, s->Y, member, s->model->n_state), y);
     return 0;

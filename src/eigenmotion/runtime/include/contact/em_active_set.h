@@ -15,20 +15,20 @@
 enum { EM_IMPACT_ROWS = N_ROWS + 1, EM_IMPACT_SIZE = N + 2 /* numbers an impact is stated by: N (n), rate, e */ };
 
 /* N v + rate */
-EM_NOINLINE double em_approach(const double *struck, const double *v) {
-    double speed = struck[N];
-    for (int k = 0; k < N; ++k) speed += struck[k] * v[k];
+EM_NOINLINE double em_approach(const double *impact_data, const double *v) {
+    double speed = impact_data[N];
+    for (int k = 0; k < N; ++k) speed += impact_data[k] * v[k];
     return speed;
 }
 
 /* The fastest that anything of this kinetic energy approaches along N, sqrt(N M^-1 N^T v^T M v), and what phi changes by. */
-EM_NOINLINE double em_fastest(const em_root *root, const double *struck, const double *v) {
+EM_NOINLINE double em_fastest(const em_root *root, const double *impact_data, const double *v) {
     double along[N], p[N];
-    memcpy(along, struck, sizeof along);
+    memcpy(along, impact_data, sizeof along);
     memcpy(p, v, sizeof p);
     em_forward(N, root->L, root->r, along);
     em_transposed(N, root->L, p);
-    return em_length(N, along) * em_length(N, p) + fabs(struck[N]);
+    return em_length(N, along) * em_length(N, p) + fabs(impact_data[N]);
 }
 
 #include "contact/em_complementarity.h"

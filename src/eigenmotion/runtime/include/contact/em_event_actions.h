@@ -28,7 +28,7 @@ EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
 
 /* Whether an event that has fired is an impact, and no contact's. */
 EM_NOINLINE int em_hits(const em_acting *a, int event) {
-    return a->fired[event] && deeds[event].impact >= 0 && deeds[event].held < 0;
+    return a->fired[event] && event_actions[event].impact >= 0 && event_actions[event].held < 0;
 }
 
 /* One round of impacts: whether there was any, or -1 and *fault. side (n_events): the sign of approach, 0: not known */
@@ -36,12 +36,12 @@ EM_NOINLINE int em_impact_round(em_acting *a, em_all_rows *r, double *side) {
     int any = 0;
     for (int i = 0; i < N_EVENTS; ++i) {
         if (!em_hits(a, i)) continue;
-        const int struck = em_impact_event(a, r, i, &side[i]);
-        if (struck < 0) return -1;
-        any |= struck;
+        const int any_here = em_impact_event(a, r, i, &side[i]);
+        if (any_here < 0) return -1;
+        any |= any_here;
     }
-    const int struck = em_impact_contacts(a, r);
-    return struck < 0 ? -1 : any | struck;
+    const int any_here = em_impact_contacts(a, r);
+    return any_here < 0 ? -1 : any | any_here;
 }
 
 /* All impacts. 0, or -1 and *fault. */
@@ -53,7 +53,7 @@ EM_NOINLINE int em_impact_all(em_acting *a, em_all_rows *r) {
     for (int round = 0; round < ROUNDS && any > 0; ++round) any = em_impact_round(a, r, side);
     if (any < 0) return -1;
     for (int i = 0; any && i < N_EVENTS; ++i)
-        if (a->fired[i] && deeds[i].impact >= 0) return em_fail(a->fault, EM_EVENTS_PILE_UP, i, -1, NAN);
+        if (a->fired[i] && event_actions[i].impact >= 0) return em_fail(a->fault, EM_EVENTS_PILE_UP, i, -1, NAN);
     return 0;
 }
 
@@ -77,7 +77,7 @@ EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
 
 EM_NOINLINE int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
-    const int number = deeds[event].reset;
+    const int number = event_actions[event].reset;
     if (N_RESETS == 0) return 0; /* that compilers see it, too */
     resets(a->t, a->x, a->v, a->c, a->u, after);
     const double *const at = after + number * 2 * N;
@@ -191,7 +191,7 @@ EM_NOINLINE int em_reset_all(em_acting *a) {
     double from[N];
     memcpy(from, a->x, sizeof from);
     for (int i = 0; i < N_EVENTS; ++i) {
-        if (!a->fired[i] || deeds[i].reset < 0) continue;
+        if (!a->fired[i] || event_actions[i].reset < 0) continue;
         last = i;
         if (em_reset(a, i)) return -1;
     }

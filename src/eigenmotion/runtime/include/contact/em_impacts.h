@@ -22,14 +22,14 @@
 
 /* A blow: which rows strike, their restitutions (0 where they land), and impacts; rates before; what came of it. The last row
  * is that of an event's impact, of no contact, where one strikes: turned so that it approaches with w < 0. */
-typedef struct em_blow {
+typedef struct em_impact {
     int strikes[EM_IMPACT_ROWS], lands[EM_IMPACT_ROWS], impact[EM_IMPACT_ROWS];
     double e[EM_IMPACT_ROWS], rest[EM_IMPACT_ROWS], before[EM_IMPACT_ROWS], terms[EM_IMPACT_ROWS];
     double impulse[EM_IMPACT_ROWS], after[EM_IMPACT_ROWS], lowered, side, extra[N];
     int poisson;
     double B[EM_IMPACT_ROWS * N];
     em_mixed s;
-} em_blow;
+} em_impact;
 
 /* Whether a blow may load what presses on a friction: a contact that strikes or holds, or rows of constraints. */
 EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
@@ -40,7 +40,7 @@ EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
 }
 
 /* The rows of a blow: constraints, contacts that strike or touch, frictions on them; rates before. */
-EM_NOINLINE void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow *b) {
+EM_NOINLINE void em_impact_rows(const em_acting *a, const em_all_rows *r, em_impact *b) {
     em_mixed *const s = &b->s;
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     em_begin_mixed(r, s);
@@ -64,7 +64,7 @@ EM_NOINLINE void em_blow_rows(const em_acting *a, const em_all_rows *r, em_blow 
 }
 
 /* q = w-, of rows that strike (1 + e) w-. */
-EM_NOINLINE void em_blow_rates(em_blow *b) {
+EM_NOINLINE void em_impact_rates(em_impact *b) {
     for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         const double e = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] : 0.0;
         b->s.q[row] = (1.0 + e) * b->before[row], b->s.size[row] = b->terms[row];
@@ -72,7 +72,7 @@ EM_NOINLINE void em_blow_rates(em_blow *b) {
 }
 
 /* The work of the impulses on what moves against each other, over that of their sizes. */
-EM_NOINLINE double em_blow_work(const em_blow *b) {
+EM_NOINLINE double em_impact_work(const em_impact *b) {
     double work = 0.0, size = 0.0;
     for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         const double after = b->after[row];
@@ -84,7 +84,7 @@ EM_NOINLINE double em_blow_work(const em_blow *b) {
 }
 
 /* Expansion after compression: impulse (m + 1) so far, rates s.w. As em_solve_mixed. */
-EM_NOINLINE int em_blow_expands(em_blow *b) {
+EM_NOINLINE int em_impact_expands(em_impact *b) {
     em_mixed *const s = &b->s;
     double given[EM_IMPACT_ROWS], level[EM_IMPACT_ROWS], at_rest[EM_IMPACT_ROWS];
     memcpy(level, s->level, sizeof level), memcpy(at_rest, s->at_rest, sizeof at_rest);
@@ -110,35 +110,35 @@ EM_NOINLINE int em_blow_expands(em_blow *b) {
 }
 
 /* The blow with restitutions lowered by this factor: impulse and after. As em_solve_mixed. */
-EM_NOINLINE int em_blow_solve(em_blow *b, double lowered) {
+EM_NOINLINE int em_impact_solve(em_impact *b, double lowered) {
     b->lowered = b->poisson ? 0.0 : lowered;
-    em_blow_rates(b);
+    em_impact_rates(b);
     int found = em_solve_mixed(&b->s);
     b->lowered = lowered;
     memcpy(b->impulse, b->s.p, sizeof b->impulse);
-    if (found == 1 && b->poisson) found = em_blow_expands(b);
+    if (found == 1 && b->poisson) found = em_impact_expands(b);
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         b->after[row] = b->poisson ? b->s.w[row] : b->s.w[row] - (b->s.q[row] - b->before[row]);
     return found;
 }
 
 /* The same with restitutions as high as energy allows. */
-EM_NOINLINE int em_blow_within_energy(em_blow *b) {
+EM_NOINLINE int em_impact_within_energy(em_impact *b) {
     double low = 0.0, high = 1.0;
-    const int found = em_blow_solve(b, high);
-    if (found < 1 || em_blow_work(b) <= EM_RAISES) return found;
+    const int found = em_impact_solve(b, high);
+    if (found < 1 || em_impact_work(b) <= EM_RAISES) return found;
     while (high - low > 4.0 * DBL_EPSILON) {
         const double middle = 0.5 * (low + high);
-        if (em_blow_solve(b, middle) == 1 && em_blow_work(b) <= EM_RAISES) low = middle;
+        if (em_impact_solve(b, middle) == 1 && em_impact_work(b) <= EM_RAISES) low = middle;
         else high = middle;
     }
-    return em_blow_solve(b, low);
+    return em_impact_solve(b, low);
 }
 
 /* And without the restitution of what would rebound no faster than its `rest`: it lands. 1, or as em_solve_mixed. */
-EM_NOINLINE int em_blow_with_landings(em_blow *b) {
+EM_NOINLINE int em_impact_with_landings(em_impact *b) {
     for (int more = 1; more;) {
-        const int found = em_blow_within_energy(b);
+        const int found = em_impact_within_energy(b);
         if (found < 1) return found;
         more = 0;
         for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
@@ -151,7 +151,7 @@ EM_NOINLINE int em_blow_with_landings(em_blow *b) {
 }
 
 /* change (n) <- M^-1 B^T P */
-EM_NOINLINE void em_change_by_blow(const em_all_rows *r, const em_blow *b, double *change) {
+EM_NOINLINE void em_change_by_impact(const em_all_rows *r, const em_impact *b, double *change) {
     memset(change, 0, N * sizeof *change);
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         for (int k = 0; k < N; ++k) change[k] += b->B[row * N + k] * b->impulse[row];
@@ -161,14 +161,14 @@ EM_NOINLINE void em_change_by_blow(const em_all_rows *r, const em_blow *b, doubl
 #include "contact/em_saltation.h"
 
 /* The blow that has been stated, of which `event` is named. 1, or -1 and *fault. */
-EM_NOINLINE int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int event) {
+EM_NOINLINE int em_apply_impact(em_acting *a, const em_all_rows *r, em_impact *b, int event) {
     double change[N];
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
         if (b->strikes[row] && !(b->e[row] >= 0.0 && b->e[row] <= 1.0))
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_BAD_RESTITUTION, b->e[row]);
-    if (em_blow_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
-    em_change_by_blow(r, b, change);
-    if (a->along && em_blow_along(a, r, b, change, event)) return -1;
+    if (em_impact_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
+    em_change_by_impact(r, b, change);
+    if (a->along && em_impact_along(a, r, b, change, event)) return -1;
     for (int k = 0; k < N; ++k) a->v[k] += change[k];
     a->moved = 1;
     return 1;
@@ -176,41 +176,41 @@ EM_NOINLINE int em_deal_blow(em_acting *a, const em_all_rows *r, em_blow *b, int
 
 /* One blow of all contacts that approach. Whether there was one, or -1 and *fault. */
 EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
-    em_blow b = {.lowered = 1.0};
-    double struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE];
+    em_impact b = {.lowered = 1.0};
+    double impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE];
     int first = -1;
     em_rates_along(r, a->v);
     em_find_still(a, r);
-    impacts(a->t, a->x, a->v, a->c, a->u, struck);
+    impacts(a->t, a->x, a->v, a->c, a->u, impact_data);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
-        const int impact = deeds[one->event].impact;
+        const int impact = event_actions[one->event].impact;
         if (!em_is_contact(one) || impact < 0 || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
         b.strikes[one->row] = 1, b.poisson |= one->poisson;
         b.impact[one->row] = impact;
-        b.e[one->row] = struck[impact * EM_IMPACT_SIZE + N + 1];
+        b.e[one->row] = impact_data[impact * EM_IMPACT_SIZE + N + 1];
         if (first < 0) first = one->event;
         a->fired[one->event] = 1;
     }
     if (first < 0) return 0;
-    em_blow_rows(a, r, &b);
-    return em_deal_blow(a, r, &b, first);
+    em_impact_rows(a, r, &b);
+    return em_apply_impact(a, r, &b, first);
 }
 
 /* The impact of an event, no contact's, from the side on which it is. Whether it approaches, or -1 and *fault. */
 EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double *side) {
-    em_blow b = {.lowered = 1.0};
-    double struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE], *const own = b.B + N_ROWS * N;
+    em_impact b = {.lowered = 1.0};
+    double impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE], *const own = b.B + N_ROWS * N;
     const int first = *side == 0.0;
-    impacts(a->t, a->x, a->v, a->c, a->u, struck);
-    const double *const at = struck + deeds[event].impact * EM_IMPACT_SIZE;
+    impacts(a->t, a->x, a->v, a->c, a->u, impact_data);
+    const double *const at = impact_data + event_actions[event].impact * EM_IMPACT_SIZE;
     const double approach = em_approach(at, a->v);
-    if (first) *side = deeds[event].keeps_apart || approach < 0.0 ? -1.0 : 1.0;
+    if (first) *side = event_actions[event].keeps_apart || approach < 0.0 ? -1.0 : 1.0;
     if (!(*side * approach > (first ? 0.0 : EM_SEPARATING * em_fastest(&r->root, at, a->v)))) return 0;
     em_rates_along(r, a->v);
     em_find_still(a, r);
-    em_blow_rows(a, r, &b);
-    b.side = -*side, b.strikes[N_ROWS] = 1, b.impact[N_ROWS] = deeds[event].impact;
+    em_impact_rows(a, r, &b);
+    b.side = -*side, b.strikes[N_ROWS] = 1, b.impact[N_ROWS] = event_actions[event].impact;
     b.e[N_ROWS] = at[N + 1], b.rest[N_ROWS] = -INFINITY;
     b.before[N_ROWS] = b.side * approach;
     b.terms[N_ROWS] = fabs(at[N]);
@@ -223,7 +223,7 @@ EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double 
         b.s.G[N_ROWS * EM_IMPACT_ROWS + row] = sum;
     }
     b.s.kind[N_ROWS] = EM_ROW_CONTACT, b.s.choice[N_ROWS] = EM_HOLDS_ROW;
-    return em_deal_blow(a, r, &b, event);
+    return em_apply_impact(a, r, &b, event);
 }
 
 #endif

@@ -100,15 +100,15 @@ EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, co
     model_events(t, from, v, c, u, before);
     model_events(t, x, v, c, u, g);
     for (int i = 0; i < N_EVENTS; ++i) {
-        if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
-        double reach = 2.0 * fmax(0.0, -before[i] * deeds[i].keeps_apart);
+        if (event_actions[i].impact < 0 || !(g[i] * event_actions[i].keeps_apart < 0.0)) continue;
+        double reach = 2.0 * fmax(0.0, -before[i] * event_actions[i].keeps_apart);
         for (int k = 0; k < N; ++k) {
             memcpy(near, x, sizeof near);
             near[k] += EM_RESET_MAY * fabs(near[k]);
             model_events(t, near, v, c, u, there);
             reach += fabs(there[i] - g[i]);
         }
-        if (fabs(g[i]) > reach) return em_fail(fault, EM_RESET_INSIDE, event, i, g[i] * deeds[i].keeps_apart);
+        if (fabs(g[i]) > reach) return em_fail(fault, EM_RESET_INSIDE, event, i, g[i] * event_actions[i].keeps_apart);
     }
     return 0;
 }

@@ -7,12 +7,12 @@
 #define EM_SALTATION_H
 
 /* The derivatives along the directions of what a blow is made of. */
-typedef struct em_blow_partials {
+typedef struct em_impact_partials {
     double *balance, *rates, *levels, *impacts; /* (n + m), (h + m), levels, impacts: each by columns */
-} em_blow_partials;
+} em_impact_partials;
 
 /* X (n, columns) <- v+ - v along the directions, where F (n, columns) is the residual's and G (rows, columns) the rates'. */
-EM_NOINLINE int em_solve_blow(const em_all_rows *r, const em_blow *b, int columns, double *F, const double *G) {
+EM_NOINLINE int em_solve_impact_along(const em_all_rows *r, const em_impact *b, int columns, double *F, const double *G) {
     int rows[EM_IMPACT_ROWS], count = 0;
     double Q[EM_IMPACT_ROWS * N], A[EM_IMPACT_ROWS * EM_IMPACT_ROWS], y[EM_IMPACT_ROWS];
     memcpy(Q, b->B, sizeof Q);
@@ -42,7 +42,7 @@ EM_NOINLINE int em_solve_blow(const em_all_rows *r, const em_blow *b, int column
 }
 
 /* G (columns) <- what A (v+ - v) of a row becomes by: its own change, that of the rate before, of the restitution. */
-EM_NOINLINE void em_blow_rate_along(const em_acting *a, const em_blow *b, const em_blow_partials *of,
+EM_NOINLINE void em_impact_rate_along(const em_acting *a, const em_impact *b, const em_impact_partials *of,
                                 const double *change, int row, double *G) {
     const int columns = a->along->columns, lands = !b->strikes[row] || b->lands[row];
     const double e = lands ? 0.0 : b->e[row];
@@ -60,34 +60,34 @@ EM_NOINLINE void em_blow_rate_along(const em_acting *a, const em_blow *b, const 
 }
 
 /* Directions after a blow that changes v by `change`. 0, or -1 and *fault. */
-EM_NOINLINE int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow *b, const double *change, int event) {
+EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_impact *b, const double *change, int event) {
     const em_directions *const d = a->along;
     const int columns = d->columns;
     double D[(N + N_ROWS) * N_ARGUMENTS], E[(N_POSITIONS + N_ROWS + 1) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
     double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS], I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS];
     double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_IMPACT_ROWS * columns];
-    double level[EM_LEVELS * EM_SOME_SWITCHES * columns], struck[EM_SOME_IMPACTS * EM_IMPACT_SIZE * columns];
-    const em_blow_partials of = {balance, rates, level, struck};
+    double level[EM_LEVELS * EM_SOME_SWITCHES * columns], impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE * columns];
+    const em_impact_partials of = {balance, rates, level, impact_data};
     if (b->lowered < 1.0) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_RESTITUTION_LOWERED, b->lowered);
     for (int row = 0; row < N_ROWS; ++row)
         if (b->poisson || (b->s.kind[row] == EM_ROW_CONE && em_limit_sign(&b->s, row) != 0.0))
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_LAW_NOT_DERIVED, NAN);
     for (int row = 0; row < N_ROWS; ++row) impulse[row] = -b->s.p[row];
-    blow_partials(a->t, a->x, change, impulse, r->c, D);
+    impact_balance_partials(a->t, a->x, change, impulse, r->c, D);
     if (N_ROWS > 0) constraint_partials(a->t, a->x, a->v, r->c, E);
     level_partials(a->t, a->x, a->v, a->c, a->u, L);
     impact_partials(a->t, a->x, a->v, a->c, a->u, I);
     em_along(d, N + N_ROWS, D, balance);
     em_along(d, N_ROWS > 0 ? N_POSITIONS + N_ROWS : 0, E, rates);
     em_along(d, EM_LEVELS * N_SWITCHES, L, level);
-    em_along(d, EM_SOME_IMPACTS * EM_IMPACT_SIZE, I, struck);
+    em_along(d, EM_SOME_IMPACTS * EM_IMPACT_SIZE, I, impact_data);
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
-        em_blow_rate_along(a, b, &of, change, row, G + row * columns);
+        em_impact_rate_along(a, b, &of, change, row, G + row * columns);
     double F[N * columns];
     for (int k = 0; k < N; ++k)
         for (int j = 0; j < columns; ++j) {
             double sum = -balance[k * columns + j];
-            if (b->strikes[N_ROWS]) sum += b->side * struck[(b->impact[N_ROWS] * EM_IMPACT_SIZE + k) * columns + j] * b->s.p[N_ROWS];
+            if (b->strikes[N_ROWS]) sum += b->side * impact_data[(b->impact[N_ROWS] * EM_IMPACT_SIZE + k) * columns + j] * b->s.p[N_ROWS];
             for (int f = 0; f < N_SWITCHES; ++f) {
                 const int row = switches[f].row;
                 const double sign = em_limit_sign(&b->s, row);
@@ -95,7 +95,7 @@ EM_NOINLINE int em_blow_along(em_acting *a, const em_all_rows *r, const em_blow 
             }
             F[k * columns + j] = sum;
         }
-    if (em_solve_blow(r, b, columns, F, G)) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
+    if (em_solve_impact_along(r, b, columns, F, G)) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
     for (int k = 0; k < N * columns; ++k) d->S[N * columns + k] += F[k];
     return 0;
 }

@@ -7,21 +7,21 @@
 
 /* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
 static int em_detect_events(em_run_state *w) {
-    double glances[EM_GLANCES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
-    em_isolation survey = {.n_events = w->n_events, .g = g, .probe = probe};
+    double screened[EM_SCREENED_STATES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
+    em_isolation isolation = {.n_events = w->n_events, .g = g, .probe = probe};
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
-    const int count = em_screen_event(w, glances);
+    const int count = em_screen_event(w, screened);
     em_events_at_end(w, end);
-    if (w->fresh) em_begin_sides(w, count, glances);
+    if (w->fresh) em_begin_sides(w, count, screened);
     memcpy(w->side_new, w->side, (size_t)w->n_events * sizeof *w->side);
     for (int i = 0; i < w->n_events; ++i) {
-        if (!em_may_cross(w, count, glances, i) && end[i] * w->side[i] >= 0.0) continue;
-        if (survey.count == 0 && (w->scheme.interpolate(w) || em_isolate_roots(w, &survey))) return -1;
-        if (em_search(w, &survey, i)) return -1;
-        em_arrive(w, &survey, i, end[i]);
+        if (!em_may_cross(w, count, screened, i) && end[i] * w->side[i] >= 0.0) continue;
+        if (isolation.count == 0 && (w->scheme.interpolate(w) || em_isolate_roots(w, &isolation))) return -1;
+        if (em_search(w, &isolation, i)) return -1;
+        em_arrive(w, &isolation, i, end[i]);
     }
-    w->has_interpolant = survey.count > 0;
+    w->has_interpolant = isolation.count > 0;
     return 0;
 }
 

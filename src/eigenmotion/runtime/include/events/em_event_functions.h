@@ -12,9 +12,9 @@
 
 #include "methods/em_dense_output.h"
 
-static int em_keeps_apart(const em_run_state *w, int i) { return w->model->deeds ? w->model->deeds[i].keeps_apart : 0; }
-static int em_event_acts(const em_run_state *w, int i) { return w->model->deeds ? w->model->deeds[i].acts : 0; }
-static int em_lets_go(const em_run_state *w, int i) { return w->model->deeds && w->model->deeds[i].held >= 0; }
+static int em_keeps_apart(const em_run_state *w, int i) { return w->model->event_actions ? w->model->event_actions[i].keeps_apart : 0; }
+static int em_event_acts(const em_run_state *w, int i) { return w->model->event_actions ? w->model->event_actions[i].acts : 0; }
+static int em_lets_go(const em_run_state *w, int i) { return w->model->event_actions && w->model->event_actions[i].held >= 0; }
 
 /* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
 static int em_watches_mode(const em_run_state *w, int i) {

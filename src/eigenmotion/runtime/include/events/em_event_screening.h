@@ -7,16 +7,16 @@
 
 #define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
 
-/* g (EM_GLANCES, n_events) on that sketch. How many, or 0: nothing is known. */
+/* g (EM_SCREENED_STATES, n_events) on that sketch. How many, or 0: nothing is known. */
 static int em_screen_event(em_run_state *w, double *g) {
-    static const double at[EM_GLANCES] = {0.14644660940672624, 0.5, 0.85355339059327376};
+    static const double at[EM_SCREENED_STATES] = {0.14644660940672624, 0.5, 0.85355339059327376};
     const int terms = w->scheme.sketch(w);
     if (terms < 0) return 0;
-    for (int j = 0; j < EM_GLANCES; ++j) {
+    for (int j = 0; j < EM_SCREENED_STATES; ++j) {
         w->scheme.evaluate(w->n_state, w->F[0], terms, at[j], w->argument);
         if (em_events_of(w, w->t + at[j] * w->h, w->argument, g + j * w->n_events)) return 0;
     }
-    return EM_GLANCES;
+    return EM_SCREENED_STATES;
 }
 
 /* cos(pi j / 8) */
@@ -27,13 +27,13 @@ static double em_eighth(int j) {
     return j <= 4 ? quarter[j] : -quarter[8 - j];
 }
 
-/* Whether the glances say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
+/* Whether the screened say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
  * its coefficients do not fall off. */
 static int em_is_undersampled(const em_run_state *w, const double *g, int i) {
-    const double at[EM_GLANCES + 2] = {0.5 * w->g[i], g[i], g[w->n_events + i], g[2 * w->n_events + i], 0.5 * w->g_new[i]};
-    double size[EM_GLANCES + 2] = {0.0};
-    for (int k = 1; k < EM_GLANCES + 2; ++k) {
-        for (int j = 0; j < EM_GLANCES + 2; ++j) size[k] += at[j] * em_eighth(2 * j * k);
+    const double at[EM_SCREENED_STATES + 2] = {0.5 * w->g[i], g[i], g[w->n_events + i], g[2 * w->n_events + i], 0.5 * w->g_new[i]};
+    double size[EM_SCREENED_STATES + 2] = {0.0};
+    for (int k = 1; k < EM_SCREENED_STATES + 2; ++k) {
+        for (int j = 0; j < EM_SCREENED_STATES + 2; ++j) size[k] += at[j] * em_eighth(2 * j * k);
         size[k] = fabs(size[k]);
     }
     return size[3] + 0.5 * size[4] > 0.25 * (size[1] + size[2]);
@@ -58,7 +58,7 @@ static int em_may_cross(const em_run_state *w, int count, const double *g, int i
  * rounding, or by what one blow after another leaves. */
 static int em_touches(const em_run_state *w, int i) {
     const int through = w->run->event_direction[i];
-    return w->fresh != EM_FIRST_LEG && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
+    return w->fresh != EM_FIRST_SEGMENT && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
 /* A condition of the mode holds as it begins, or may be zero: what is beyond that ends the mode at once, however it goes on. */
@@ -67,7 +67,7 @@ static void em_begin_condition(em_run_state *w, int i, double zero) {
     w->quiet[i] = zero;
 }
 
-/* In the first step of a leg: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
+/* In the first step of a segment: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
  * number they are so no longer. Those that fired as it began are meant to be zero; others, where they are zero, keep their
  * sign. What touches counts as zero by all means: else what strikes then goes through. */
 static void em_begin_sides(em_run_state *w, int count, const double *g) {
@@ -75,7 +75,7 @@ static void em_begin_sides(em_run_state *w, int count, const double *g) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j * w->n_events + i]));
         const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
-        const int meant = w->fresh == EM_FIRST_LEG || w->fired[i], touches = em_touches(w, i);
+        const int meant = w->fresh == EM_FIRST_SEGMENT || w->fired[i], touches = em_touches(w, i);
         const int side = em_side_of(w->g[i], meant ? em_max(rounding, w->zero[i]) : rounding);
         if (touches) w->side[i] = 0;
         else if (meant || side) w->side[i] = side;

@@ -141,10 +141,10 @@ static int em_enters(const em_run_state *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
-/* Whether a leg begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
+/* Whether a segment begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
 static int em_is_rash(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
-    return w->fresh == EM_NEXT_LEG && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
+    return w->fresh == EM_NEXT_SEGMENT && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
 
 /* One sign after the other: where they differ g_i passed zero between `before` and `after`. */

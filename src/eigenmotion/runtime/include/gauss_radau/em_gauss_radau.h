@@ -66,7 +66,7 @@ static void em_weigh_rates(em_run_state *w) {
 /* What rests, within the step. */
 static void em_rest(em_run_state *w) {
     em_nodes *q = &w->nodes;
-    for (int b = 0; b < EM_BUNDLES; ++b)
+    for (int b = 0; b < EM_NODE_VECTORS; ++b)
         for (int k = em_rates_end(w); k < w->n_state; ++k) {
             q->Y[b][k] = (em_node_vector){0.0} + w->y[k];
             q->F[b][k] = q->a[b][k] = q->series[b][k] = (em_node_vector){0.0};
@@ -77,10 +77,10 @@ static void em_rest(em_run_state *w) {
 EM_INLINE void em_motion_states(em_run_state *w, int rows, int k) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    em_node_vector sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
+    em_node_vector sum[EM_TOGETHER][2][EM_NODE_VECTORS] = {{{{0.0}}}};
     em_both_rows(rows, em_integral, em_integral_twice, q->a, w->n + k, sum);
     for (int r = 0; r < rows; ++r)
-        for (int b = 0; b < EM_BUNDLES; ++b) {
+        for (int b = 0; b < EM_NODE_VECTORS; ++b) {
             const em_node_vector part = h * em_node_vector_at(em_node_place + b * EM_LANES);
             q->Y[b][w->n + k + r] = w->y[w->n + k + r] + h * sum[r][0][b];
             q->Y[b][k + r] = w->y[k + r] + (part * w->y[w->n + k + r] + h * h * sum[r][1][b]);
@@ -105,7 +105,7 @@ EM_INLINE double em_over_nodes(em_run_state *w, em_term *term) {
     const em_tables at = em_tables_of(w);
     const int first = w->first_rate, end = em_rates_end(w);
     double sum = 0.0;
-    for (int b = 0; b < EM_BUNDLES; ++b) {
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) {
         const em_node_vector square = em_sum_of_squares(&at, b, first, end, term);
         sum += em_sum_of(square * em_node_vector_at(em_end_weight + b * EM_LANES));
     }

@@ -17,11 +17,11 @@ EM_INLINE em_node_vector em_weighed_series(const em_tables *at, int b, int k) { 
 /* series, and the size of each term. */
 static void em_find_series(em_run_state *w) {
     em_nodes *const q = &w->nodes;
-    em_node_vector squares[EM_BUNDLES];
+    em_node_vector squares[EM_NODE_VECTORS];
     const int first = w->first_rate, end = em_rates_end(w);
     em_map(end - first, em_series_of, q->a, first, NULL, 1.0, q->series, first);
     const em_tables at = em_tables_of(w);
-    for (int b = 0; b < EM_BUNDLES; ++b) squares[b] = em_sum_of_squares(&at, b, first, end, em_weighed_series);
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) squares[b] = em_sum_of_squares(&at, b, first, end, em_weighed_series);
     const double *const square = (const double *)squares;
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
 }
@@ -51,7 +51,7 @@ static double em_size_by_truncation(double truncation) {
     return root * sqrt(root);
 }
 
-enum { EM_UPPER = EM_BUNDLES / 2 }; /* the first bundle of the upper four of eight */
+enum { EM_UPPER = EM_NODE_VECTORS / 2 }; /* the first bundle of the upper four of eight */
 
 /* Coefficients of a row of the series, as far as the iteration has found it. */
 EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
@@ -67,7 +67,7 @@ EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
 static double em_foreseen(em_run_state *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
     const em_tables at = em_tables_of(w);
-    for (int b = EM_UPPER; b < EM_BUNDLES; ++b)
+    for (int b = EM_UPPER; b < EM_NODE_VECTORS; ++b)
         *(em_node_vector *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
     return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
@@ -79,7 +79,7 @@ static double em_missed(em_run_state *w, const double *f) {
     double missed = 0.0;
     for (int k = w->first_rate; k < em_rates_end(w); ++k) {
         em_node_vector end = {0.0};
-        for (int b = 0; b < EM_BUNDLES; ++b) end += q->series[b][k];
+        for (int b = 0; b < EM_NODE_VECTORS; ++b) end += q->series[b][k];
         q->miss[k] = f[k] - em_sum_of(end);
         const double miss = q->miss[k] * q->weight[k];
         missed += miss * miss;

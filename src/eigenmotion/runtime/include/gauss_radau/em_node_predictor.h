@@ -15,7 +15,7 @@ EM_INLINE int em_rates_end(const em_run_state *w) { return w->mode == 1 ? 2 * w-
 
 /* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
 EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
-    for (int b = 0; b < EM_BUNDLES; ++b) {
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) {
         const em_node_vector x = 2.0 * ratio * em_node_vector_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
         em_node_vector before = x - x + 1.0, here = x;
         EM_UNROLL
@@ -62,7 +62,7 @@ static void em_continue(em_run_state *w, em_node_vector *const *series, double s
 static void em_remember(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
-    for (int b = 0; b < EM_BUNDLES; ++b) memcpy(q->before[b], q->series[b], (size_t)w->n_state * sizeof *q->before[b]);
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) memcpy(q->before[b], q->series[b], (size_t)w->n_state * sizeof *q->before[b]);
     memcpy(q->before_size, q->size, sizeof q->before_size);
     q->before_h = q->h;
     q->before_t_new = q->t_new;
@@ -78,7 +78,7 @@ static int em_predict(em_run_state *w) {
     if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
     if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
         return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
-    for (int b = 0; b < EM_BUNDLES; ++b)
+    for (int b = 0; b < EM_NODE_VECTORS; ++b)
         for (int k = w->first_rate; k < w->n_state; ++k) q->a[b][k] = (em_node_vector){0.0} + w->K[0][k];
     return EM_MOST_AT_START;
 }

@@ -44,7 +44,7 @@ static void em_begin_nodes(em_run_state *w) {
 static int em_rates_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes) return em_rates_one_by_one(w);
-    for (int b = 0; b < EM_BUNDLES; ++b)
+    for (int b = 0; b < EM_NODE_VECTORS; ++b)
         w->lanes->rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->u[b],
                            em_constraint_flags(w->run), (double *)q->F[b]);
     w->run->n_rhs += EM_NODE_COUNT;
@@ -62,7 +62,7 @@ static void em_drift(em_run_state *w) {
 static void em_velocities_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes || w->mode != 0 || w->lanes->velocity == NULL) return;
-    for (int b = 0; b < EM_BUNDLES; ++b)
+    for (int b = 0; b < EM_NODE_VECTORS; ++b)
         w->lanes->velocity((double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->a[b]);
     em_drift(w);
 }

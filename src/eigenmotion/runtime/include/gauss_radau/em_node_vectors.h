@@ -34,14 +34,14 @@ enum { EM_SUMS = 4 }; /* partial sums, which do not wait for each other */
 
 /* The tables of a step by nodes, by hand: what is written to one of them then leaves the others' places known. */
 typedef struct em_tables {
-    em_node_vector *F[EM_BUNDLES], *a[EM_BUNDLES], *series[EM_BUNDLES];
+    em_node_vector *F[EM_NODE_VECTORS], *a[EM_NODE_VECTORS], *series[EM_NODE_VECTORS];
     const double *weight;
 } em_tables;
 
 EM_INLINE em_tables em_tables_of(const em_run_state *w) {
     em_tables at = {.weight = w->nodes.weight};
     EM_UNROLL
-    for (int b = 0; b < EM_BUNDLES; ++b) at.F[b] = w->nodes.F[b], at.a[b] = w->nodes.a[b], at.series[b] = w->nodes.series[b];
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) at.F[b] = w->nodes.F[b], at.a[b] = w->nodes.a[b], at.series[b] = w->nodes.series[b];
     return at;
 }
 
@@ -70,23 +70,23 @@ enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 /* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
 EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_node_vector *const *a, int from,
                            const double *base, double factor, em_node_vector *const *out, int to) {
-    em_node_vector sum[EM_TOGETHER][EM_BUNDLES] = {{{0.0}}};
+    em_node_vector sum[EM_TOGETHER][EM_NODE_VECTORS] = {{{0.0}}};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
         for (int r = 0; r < rows; ++r)
-            for (int b = 0; b < EM_BUNDLES; ++b)
+            for (int b = 0; b < EM_NODE_VECTORS; ++b)
                 sum[r][b] += em_node_vector_at(column[j] + b * EM_LANES) * em_number_at(a, from + r, j);
     for (int r = 0; r < rows; ++r)
-        for (int b = 0; b < EM_BUNDLES; ++b) out[b][to + r] = (base ? base[r] : 0.0) + factor * sum[r][b];
+        for (int b = 0; b < EM_NODE_VECTORS; ++b) out[b][to + r] = (base ? base[r] : 0.0) + factor * sum[r][b];
 }
 
 /* The same for any number of rows. */
 EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_node_vector *const *a, int from,
                       const double *base, double factor, em_node_vector *const *out, int to) {
-    em_node_vector *in[EM_BUNDLES], *image[EM_BUNDLES];
+    em_node_vector *in[EM_NODE_VECTORS], *image[EM_NODE_VECTORS];
     int r = 0;
     EM_UNROLL
-    for (int b = 0; b < EM_BUNDLES; ++b) in[b] = a[b], image[b] = out[b];
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) in[b] = a[b], image[b] = out[b];
     for (; r + EM_TOGETHER <= rows; r += EM_TOGETHER)
         em_map_rows(EM_TOGETHER, column, in, from + r, base ? base + r : NULL, factor, image, to + r);
     if (r < rows) em_map_rows(1, column, in, from + r, base ? base + r : NULL, factor, image, to + r);
@@ -94,12 +94,12 @@ EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_node_v
 
 /* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
 EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
-                            em_node_vector *const *a, int from, em_node_vector (*sum)[2][EM_BUNDLES]) {
+                            em_node_vector *const *a, int from, em_node_vector (*sum)[2][EM_NODE_VECTORS]) {
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
         for (int r = 0; r < rows; ++r) {
             const double number = em_number_at(a, from + r, j);
-            for (int b = 0; b < EM_BUNDLES; ++b) {
+            for (int b = 0; b < EM_NODE_VECTORS; ++b) {
                 sum[r][0][b] += em_node_vector_at(first[j] + b * EM_LANES) * number;
                 sum[r][1][b] += em_node_vector_at(second[j] + b * EM_LANES) * number;
             }

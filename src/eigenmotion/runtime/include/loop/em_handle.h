@@ -7,7 +7,7 @@
 /* How many of the prepared parameters say in which mode a run is: all, where events change it. */
 static size_t em_saved_prepared(const em_model *model) { return model->n_switches > 0 ? (size_t)model->n_prepared : 0; }
 
-/* What a run has counted so far, and its mode: the part of it that is saved, behind the pieces of its walk. */
+/* What a run has counted so far, and its mode: the part of it that is saved, behind the pieces of its run_state. */
 typedef struct em_tally {
     int kept, least_norm;
     long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
@@ -18,11 +18,11 @@ typedef struct em_tally {
 EM_EXPORT void *em_handle_open(const em_model *model, em_run *run) { return em_open(model, run); }
 
 /* em_model.close */
-EM_EXPORT void em_handle_close(void *walk) { em_close(walk); }
+EM_EXPORT void em_handle_close(void *run_state) { em_close(run_state); }
 
 /* em_model.again: counts and tables, but for their memory, are those of a run that has not begun. */
-EM_EXPORT int em_handle_again(void *walk) {
-    em_run_state *w = walk;
+EM_EXPORT int em_handle_again(void *run_state) {
+    em_run_state *w = run_state;
     em_run *run = w->run;
     em_run_state_free(w);
     w->end_rate = NULL;
@@ -30,7 +30,7 @@ EM_EXPORT int em_handle_again(void *walk) {
     em_run_state_prepare(w);
     run->kept = 0;
     run->n_rhs = run->n_steps = run->n_rejected = run->n_bounded = run->n_jacobians = run->n_factors = run->n_stiff = 0;
-    run->rows.count = run->legs.count = 0;
+    run->rows.count = run->segments.count = 0;
     for (int i = 0; i < w->n_events; ++i) run->events[i].count = run->after[i].count = 0;
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     w->refused = w->ended = em_enter(w);
@@ -45,8 +45,8 @@ static void em_turn_back(em_run_state *w) {
 
 /* em_model.advance: steps up to t, after what inputs may have jumped. Whatever ended an advance before does not count:
  * the run stands where it came to, and tries again. */
-EM_EXPORT int em_handle_advance(void *walk, double t, int jumped) {
-    em_run_state *w = walk;
+EM_EXPORT int em_handle_advance(void *run_state, double t, int jumped) {
+    em_run_state *w = run_state;
     em_run *run = w->run;
     if (w->refused) return EM_END;
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
@@ -63,8 +63,8 @@ EM_EXPORT int em_handle_advance(void *walk, double t, int jumped) {
 }
 
 /* em_model.now */
-EM_EXPORT double em_handle_now(const void *walk, double *x, double *v) {
-    const em_run_state *w = walk;
+EM_EXPORT double em_handle_now(const void *run_state, double *x, double *v) {
+    const em_run_state *w = run_state;
     em_fault fault;
     memcpy(x, w->y, (size_t)w->n * sizeof *x);
     if (w->begun && !w->stale) memcpy(v, w->K[0], (size_t)w->n * sizeof *v);
@@ -74,8 +74,8 @@ EM_EXPORT double em_handle_now(const void *walk, double *x, double *v) {
 }
 
 /* em_model.publish */
-EM_EXPORT int em_handle_publish(const void *walk, double *y, em_fault *fault) {
-    const em_run_state *w = walk;
+EM_EXPORT int em_handle_publish(const void *run_state, double *y, em_fault *fault) {
+    const em_run_state *w = run_state;
     return em_publish(w->model, w->run, w->mode, w->t, w->y, w->memory, y, fault);
 }
 
@@ -85,8 +85,8 @@ EM_EXPORT size_t em_handle_saved(const em_model *model) {
 }
 
 /* em_model.save */
-EM_EXPORT void em_handle_save(const void *walk, void *saved) {
-    em_run_state *const w = (em_run_state *)walk; /* of which nothing is written */
+EM_EXPORT void em_handle_save(const void *run_state, void *saved) {
+    em_run_state *const w = (em_run_state *)run_state; /* of which nothing is written */
     const em_run *run = w->run;
     em_memory_block piece[EM_PIECES];
     em_tally tally;
@@ -101,8 +101,8 @@ EM_EXPORT void em_handle_save(const void *walk, void *saved) {
 }
 
 /* em_model.restore */
-EM_EXPORT void em_handle_restore(void *walk, const void *saved) {
-    em_run_state *w = walk;
+EM_EXPORT void em_handle_restore(void *run_state, const void *saved) {
+    em_run_state *w = run_state;
     em_run *run = w->run;
     em_memory_block piece[EM_PIECES];
     em_tally tally;
@@ -111,8 +111,8 @@ EM_EXPORT void em_handle_restore(void *walk, const void *saved) {
     for (int i = 0; i < EM_PIECES; from += piece[i].size, ++i) memcpy(piece[i].at, from, piece[i].size);
     memcpy(&tally, from, sizeof tally);
     if (em_saved_prepared(w->model) > 0) { /* in a table of one row, where steppers have the mode they are in */
-        memcpy(run->legs.y, from + sizeof tally, em_saved_prepared(w->model) * sizeof(double));
-        run->prepared = run->legs.y;
+        memcpy(run->segments.y, from + sizeof tally, em_saved_prepared(w->model) * sizeof(double));
+        run->prepared = run->segments.y;
     }
     w->c_is_known = 0;
     run->kept = tally.kept;

@@ -20,23 +20,23 @@ static int em_share_in_mode(em_run_state *w, const double *y) {
     return 0;
 }
 
-/* A leg from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
+/* A segment from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
 static int em_segment_begin(em_run_state *w, const double *c) {
     em_run *run = w->run;
     const size_t prepared = (size_t)w->model->n_prepared;
     if (w->model->n_switches == 0) return 0;
-    if (run->legs.count > 0 && !memcmp(run->prepared, c, (size_t)w->model->n_parameters * sizeof *c)) return 0;
-    run->legs.width = prepared + 1;
-    double *const leg = em_rows_next(&run->legs, &w->reason);
-    if (leg == NULL) return -1;
-    memmove(leg, c, prepared * sizeof *c);
-    leg[prepared] = (double)run->rows.count;
-    run->prepared = leg;
-    em_rows_keep(&run->legs, w->t);
+    if (run->segments.count > 0 && !memcmp(run->prepared, c, (size_t)w->model->n_parameters * sizeof *c)) return 0;
+    run->segments.width = prepared + 1;
+    double *const segment = em_rows_next(&run->segments, &w->reason);
+    if (segment == NULL) return -1;
+    memmove(segment, c, prepared * sizeof *c);
+    segment[prepared] = (double)run->rows.count;
+    run->prepared = segment;
+    em_rows_keep(&run->segments, w->t);
     return 0;
 }
 
-/* row (n_state), published <- after the events w->fired at t, in a leg of its own. 0, or -1 and w->reason. */
+/* row (n_state), published <- after the events w->fired at t, in a segment of its own. 0, or -1 and w->reason. */
 static int em_act_on(em_run_state *w, double t, double *row) {
     const em_run *run = w->run;
     double x[w->n], v[w->n], c[w->model->n_prepared + 1];
@@ -74,18 +74,18 @@ static void em_forget(em_run_state *w) {
     w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
     w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
     w->seen = 0;
-    w->next_witness = 0;
-    w->fresh = EM_NEXT_LEG;
+    w->next_energy_check = 0;
+    w->fresh = EM_NEXT_SEGMENT;
 }
 
 static int em_append_after(em_run_state *w) {
     em_run *run = w->run;
     for (int i = 0; i < w->n_events; ++i)
-        if (w->struck[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
+        if (w->acted[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
     return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
 }
 
-/* The step ends at t, where events act; the next leg begins. */
+/* The step ends at t, where events act; the next segment begins. */
 static int em_next_segment(em_run_state *w, double t, int terminal) {
     double row[w->n_state], memory[em_padded(w->n_memory)];
     em_run *run = w->run;
@@ -94,7 +94,7 @@ static int em_next_segment(em_run_state *w, double t, int terminal) {
         return em_end_with(w, w->reason);
     ++run->n_steps;
     run->t_reached = t;
-    memcpy(w->struck, w->fired, (size_t)w->n_events * sizeof *w->struck);
+    memcpy(w->acted, w->fired, (size_t)w->n_events * sizeof *w->acted);
     if (em_act_on(w, t, row)) return em_end_with(w, w->reason);
     em_forget(w);
     memcpy(w->y, row, sizeof row);

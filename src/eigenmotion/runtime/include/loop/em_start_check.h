@@ -99,11 +99,11 @@ static int em_constraints_refuse(const em_model *model, double t, const double *
 }
 
 /* Whether an event is an impact where phi passes zero, downwards, and no contact. */
-static int em_impact_is_alone(const em_event_action *deed) { return deed->impact >= 0 && deed->keeps_apart && deed->held < 0; }
+static int em_impact_is_alone(const em_event_action *action) { return action->impact >= 0 && action->keeps_apart && action->held < 0; }
 
 static int em_keeps_anything_apart(const em_model *model) {
-    for (int i = 0; model->deeds != NULL && i < model->n_events; ++i)
-        if (em_impact_is_alone(&model->deeds[i])) return 1;
+    for (int i = 0; model->event_actions != NULL && i < model->n_events; ++i)
+        if (em_impact_is_alone(&model->event_actions[i])) return 1;
     return model->n_switches > 0;
 }
 
@@ -114,7 +114,7 @@ static int em_comes_out(const em_model *model, int event, double t, const double
     model->event_partials(t, x, v, c, model->input_defaults, D);
     double rate = D[event * width + width - 1];
     for (int k = 0; k < n; ++k) rate += D[event * width + k] * v[k];
-    return model->deeds[event].keeps_apart * rate > 0.0;
+    return model->event_actions[event].keeps_apart * rate > 0.0;
 }
 
 /* The contact or impact that x is inside of, its event; -1: none. As off as constraints may be it may be off its gap, by what such
@@ -137,7 +137,7 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
         if (s->slides < 0 && c[s->holds] == 0.0 && gap[s->event] < -reach[s->event]) return s->event;
     }
     for (int i = 0; i < events; ++i)
-        if (em_impact_is_alone(&model->deeds[i]) && model->deeds[i].keeps_apart * gap[i] < 0.0 &&
+        if (em_impact_is_alone(&model->event_actions[i]) && model->event_actions[i].keeps_apart * gap[i] < 0.0 &&
             (fabs(gap[i]) > reach[i] || !em_comes_out(model, i, t, x, v, c))) return i;
     return -1;
 }

@@ -45,20 +45,20 @@ static int em_begin(em_run_state *w) {
     return EM_GO_ON;
 }
 
-/* What a walk, zeroed, knows of its run before it stands anywhere. */
+/* What a run_state, zeroed, knows of its run before it stands anywhere. */
 static void em_run_state_prepare(em_run_state *w) {
     const em_run *run = w->run;
     memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
-    w->fresh = EM_FIRST_LEG;
+    w->fresh = EM_FIRST_SEGMENT;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
     w->inside[0] = -INFINITY, w->inside[1] = INFINITY;
     w->most_steps = run->max_steps;
 }
 
-/* A walk that stands nowhere yet, or NULL. */
+/* A run_state that stands nowhere yet, or NULL. */
 static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
     em_run_state *const w = em_run_state_allocate(model);
     if (w == NULL) return NULL;

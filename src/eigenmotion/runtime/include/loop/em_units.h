@@ -11,7 +11,7 @@
 
 extern const double scales[N];
 extern const em_block *const blocks[];
-extern const em_event_action deeds[];
+extern const em_event_action event_actions[];
 extern const em_switch switches[];
 extern const int resets_quasi[];
 
@@ -22,7 +22,7 @@ int model_velocity(int mode, double t, const double *y, const double *c, double 
 void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev);
 int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row, em_fault *fault);
 void model_events(double t, const double *x, const double *v, const double *c, const double *u, double *crossing);
-void model_breaks(const double *c, double *at);
+void model_time_events(const double *c, double *at);
 void mass_matrix(double t, const double *x, const double *c, double *M);
 void factored_matrix(double t, const double *x, const double *c, double *M);
 void factored(double t, const double *x, const double *c, double *M);
@@ -42,7 +42,7 @@ void observe(double t, const double *x, const double *v, const double *a, const 
              const double *u, double *out);
 void quasi(double t, const double *x, const double *v, const double *c, double *y);
 void draw(double t, const double *x, const double *c, double *p);
-void impacts(double t, const double *x, const double *v, const double *c, const double *u, double *struck);
+void impacts(double t, const double *x, const double *v, const double *c, const double *u, double *impact_data);
 void resets(double t, const double *x, const double *v, const double *c, const double *u, double *after);
 void levels(double t, const double *x, const double *v, const double *c, const double *u, double *level);
 #ifdef EM_NORMALS
@@ -62,7 +62,7 @@ void constraint_partials(double t, const double *x, const double *v, const doubl
 void output_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
                      const double *u, double *D);
 void event_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
-void break_partials(const double *c, double *D);
+void time_event_partials(const double *c, double *D);
 void quasi_partials(double t, const double *x, const double *v, const double *c, double *D);
 int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault);
 int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J, em_fault *fault);
@@ -91,17 +91,17 @@ int em_simulate(const em_model *model, em_run *run);
 int em_interpolate(const em_model *model, const em_run *run, size_t step, double t, double *y);
 void em_release(const em_model *model, em_run *run);
 void *em_handle_open(const em_model *model, em_run *run);
-int em_handle_advance(void *walk, double t, int jumped);
-double em_handle_now(const void *walk, double *x, double *v);
-int em_handle_publish(const void *walk, double *y, em_fault *fault);
+int em_handle_advance(void *run_state, double t, int jumped);
+double em_handle_now(const void *run_state, double *x, double *v);
+int em_handle_publish(const void *run_state, double *y, em_fault *fault);
 size_t em_handle_saved(const em_model *model);
-void em_handle_save(const void *walk, void *saved);
-void em_handle_restore(void *walk, const void *saved);
-void em_handle_close(void *walk);
-int em_handle_again(void *walk);
+void em_handle_save(const void *run_state, void *saved);
+void em_handle_restore(void *run_state, const void *saved);
+void em_handle_close(void *run_state);
+int em_handle_again(void *run_state);
 void *em_member_enter(const em_model *model, em_run *run, int *mode);
-void em_member_load(void *walk, em_lane_group *f, int lane);
-int em_member_check(void *walk, em_lane_group *f, int lane, em_landing landing);
+void em_member_load(void *run_state, em_lane_group *f, int lane);
+int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing);
 
 /* --- of EM_ON_DUALS: likewise --- */
 
@@ -126,7 +126,7 @@ EM_LATER(em_tangent);
 EM_LATER(constraint_partials);
 EM_LATER(output_partials);
 EM_LATER(event_partials);
-EM_LATER(break_partials);
+EM_LATER(time_event_partials);
 EM_LATER(quasi_partials);
 #endif
 #endif

@@ -25,7 +25,7 @@ EM_EXPORT int em_interpolate(const em_model *model, const em_run *run, size_t st
     em_fault fault;
     em_run then;
     int mode = at->mode;
-    if (at->leg > 0) then = *run, then.prepared = run->legs.y + (at->leg - 1) * run->legs.width, run = &then;
+    if (at->segment > 0) then = *run, then.prepared = run->segments.y + (at->segment - 1) * run->segments.width, run = &then;
     memset(memory, 0, sizeof memory);
     scheme.evaluate(model->n_state, F, scheme.terms, (t - at->t) / at->h, inside);
     if (em_settle(model, run, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;

@@ -126,7 +126,7 @@ static em_outset em_estimate_first_rates(em_run_state *w, double span) {
  * far longer than what slows down takes for that is too coarse for the flight. */
 static double em_size_without_rate(const em_run_state *w, const em_outset *at, double span) {
     const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
-    return w->fresh == EM_NEXT_LEG ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
+    return w->fresh == EM_NEXT_SEGMENT ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
 }
 
 /* The first step's size, as Hairer, Norsett & Wanner's (II.4) in whatever unit the time is: a motion that goes at a `rate`

@@ -64,8 +64,8 @@ EM_NOINLINE int em_measure_energy(em_run_state *w) {
 
 /* Whether energy and constraints at t_new are what they may be. 0, or -1 and w->reason. */
 EM_INLINE int em_check_energy(em_run_state *w) {
-    if (w->run->n_rhs < w->next_witness && w->t_new != w->run->t_end) return 0;
-    w->next_witness = w->run->n_rhs + EM_ENERGY_EVERY;
+    if (w->run->n_rhs < w->next_energy_check && w->t_new != w->run->t_end) return 0;
+    w->next_energy_check = w->run->n_rhs + EM_ENERGY_EVERY;
     return em_measure_drift(w) || em_measure_energy(w) ? -1 : 0;
 }
 

@@ -160,7 +160,7 @@ static int em_cross_span(em_pass *p, size_t span) {
     const double last = w->to[span];
     double t = w->from[span];
     em_pass_pieces(p, t);
-    if (em_pass_breaks(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
+    if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
     p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->together) - t));
     while (t != last)
         if (isnan(t = em_advance(p, t, last))) return -1;

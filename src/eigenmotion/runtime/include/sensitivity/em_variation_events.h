@@ -87,10 +87,10 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
     em_variations *const w = p->of;
     const int n = p->n, k = p->columns;
     const double t = w->t[stop], near = fabs(beside), *const next = w->z + (stop + 1) * 2 * n;
-    double P[w->n_given * k], after[2 * n], v[n], of_break[k], by_break[2 * n];
-    const int breaks = em_time_event_at(p, stop, near, of_break, by_break);
-    if (breaks < 0) return -1;
-    if (breaks && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
+    double P[w->n_given * k], after[2 * n], v[n], of_time_event[k], by_time_event[2 * n];
+    const int time_events = em_time_event_at(p, stop, near, of_time_event, by_time_event);
+    if (time_events < 0) return -1;
+    if (time_events && !em_go_together(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
     memcpy(v, p->z + n, sizeof v);
     for (int i = 0; i < w->n_given; ++i)
         for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
@@ -100,9 +100,9 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
         return -1;
     if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_EVENT_MARGIN)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
     memcpy(p->z, next, 2 * n * sizeof *next);
-    const int breaks_then = em_time_event_at(p, stop, near, of_break, by_break);
-    if (breaks_then < 0) return -1;
-    if (breaks_then && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
+    const int time_events_then = em_time_event_at(p, stop, near, of_time_event, by_time_event);
+    if (time_events_then < 0) return -1;
+    if (time_events_then && !em_go_together(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
     if (em_rate_on_side(p, t, beside, after)) return -1;
     for (int i = 0; i < 2 * n; ++i)
         for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
@@ -125,16 +125,16 @@ static void em_happens(const em_pass *p, em_happening *h, int event, const doubl
 static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events, const double *before, double beside) {
     const int n = p->n, k = p->columns;
     const double t = p->of->t[stop], near = fabs(beside);
-    double after[2 * n], of_break[k], by_break[2 * n], rest[2 * n];
-    const int breaks = em_time_event_at(p, stop, near, of_break, by_break);
-    if (breaks < 0 || em_rate_on_side(p, t, beside, after)) return -1;
+    double after[2 * n], of_time_event[k], by_time_event[2 * n], rest[2 * n];
+    const int time_events = em_time_event_at(p, stop, near, of_time_event, by_time_event);
+    if (time_events < 0 || em_rate_on_side(p, t, beside, after)) return -1;
     if (em_is_same_rate(n, before, after)) return 0;
-    for (int i = 0; breaks && i < 2 * n; ++i) rest[i] = before[i] - by_break[i];
-    const int alone = breaks && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
+    for (int i = 0; time_events && i < 2 * n; ++i) rest[i] = before[i] - by_time_event[i];
+    const int alone = time_events && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
     if (both && events->apart >= 0) return em_end_pass(p->of, EM_JUMPS_MEET, events->event, events->apart);
-    if (both && breaks && !em_go_together(p, of_break, events->dt)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
-    if (!breaks && !both) return 0;
-    const double *const dt = breaks ? of_break : events->dt;
+    if (both && time_events && !em_go_together(p, of_time_event, events->dt)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
+    if (!time_events && !both) return 0;
+    const double *const dt = time_events ? of_time_event : events->dt;
     for (int column = 0; column + 1 < k; ++column)
         for (int i = n; i < 2 * n; ++i) p->S[i * k + column] += (before[i] - after[i]) * dt[column];
     return 0;
@@ -154,7 +154,7 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double besi
     if (em_rate_on_side(p, t, -beside, before)) return -1;
     em_set_last(p, before);
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
-        const int event = w->mark_event[*mark], acts = w->model->deeds && w->model->deeds[event].acts;
+        const int event = w->mark_event[*mark], acts = w->model->event_actions && w->model->event_actions[event].acts;
         em_event_shift(p, t, event, before, dt);
         memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
         for (int j = 0; acts && j < k; ++j)

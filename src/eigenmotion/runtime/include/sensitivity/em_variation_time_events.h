@@ -10,14 +10,14 @@
 #define EM_TOGETHER_IN_TIME 1e-9 /* relative: changes of times that go together */
 #define EM_ROWS_JUMP 1e-9        /* the part of its terms by which an entry of a constraint row jumps */
 
-/* dtau (columns) <- how the times of all breaks at t, or so near, change, of which `at` says when they are. 0, or -1: not all as one. */
+/* dtau (columns) <- how the times of all time_events at t, or so near, change, of which `at` says when they are. 0, or -1: not all as one. */
 static int em_time_event_shift(const em_pass *p, const double *at, double t, double near, double *dtau) {
     const em_model *const model = p->of->model;
     const int width = model->n_arguments, k = p->columns;
-    double D[model->n_breaks * 2 * width];
+    double D[model->n_time_events * 2 * width];
     int found = 0;
-    model->break_partials(p->c, D);
-    for (int i = 0; i < model->n_breaks; ++i) {
+    model->time_event_partials(p->c, D);
+    for (int i = 0; i < model->n_time_events; ++i) {
         const double *const b = at + 3 * i, *const by = D + 2 * i * width + 2 * p->n;
         if (!(em_time_event_reach_near(1, b, t, near) > 0.0)) continue;
         const double turns = b[1] != 0.0 ? round((t - b[0]) / b[1]) : 0.0;
@@ -54,10 +54,10 @@ static int em_cross_directions(em_pass *p, const double *at, double t, int first
     int jumps = 0;
     memset(dtau, 0, sizeof dtau);
     for (int i = n; i < 2 * n; ++i) jumps |= fabs(after[i] - before[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
-    if (em_time_event_shift(p, at, t, 0.0, dtau)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    if (em_time_event_shift(p, at, t, 0.0, dtau)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
     for (int j = 0; jumps && j + 1 < k; ++j) {
         if (dtau[j] == 0.0) continue;
-        if (first || !isfinite(dtau[j])) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+        if (first || !isfinite(dtau[j])) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
         for (int i = n; i < 2 * n; ++i) p->S[i * k + j] += (before[i] - after[i]) * dtau[j];
     }
     return 0;
@@ -67,10 +67,10 @@ static int em_cross_directions(em_pass *p, const double *at, double t, int first
 static double em_pass_side(em_pass *p, double t, double near, int after) {
     const em_model *const model = p->of->model;
     p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
-    if (model->n_breaks == 0) return 0.0;
-    double at[3 * model->n_breaks];
-    model->breaks(p->c, at);
-    const double reach = em_time_event_reach_near(model->n_breaks, at, t, near), way = after ? p->of->direction : -p->of->direction;
+    if (model->n_time_events == 0) return 0.0;
+    double at[3 * model->n_time_events];
+    model->time_events(p->c, at);
+    const double reach = em_time_event_reach_near(model->n_time_events, at, t, near), way = after ? p->of->direction : -p->of->direction;
     if (reach > 0.0) p->inside[way > 0.0 ? 0 : 1] = t + way * reach;
     return reach;
 }
@@ -87,7 +87,7 @@ static int em_is_crowded(const em_variations *w, size_t stop, double reach) {
 static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, double *jump) {
     const em_model *const model = p->of->model;
     const double t = p->of->t[stop], reach = em_pass_side(p, t, near, 0);
-    double at[3 * model->n_breaks + 1], before[2 * p->n], after[2 * p->n];
+    double at[3 * model->n_time_events + 1], before[2 * p->n], after[2 * p->n];
     int jumps = 0;
     if (!(reach > 0.0)) return 0;
     if (em_motion_rate(p, t, p->z, before)) return -1;
@@ -99,23 +99,23 @@ static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, 
     }
     if (p->m > 0 && em_rows_jump(p, t, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
     memset(dtau, 0, p->columns * sizeof *dtau);
-    model->breaks(p->c, at);
+    model->time_events(p->c, at);
     if (jumps && (em_is_crowded(p->of, stop, reach) || em_time_event_shift(p, at, t, near, dtau)))
-        return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+        return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
     return jumps;
 }
 
 /* The conditions that hold in a step. Where its start is a break: directions beyond it. 0, or -1. */
-static int em_pass_breaks(em_pass *p, double from, double to, int first) {
+static int em_pass_time_events(em_pass *p, double from, double to, int first) {
     const em_model *const model = p->of->model;
     const double direction = p->of->direction;
-    if (model->n_breaks == 0) return 0;
-    double at[3 * model->n_breaks], before[2 * p->n], after[2 * p->n];
-    model->breaks(p->c, at);
-    const double reach = em_time_event_reach(model->n_breaks, at, from);
+    if (model->n_time_events == 0) return 0;
+    double at[3 * model->n_time_events], before[2 * p->n], after[2 * p->n];
+    model->time_events(p->c, at);
+    const double reach = em_time_event_reach(model->n_time_events, at, from);
     p->inside[0] = p->inside[1] = from - direction * reach;
     if (reach > 0.0 && em_motion_rate(p, from, p->z, before)) return -1;
-    em_time_event_sides(model->n_breaks, at, from, to, direction, p->inside);
+    em_time_event_sides(model->n_time_events, at, from, to, direction, p->inside);
     if (!(reach > 0.0)) return 0;
     if (em_motion_rate(p, from, p->z, after)) return -1;
     if (p->m > 0 && !first && em_rows_jump(p, from, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);

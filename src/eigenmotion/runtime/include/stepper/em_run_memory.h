@@ -31,7 +31,7 @@ static void em_take_rows(em_layout *at, double **rows, int count, size_t width) 
 }
 
 static void em_take_node_vectors(em_layout *at, em_node_vector **rows, size_t width) {
-    for (int b = 0; b < EM_BUNDLES; ++b) rows[b] = em_take_bytes(at, width * sizeof(em_node_vector));
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) rows[b] = em_take_bytes(at, width * sizeof(em_node_vector));
 }
 
 static void em_lay_out_nodes(em_run_state *w, em_layout *at) {
@@ -40,7 +40,7 @@ static void em_lay_out_nodes(em_run_state *w, em_layout *at) {
     em_take_node_vectors(at, q->Y, states), em_take_node_vectors(at, q->F, states), em_take_node_vectors(at, q->a, states);
     em_take_node_vectors(at, q->series, states), em_take_node_vectors(at, q->before, states);
     em_take_node_vectors(at, q->u, (size_t)w->n_inputs);
-    q->times = em_take_bytes(at, EM_BUNDLES * sizeof(em_node_vector));
+    q->times = em_take_bytes(at, EM_NODE_VECTORS * sizeof(em_node_vector));
     q->weight = em_take_numbers(at, states + EM_PACK), q->miss = em_take_numbers(at, states);
 }
 
@@ -59,7 +59,7 @@ static void em_lay_out_stages(em_run_state *w, em_layout *at) {
 static void em_lay_out_events(em_run_state *w, em_layout *at) {
     const size_t events = (size_t)w->n_events;
     double **const numbers[] = {&w->g, &w->g_new, &w->noise, &w->zero, &w->rounding, &w->quiet};
-    int **const whole[] = {&w->side, &w->side_new, &w->fired, &w->struck};
+    int **const whole[] = {&w->side, &w->side_new, &w->fired, &w->acted};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) *numbers[i] = em_take_numbers(at, events);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; ++i) *whole[i] = em_take_ints(at, events);
     w->found = em_take_bytes(at, EM_MOST_FOUND * events * sizeof *w->found);
@@ -88,7 +88,7 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
     w->c = em_take_bytes(at, (size_t)w->lanes->n_prepared * sizeof *w->c);
 }
 
-/* What a walk knows of its model. */
+/* What a run_state knows of its model. */
 static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     static const em_lanes none = {0};
     w->model = model;
@@ -101,7 +101,7 @@ static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     w->second_order = w->of->second_order, w->bare = em_is_bare(model), w->first_rate = w->second_order ? w->n : 0;
 }
 
-/* A walk of zeros, with its tables, on lines of its own; or NULL. */
+/* A run_state of zeros, with its tables, on lines of its own; or NULL. */
 static em_run_state *em_run_state_allocate(const em_model *model) {
     const size_t own = (sizeof(em_run_state) + EM_LINE - 1) / EM_LINE * EM_LINE;
     em_run_state counted = {0};

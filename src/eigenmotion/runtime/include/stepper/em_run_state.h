@@ -13,17 +13,17 @@
 
 enum {
     EM_MOTION = 2,     /* the mode of methods that solve for x and v (em_motion.h); 0 is the published system, 1 the triangular root */
-    EM_GLANCES = 3,    /* states within every step at which events are looked at, */
+    EM_SCREENED_STATES = 3,    /* states within every step at which events are looked at, */
     EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
     EM_QUARTERS = 26,  /* and ever closer to a start at which one is zero */
     EM_PLACES = EM_QUARTERS + EM_NODES,
     EM_MOST_FOUND = EM_PLACES + 4 * EM_NODES, /* of each event: four dips a part, less is sampled */
-    EM_BUNDLES = EM_NODE_COUNT / EM_LANES
+    EM_NODE_VECTORS = EM_NODE_COUNT / EM_LANES
 };
 
 typedef struct em_run_state em_run_state;
 
-enum { EM_FIRST_LEG = 1, EM_NEXT_LEG }; /* of a run, between events that act */
+enum { EM_FIRST_SEGMENT = 1, EM_NEXT_SEGMENT }; /* of a run, between events that act */
 
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and what it knows of
  * the states between. What the rows of F mean is its own affair. */
@@ -71,10 +71,10 @@ typedef struct em_nodes {
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
     int drifted;                             /* whether the places at the nodes are those that the rates make */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
-    em_node_vector *Y[EM_BUNDLES], *F[EM_BUNDLES]; /* (n_state) the states there and their rates */
-    em_node_vector *a[EM_BUNDLES];                /* the rates that the states were made of */
-    em_node_vector *series[EM_BUNDLES], *before[EM_BUNDLES]; /* Legendre's, of this step and the one before */
-    em_node_vector *times, *u[EM_BUNDLES];        /* (EM_BUNDLES), (n_inputs) */
+    em_node_vector *Y[EM_NODE_VECTORS], *F[EM_NODE_VECTORS]; /* (n_state) the states there and their rates */
+    em_node_vector *a[EM_NODE_VECTORS];                /* the rates that the states were made of */
+    em_node_vector *series[EM_NODE_VECTORS], *before[EM_NODE_VECTORS]; /* Legendre's, of this step and the one before */
+    em_node_vector *times, *u[EM_NODE_VECTORS];        /* (EM_NODE_VECTORS), (n_inputs) */
     double *weight;                          /* (n_state) what a rate counts */
     double *miss;                            /* by how much the polynomial misses the rate at the end of the step */
 } em_nodes;
@@ -114,7 +114,7 @@ struct em_run_state {
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
     double deep;                               /* how far inside contacts the run starts */
-    long next_witness;                         /* the number of right-hand sides at which these are looked at again */
+    long next_energy_check;                         /* the number of right-hand sides at which these are looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
     double seen_t;                             /* where `seen_pivots` are of; */
@@ -124,7 +124,7 @@ struct em_run_state {
     int near;                                  /* whether stages are settled: a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something else than their error keeps steps short */
-    int acting, fresh;                         /* whether something acts; which leg no step has ended of: EM_FIRST_LEG */
+    int acting, fresh;                         /* whether something acts; which segment no step has ended of: EM_FIRST_SEGMENT */
     int begun, ended;                          /* the first step is known; the run is over, with run->fault, */
     int refused;                               /* because no motion starts there */
     int stale;                                 /* what K[0] and g were made with is no longer so */
@@ -159,7 +159,7 @@ struct em_run_state {
     double *u;                                 /* (n_inputs) */
     double *g, *g_new;                         /* (n_events) */
     double *noise, *zero;                      /* of g at the start of the run, and what is no more than 0 there */
-    double *rounding;                          /* of gaps and slips as the leg begins */
+    double *rounding;                          /* of gaps and slips as the segment begins */
     double *stirred;                           /* (m) what putting a start outside contacts has made of rates along rows */
     double *quiet;                             /* beyond which a g that was zero at the start is so no longer */
     double *longest;                           /* (m) squared lengths of the rows of B, the largest so far */
@@ -169,7 +169,7 @@ struct em_run_state {
     em_pile *pile;                             /* (n_events) */
     long *piece;                               /* (n_inputs) of each signal, valid within the step */
     int *side, *side_new;                      /* (n_events) the last sign of g, 0: has been zero so far */
-    int *fired, *struck;                       /* what acts, and whose number jumps; what has acted */
+    int *fired, *acted;                       /* what acts, and whose number jumps; what has acted */
     em_node_vector *c;                              /* (n_prepared) for lanes */
 };
 

@@ -12,24 +12,24 @@
 static int em_is_blurred(const em_run_state *w, const double *at, double next) {
     const double goal = isfinite(w->run->t_end) ? w->run->t_end : w->t_goal;
     const double most = EM_BLUR * em_max(fabs(goal - w->run->t_start), 1e-3 * fabs(w->t));
-    const double there = isfinite(next) ? em_time_event_reach(w->model->n_breaks, at, next) : 0.0;
+    const double there = isfinite(next) ? em_time_event_reach(w->model->n_time_events, at, next) : 0.0;
     const int matters = w->direction * (next - goal) < there;
-    return most > 0.0 && (em_time_event_reach(w->model->n_breaks, at, w->t) > most || (matters && there > most));
+    return most > 0.0 && (em_time_event_reach(w->model->n_time_events, at, w->t) > most || (matters && there > most));
 }
 
 /* What holds after w->t of conditions in the time alone. Returns whether others did before, or -1 and w->reason. */
 static int em_enter_time_event(em_run_state *w) {
-    const int breaks = w->model->n_breaks;
-    double at[em_some(3 * breaks)];
-    if (breaks == 0) return 0;
-    w->model->breaks(w->run->prepared, at);
-    for (int i = 0; i < breaks; ++i)
+    const int time_events = w->model->n_time_events;
+    double at[em_some(3 * time_events)];
+    if (time_events == 0) return 0;
+    w->model->time_events(w->run->prepared, at);
+    for (int i = 0; i < time_events; ++i)
         if (em_time_event_is_blurred(at + 3 * i, w->t))
             return w->crosses = em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, fabs(at[3 * i + 1]));
-    const double next = em_next_time_event(breaks, at, w->t, w->direction);
+    const double next = em_next_time_event(time_events, at, w->t, w->direction);
     if (em_is_blurred(w, at, next)) return w->crosses = em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, 0.0);
     if (w->direction * (next - w->pieces_end) < 0.0) w->pieces_end = next;
-    return w->crosses = em_time_event_sides(breaks, at, w->t, next, w->direction, w->inside);
+    return w->crosses = em_time_event_sides(time_events, at, w->t, next, w->direction, w->inside);
 }
 
 /* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too, or what ends the run. */

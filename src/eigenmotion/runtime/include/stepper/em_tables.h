@@ -76,7 +76,7 @@ EM_COLD_PATH EM_EXPORT void em_release(const em_model *model, em_run *run) {
     em_rows_free(&run->rows);
     for (int i = 0; run->events != NULL && i < model->n_events; ++i) em_rows_free(&run->events[i]);
     for (int i = 0; run->after != NULL && i < model->n_events; ++i) em_rows_free(&run->after[i]);
-    em_rows_free(&run->legs);
+    em_rows_free(&run->segments);
     free(run->events);
     free(run->after);
     free(run->dense_steps);

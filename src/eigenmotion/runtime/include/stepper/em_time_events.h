@@ -1,7 +1,7 @@
 /* em_time_events.h: time events: times at which conditions in the time alone change.
  *
  * A break is three numbers: at, period, terms. It is at + k period, k whole; with period 0 one time; eps terms is the
- * rounding of `at`. One that is not finite is none. Steps end at breaks, and what is asked of the model within a step is
+ * rounding of `at`. One that is not finite is none. Steps end at time_events, and what is asked of the model within a step is
  * asked as far from both of its ends as rounding may move a condition there: so each side of a jump is seen from that side
  * alone. Breaks that are no further apart than that are one. */
 #ifndef EM_TIME_EVENTS_H
@@ -45,7 +45,7 @@ EM_UNUSED static double em_time_event_after(const double *b, double t, double di
     return em_is_time_event(b) && direction * (next - clear) > 0.0 ? next : direction * INFINITY;
 }
 
-/* The next of `count` breaks (count, 3) beyond t; infinite: there is none. */
+/* The next of `count` time_events (count, 3) beyond t; infinite: there is none. */
 EM_UNUSED static double em_next_time_event(int count, const double *at, double t, double direction) {
     double next = direction * INFINITY;
     for (int i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ EM_UNUSED static double em_next_time_event(int count, const double *at, double t
     return next;
 }
 
-/* How far from t the breaks there reach, which are no further than their slack or `near`; 0: t is no break. */
+/* How far from t the time_events there reach, which are no further than their slack or `near`; 0: t is no break. */
 EM_UNUSED static double em_time_event_reach_near(int count, const double *at, double t, double near) {
     double reach = 0.0;
     for (int i = 0; i < count && isfinite(t); ++i) {
