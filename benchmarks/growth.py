@@ -3,7 +3,7 @@
 For each n: states, operations and nanoseconds of one right-hand side, right-hand sides and time of a run to a given
 error with dop853, and seconds from the model to the imported module. Errors are the largest on the way, against a run
 at 1e-13 of another formulation; the span is one in which a perturbation of the start hardly grows (printed too). It
-prints the tables of docs/report.md, section "Where it ends".
+prints the tables of docs/report.md, section "Growth with the number of coordinates".
 """
 
 from __future__ import annotations

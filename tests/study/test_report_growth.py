@@ -1,4 +1,4 @@
-"""benchmarks/growth.py, behind the section "Where it ends" of docs/report.md."""
+"""benchmarks/growth.py, behind the section "Growth with the number of coordinates" of docs/report.md."""
 
 import importlib.util
 import re
