@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 24 /* changes whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 24 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -21,42 +21,45 @@ typedef struct em_slice {
     int start, length;
 } em_slice;
 
-/* A part of a drawing: p[first .. first + count) are its points, and what else it has (codegen/model/statement/drawing.py). */
+/* One shape of a drawing: its points are p[first .. first + count). The other fields are those of
+ * codegen/model/drawing.py. */
 typedef struct em_shape {
     const char *kind;
     int first, count;
 } em_shape;
 
-/* What an event does: which of the model's impacts and resets, which contact it closes or opens; -1: none. keeps_apart:
- * it happens at zero, too, where the motion is about to leave that in its direction, 1 downwards, -1 upwards; else 0. */
+/* Action of an event: the indices of the model's impact and reset, and of the contact that it closes or opens; -1:
+ * none. keeps_apart: the event also fires at zero if the motion is about to leave zero in its direction, 1
+ * downwards, -1 upwards; else 0. */
 typedef struct em_event_action {
     int impact, reset, held, keeps_apart, acts;
 } em_event_action;
 
-/* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
- * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
- * presses (-1: of none); the parameter that is how far `row` may be off where other rows keep it, else 0; whether its impacts
- * are by Poisson's law; of a cone, which has two rows, the first of two parameters that are added to its slips where its direction
- * is asked for (-1: no cone). */
+/* What a mode changes for one contact or friction: the index of the parameter that is 1 where constraint `row`
+ * holds, else 0; of the parameter that is the sign of the slip while it slides, else 0 (-1: a contact, which does
+ * not slide); its event; the switch whose multiplier is the normal force (-1: none); the parameter that is the
+ * tolerance of `row` while it idles, else 0; whether its impacts follow Poisson's law; for a cone, which has two
+ * rows, the first of two parameters that are added to its slips where its direction is computed (-1: no cone). */
 typedef struct em_switch {
     int event, holds, slides, over, row, idles, poisson, shift;
 } em_switch;
 
-/* What a run knows where events act: its tolerances, rtol and atol (n); what rounding may leave of gaps and slips (n_events),
- * how far inside its contacts the run has started, and what putting it outside has made of rates along rows (m), which are
- * written as a mode begins. */
+/* Limits of a run that event actions use: its tolerances rtol and atol (n); the rounding of gaps and slips
+ * (n_events); the depth inside contacts at the start of the run; the change of rates along rows (m) that moving the
+ * start outside has made. The latter are written as a mode begins. */
 typedef struct em_act_limits {
     double rtol;
     const double *atol;
     double *rounding, *deep, *stirred;
 } em_act_limits;
 
-/* How often an event acted at about one time: then when. */
+/* How often an event has acted at nearly the same time, and that time. */
 typedef struct em_pile {
     double t, count;
 } em_pile;
 
-/* Which numbers a symbol was declared to have, by which expressions were simplified: bits of em_assumptions.h, in words. */
+/* The assumptions under which a symbol was declared, by which expressions were simplified: bits of em_assumptions.h,
+ * and words. */
 typedef struct em_declared {
     int bits;
     const char *words;
@@ -79,14 +82,14 @@ typedef struct em_model {
     const char *const *events;           /* (n_events) */
     const int *event_direction, *event_terminal; /* (n_events) */
     const em_slice *layout;              /* (n_layout) */
-    const char *const *left_out;         /* (n_left_out) what this scene does not need, and why */
-    const int *block;                    /* (n) the block of M each coordinate belongs to, 0, 1, ... */
+    const char *const *left_out;         /* (n_left_out) terms that this model does not need, with the reason */
+    const int *block;                    /* (n) the block of M that each coordinate belongs to, 0, 1, ... */
     const double *scales;                /* (n) units of the eigenproblem */
     const int *carried;                  /* (n) 1 where the state holds C and s of the coordinate's block */
     int conserves_energy;                /* 1: T2 - T0 + V is a constant of the motion */
 
     int (*prepare)(const double *parameters, double *c, em_fault *fault);
-    /* y: in, a neighbour's state for its eigenfactors to stay continuous with (0: none); out, the state. */
+    /* y in: a neighbouring state, to which the eigenfactors are to be continuous (0: none); y out: the state. */
     int (*state)(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
     int (*velocity)(double t, const double *y, const double *c, double *v, em_fault *fault);
     int (*rhs)(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault);
@@ -98,11 +101,12 @@ typedef struct em_model {
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u,
                         int least_norm, double *a, double *lambda, em_fault *fault);      /* (n), (m) */
     int (*project)(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault);
-    /* How many rows that always hold depend on others at the nearest x on the constraints; rows (m) <- 1 for those whose
-     * multipliers are not unique, else 0. */
+    /* The number of rows that hold in every mode and depend on others, at the nearest x on the constraints. rows (m)
+     * <- 1 for rows whose multipliers are not unique, else 0. */
     int (*redundant)(double t, const double *x, const double *c, int *rows);
     void (*energy)(double t, const double *x, const double *v, const double *c, double *e); /* (4) T2, T1, T0, V */
-    /* C (n, n), s (n): in, a neighbour's eigenfactors to stay continuous with (C = 0: none); out, those of M(x). */
+    /* C (n, n), s (n) in: neighbouring eigenfactors, to which the result is to be continuous (C = 0: none); out:
+     * those of M(x). */
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
     int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                   double *out, em_fault *fault);                                           /* (n_outputs) */
@@ -116,12 +120,12 @@ typedef struct em_model {
 
     int n_quasi;                          /* n where the model states quasi-velocities y = P(x, t) v (3), else 0 */
     const char *const *quasi_velocities;  /* (n_quasi) */
-    const double *initial_y;              /* (n) where the model starts from given quasi-velocities, else NULL */
+    const double *initial_y;              /* (n) where the model specifies quasi-velocities at the start, else NULL */
     void (*quasi)(double t, const double *x, const double *v, const double *c, double *y); /* (n_quasi), or NULL */
     void (*event)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 
-    /* What is factored where M is singular but not along the constraints, M + A^T W A (n, n), and its gradient; NULL
-     * where M is (em_factored_matrix of em_start_check.h knows). */
+    /* The matrix that is factored if M is singular, though not along the constraints: M + A^T W A (n, n), and its
+     * gradient. NULL if that is M itself (see em_factored_matrix of em_start_check.h). */
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
@@ -129,31 +133,37 @@ typedef struct em_model {
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
 
-    const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
-    /* A run whose steps are to be made in lanes, at its start, and its mode. NULL: it cannot, and run is as it was but for
-     * its fault. */
+    const em_lanes *lanes; /* NULL: the right-hand side has no version for lanes */
+    /* Opens a run whose steps are to be made in lanes, at its start, and sets its mode. NULL: lanes cannot make this
+     * run, and only its fault has changed. */
     void *(*enter)(em_run *run, int *mode);
-    void (*load)(void *run_state, em_lane_group *f, int lane); /* goes on in this lane, of a flock of its mode */
-    /* At a step. 0: goes on; 1: has ended; 2: goes on in the other mode; -1: begin anew, number by number */
+    void (*load)(void *run_state, em_lane_group *f, int lane); /* the run continues in this lane of a group of its
+                                                                  mode */
+    /* Checks a step of the run. 0: it continues; 1: it has ended; 2: it continues in the other mode; -1: restart it
+     * with scalar steps. */
     int (*look)(void *run_state, em_lane_group *f, int lane, em_landing landing);
 
-    /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
-    void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */
-    int (*advance)(void *run_state, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
+    /* A run that advances to times of the caller's choice (em_control.h calls these; all memory is allocated as it
+     * opens). */
+    void *(*open)(em_run *run);        /* at its start; run->fault says whether it can start. NULL: no memory */
+    int (*advance)(void *run_state, double t, int jumped);  /* to t exactly; 0, or -1 and run->fault: it stays where
+                                                               it failed */
     double (*now)(const void *run_state, double *x, double *v); /* t; x, v (n) */
     int (*publish)(const void *run_state, double *y, em_fault *fault); /* y (n_state), published meaning */
-    size_t (*saved)(void);             /* how many bytes hold all of its motion */
+    size_t (*saved)(void);             /* number of bytes that hold the whole motion */
     void (*save)(const void *run_state, void *saved);
     void (*restore)(void *run_state, const void *saved);
     void (*close)(void *run_state);
-    int (*again)(void *run_state); /* at the start that its run says now, as after open, with no memory taken: the status */
+    int (*again)(void *run_state); /* restarts at the start that its run states now, as after open, without
+                                      allocation: the status */
 
-    int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
+    int n_shapes, dimension; /* of the drawing: 0 if there is none; numbers per position */
     const em_shape *shapes;  /* (n_shapes) */
     void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
 
-    /* Exact derivatives, row-major, by the arguments (n_arguments): x, v, inputs, parameters, time; in c only what the
-     * parameters are counts. Those of xddot and lambda: da (n, n_arguments), dlambda (m, n_arguments). */
+    /* Exact derivatives, row-major, with respect to the arguments (n_arguments): x, v, inputs, parameters, time. c
+     * is held fixed but for the parameters themselves. Derivatives of xddot and lambda: da (n, n_arguments), dlambda
+     * (m, n_arguments). */
     int n_arguments;
     int (*motion_derivatives)(double t, const double *x, const double *v, const double *c, const double *u,
                               int least_norm, double *a, double *lambda, double *da, double *dlambda, em_fault *fault);
@@ -161,32 +171,35 @@ typedef struct em_model {
                                 double *D); /* (h + m, n_arguments), of phi and A v + b; NULL where m is 0 */
     void (*output_partials)(double t, const double *x, const double *v, const double *a, const double *lambda,
                             const double *c, const double *u,
-                            double *D); /* (n_outputs, n + m + n_arguments), first by a, lambda; or NULL */
+                            double *D); /* (n_outputs, n + m + n_arguments), first with respect to a, lambda; or NULL */
     void (*event_partials)(double t, const double *x, const double *v, const double *c, const double *u,
                            double *D); /* (n_events, n_arguments), or NULL */
     void (*quasi_partials)(double t, const double *x, const double *v, const double *c,
                            double *D); /* (n_quasi, n_arguments), or NULL */
-    /* Along `columns` directions, S (2 n, columns) of x, v, and P (n_arguments - 2 n, columns) of the rest: W (n + m,
-     * columns), the changes of a and lambda; S <- the nearest along which the constraints stay satisfied. */
+    /* Along `columns` directions, S (2 n, columns) of x, v, and P (n_arguments - 2 n, columns) of the other
+     * arguments: W (n + m, columns) <- the changes of a and lambda; S <- the nearest directions along which the
+     * constraints stay satisfied. */
     int (*motion_along)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                         int columns, const double *S, const double *P, double *a, double *lambda, double *W,
                         em_fault *fault);
     int (*tangent)(double t, const double *x, const double *v, const double *c, int least_norm, int columns, double *S,
                    const double *P, em_fault *fault); /* NULL where m is 0 */
-    /* What events do (em_act), and what becomes of `columns` directions S (2 n, columns), at P (n_arguments - 2 n, columns),
-     * of the state before. NULL where nothing acts. */
+    /* Event actions (em_act), with the map of `columns` directions S (2 n, columns), at P (n_arguments - 2 n,
+     * columns), across them. NULL if no event acts. */
     int (*act_along)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                      int columns, double *S, const double *P, em_fault *fault);
 
-    int n_time_events; /* conditions in the time alone: they change at times at + k period, k whole (em_time_events.h) */
+    int n_time_events; /* time events: conditions on time alone change at times at + k period, k an integer
+                          (em_time_events.h) */
     void (*time_events)(const double *c, double *at);        /* (n_time_events, 3): at, period, eps terms its rounding; or NULL */
     void (*time_event_partials)(const double *c, double *D); /* (n_time_events, 2, n_arguments), of at and period; or NULL */
 
-    /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
+    /* J (n_state, n_state) of rhs if the state carries eta, NaN where it is singular; NULL: not compiled */
     void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);
     const char *const *rows; /* (m) names of constraint rows, "" of those without; NULL: none has one */
-    const em_dynamics *dynamics; /* what steppers ask of it on the way */
-    const em_declared *declared; /* (n_parameters + n + n_inputs) of parameters, x, inputs; NULL: any. prepare holds the first */
+    const em_dynamics *dynamics; /* functions that steppers call during a run */
+    const em_declared *declared; /* (n_parameters + n + n_inputs) of parameters, x, inputs; NULL: no assumptions.
+                                    prepare checks the parameters */
 } em_model;
 
 #endif

@@ -4,9 +4,9 @@
  *     while (!em_stepper_advance(s, s->t + 0.001, u)) u[0] = controller(s->t, s->x, s->v);
  *     em_stepper_close(s);
  *
- * All memory is taken as a stepper opens. It knows nothing of others: any number may be open, each used by one thread at a
- * time. Where an advance fails, s->run.fault says why, and the stepper stands at the last state it came to: t, x, v are
- * there, and the next advance goes on from it. */
+ * All memory is allocated as a stepper opens. Steppers are independent: any number may be open, each used by one
+ * thread at a time. If an advance fails, s->run.fault says why. The stepper then stays at the last state it reached:
+ * t, x, v are there, and the next advance continues from it. */
 #ifndef EM_CONTROL_H
 #define EM_CONTROL_H
 
@@ -18,15 +18,15 @@
 
 typedef struct em_stepper {
     const em_model *model;
-    double t, *x, *v;    /* where it stands: x, v (n) */
+    double t, *x, *v;    /* the current state: x, v (n) */
     double *u;           /* (n_inputs) values of those inputs that are constant */
-    em_run run;          /* what is asked; counts; why the last advance failed; crossings of events in it */
+    em_run run;          /* the task, the counts, the fault of the last advance, the event crossings in it */
     em_signal *inputs;   /* (n_inputs) */
-    double *start, *c;   /* the state (n_state) and the constants (n_prepared) that it began with */
+    double *start, *c;   /* the state (n_state) and the constants (n_prepared) at the start */
     void *run_state;
 } em_stepper;
 
-enum { EM_EVENTS_KEPT = 64 }; /* crossings of one event in one advance; of more the last is kept */
+enum { EM_EVENTS_KEPT = 64 }; /* crossings kept of one event in one advance; the last replaces any further ones */
 
 static inline void em_stepper_close(em_stepper *s) {
     if (s == NULL) return;
@@ -35,7 +35,7 @@ static inline void em_stepper_close(em_stepper *s) {
     free(s);
 }
 
-/* Room for so many rows in a table, and no more. 0, or -1 without memory. */
+/* Allocates a table of fixed size. 0, or -1 without memory. */
 static inline int em_stepper_room(em_rows *rows) {
     rows->t = calloc(EM_EVENTS_KEPT, sizeof *rows->t);
     rows->y = calloc(EM_EVENTS_KEPT * rows->width, sizeof *rows->y);
@@ -43,7 +43,7 @@ static inline int em_stepper_room(em_rows *rows) {
     return rows->t == NULL || rows->y == NULL ? -1 : 0;
 }
 
-/* Tables of events, of a size that does not change; of modes the last alone is kept. 0, or -1 without memory. */
+/* Allocates tables of events, of fixed size; of the modes only the last is kept. 0, or -1 without memory. */
 static inline int em_stepper_reserve(em_stepper *s) {
     s->run.segments.most = 1;
     for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
@@ -51,7 +51,7 @@ static inline int em_stepper_reserve(em_stepper *s) {
     return 0;
 }
 
-/* What is asked, copied beside the stepper, in one block with it: numbers (doubles), and the inputs. */
+/* Copies the task next to the stepper, in one block with it: numbers (doubles), and the inputs. */
 static inline em_stepper *em_stepper_copy(const em_model *model, const em_run *task, const double *u) {
     const size_t n = (size_t)model->n, states = (size_t)model->n_state, c = (size_t)model->n_prepared;
     const size_t inputs = (size_t)model->n_inputs, numbers = 3 * n + states + c + inputs;
@@ -68,7 +68,7 @@ static inline em_stepper *em_stepper_copy(const em_model *model, const em_run *t
     s->run.y_start = s->start = memcpy(y, task->y_start, states * sizeof *y);
     if (c > 0) memcpy(prepared, task->prepared, c * sizeof *prepared);
     s->run.prepared = s->c = prepared;
-    s->run.event_terminal = (int *)(prepared + c); /* none: who steps decides */
+    s->run.event_terminal = (int *)(prepared + c); /* no event is terminal: the caller of the stepper decides */
     s->run.event_direction = model->event_direction;
     s->run.inputs = s->inputs;
     for (size_t k = 0; k < inputs; ++k) {
@@ -80,10 +80,10 @@ static inline em_stepper *em_stepper_copy(const em_model *model, const em_run *t
     return s;
 }
 
-/* A stepper at task->t_start and y_start, of any method; those of fixed step have task->first_step for it. u (n_inputs):
- * the inputs, or NULL: those of the task, or the model's defaults. Rows, end and dense output of the task mean nothing here.
- * NULL without memory; else look at s->run.fault.status: EM_FINISHED, or why no motion starts there. Samples of inputs and
- * the model stay the caller's. */
+/* A stepper at task->t_start and y_start, with any method; a method of fixed step takes task->first_step as its
+ * step. u (n_inputs): the inputs, or NULL: those of the task, or the model's defaults. Rows, end and dense output of
+ * the task have no effect here. NULL without memory; otherwise s->run.fault.status is EM_FINISHED, or says why the
+ * motion cannot start. Samples of inputs and the model remain the caller's. */
 static inline em_stepper *em_stepper_open(const em_model *model, const em_run *task, const double *u) {
     em_stepper *s = em_stepper_copy(model, task, u);
     if (s == NULL) return NULL;
@@ -97,8 +97,8 @@ static inline em_stepper *em_stepper_open(const em_model *model, const em_run *t
     return s;
 }
 
-/* Elsewhere, as if opened there: y (n_state) at t, with these constants and inputs; NULL: as they were. Takes no memory.
- * Returns s->run.fault.status. */
+/* Restarts at another state, as if opened there: y (n_state) at t, with these constants and inputs; NULL: as they
+ * were. Allocates nothing. Returns s->run.fault.status. */
 static inline int em_stepper_begin(em_stepper *s, double t, const double *y, const double *prepared, const double *u) {
     const em_model *model = s->model;
     if (y != NULL) memcpy(s->start, y, (size_t)model->n_state * sizeof *y);
@@ -112,7 +112,7 @@ static inline int em_stepper_begin(em_stepper *s, double t, const double *y, con
     return (int)s->run.fault.status;
 }
 
-/* Whether u (n_inputs) changes an input. Those that are signals stay so. */
+/* Whether u (n_inputs) changes an input. Inputs that are signals stay signals. */
 static inline int em_stepper_set(em_stepper *s, const double *u) {
     int jumped = 0;
     for (int k = 0; k < s->model->n_inputs; ++k) {
@@ -123,7 +123,8 @@ static inline int em_stepper_set(em_stepper *s, const double *u) {
     return jumped;
 }
 
-/* Exactly to t, forwards or, where no event acts, back, with inputs u (n_inputs) from here on, NULL: as they are. 0, or -1 and s->run.fault. */
+/* Advances to t exactly, forwards or, if no event acts, backwards, with inputs u (n_inputs) from here on; NULL: as
+ * they are. 0, or -1 and s->run.fault. */
 static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
     if (!isfinite(t)) {
         s->run.fault = (em_fault){EM_NON_FINITE_STATE, -1, -1, t};
@@ -137,13 +138,13 @@ static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
     return failed;
 }
 
-/* How many bytes em_stepper_save needs. */
+/* The number of bytes that em_stepper_save needs. */
 static inline size_t em_stepper_size(const em_stepper *s) {
     return s->model->saved() + (size_t)s->model->n_inputs * sizeof(double);
 }
 
-/* All of the motion, so that after em_stepper_restore every number comes out again to the last bit: in the same program,
- * by a stepper of the same task. */
+/* Saves the whole motion. After em_stepper_restore every number is reproduced to the last bit, in the same program
+ * and by a stepper of the same task. */
 static inline void em_stepper_save(const em_stepper *s, void *saved) {
     s->model->save(s->run_state, saved);
     memcpy((char *)saved + s->model->saved(), s->u, (size_t)s->model->n_inputs * sizeof(double));

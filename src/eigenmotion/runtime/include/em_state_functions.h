@@ -1,7 +1,8 @@
 /* em_state_functions.h: functions of a state that a stepper calls: rates, velocities, errors, each according to the
  * state's mode (docs/architecture.md).
  *
- * Included by eigenmotion.h alone, whose words hold here. `mode` 0 is the published system, 1 the triangular root. */
+ * Included by eigenmotion.h alone, whose conventions apply here. `mode` 0 is the published system, 1 the triangular
+ * root. */
 #ifndef EM_STATE_FUNCTIONS_H
 #define EM_STATE_FUNCTIONS_H
 
@@ -13,32 +14,33 @@ struct em_pile;
 /* Flags are those of em_linear.h; memory (n_memory) belongs to the run. */
 typedef struct em_dynamics {
     int n_C, n_s, n_C_delta, n_s_delta; /* y = x (n), eta or v (n), C, s, C_delta, s_delta */
-    int n_memory;                       /* what a run remembers from one accepted step to the next */
+    int n_memory;                       /* numbers that a run keeps from one accepted step to the next */
     int second_order;                   /* whether the state is x, xdot */
-    int settles;                        /* whether an accepted step leaves anything to put right */
-    int switched_rows;                  /* bits of constraint rows that hold at times */
+    int settles;                        /* whether an accepted step needs settling */
+    int switched_rows;                  /* bits of constraint rows that hold in some modes only */
     int cones;                          /* whether some friction is a cone */
     int (*rhs)(int mode, double t, const double *y, const double *c, const double *u, double *memory, int flags,
                double *dy, em_fault *fault);
     /* 0: y unchanged, 1: y changed, -1: *fault */
     int (*settle)(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace, em_fault *fault);
     int (*velocity)(int mode, double t, const double *y, const double *c, double *v, em_fault *fault);
-    /* ev (n): the error of xdot that an error e (n) of y[n .. 2 n) makes */
+    /* ev (n): the error of xdot that follows from an error e (n) of y[n .. 2 n) */
     void (*velocity_error)(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev);
     int (*publish)(int mode, double t, const double *y, const double *c, const double *memory, double *row, em_fault *fault);
     void (*events)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 
-    /* What a step is held against: terms of the equations. NULL, all of them, of a model written by hand that states none.
-     * What is factored, M (n, n) or in its place; and of constraint rows, where there are any, B = A L^-T (m, n), M = L L^T,
-     * and the lower triangle of Delta = B B^T (m, m). */
+    /* Terms of the equations, which the monitors of a step need. All NULL for a model written by hand without them.
+     * The matrix that is factored, M (n, n) or its replacement; if there are constraint rows, B = A L^-T (m, n), M =
+     * L L^T, and the lower triangle of Delta = B B^T (m, m). */
     void (*factored)(double t, const double *x, const double *c, double *M);
     int (*rows)(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault);
     /* a (n), lambda (m): as em_model.acceleration, but for multipliers that are not unique */
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                         double *a, double *lambda, em_fault *fault);
-    /* x, v <- the nearest that satisfies the constraints, from nearby */
+    /* x, v <- the nearest state that satisfies the constraints, which is close */
     int (*settle_motion)(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault);
-    int (*reach)(double t, double *x, const double *c, int least_norm, em_fault *fault); /* a point with phi = 0, from afar */
+    int (*reach)(double t, double *x, const double *c, int least_norm, em_fault *fault); /* a point with phi = 0,
+                                                                                            which may be far away */
     double (*worst_factors)(const double *M, const double *y, int *first); /* error of C and s; or NULL: the state has none */
 
     /* Where events act (em_event_actions.h), else NULL. */

@@ -15,7 +15,7 @@ static inline int em_is_declared(int bits, double value) {
     return bits & (value != floor(value) ? EM_BROKEN : fmod(value, 2.0) == 0.0 ? EM_EVEN : EM_ODD);
 }
 
-/* -1 and *fault where one of `count` values, of the symbols from place `first` on, is another; else 0. */
+/* -1 and *fault if one of `count` values, of the symbols from place `first` on, violates its assumption; else 0. */
 static inline int em_refuse(const em_declared *declared, int first, int count, const double *values, em_fault *fault) {
     for (int k = 0; k < count; ++k) {
         if (em_is_declared(declared[first + k].bits, values[k])) continue;

@@ -1,13 +1,14 @@
-/* em_handle.h: the functions of em_model that open, advance, save and close a run; em_control.h is their public face. */
+/* em_handle.h: the functions of em_model that open, advance, save and close a run; em_control.h is their public
+ * interface. */
 #ifndef EM_HANDLE_H
 #define EM_HANDLE_H
 
 #include "loop/em_stepper.h"
 
-/* How many of the prepared parameters say in which mode a run is: all, where events change it. */
+/* The number of prepared parameters that encode the mode of a run: all of them, if events change it. */
 static size_t em_saved_prepared(const em_model *model) { return model->n_switches > 0 ? (size_t)model->n_prepared : 0; }
 
-/* What a run has counted so far, and its mode: the part of it that is saved, behind the pieces of its run_state. */
+/* The counts and the mode of a run: the part of it that is saved after the blocks of its run state. */
 typedef struct em_tally {
     int kept, least_norm;
     long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
@@ -20,7 +21,7 @@ EM_EXPORT void *em_handle_open(const em_model *model, em_run *run) { return em_o
 /* em_model.close */
 EM_EXPORT void em_handle_close(void *run_state) { em_close(run_state); }
 
-/* em_model.again: counts and tables, but for their memory, are those of a run that has not begun. */
+/* em_model.again: resets counts and tables, whose memory is kept, to those of a run that has not started. */
 EM_EXPORT int em_handle_again(void *run_state) {
     em_run_state *w = run_state;
     em_run *run = w->run;
@@ -37,14 +38,14 @@ EM_EXPORT int em_handle_again(void *run_state) {
     return (int)run->fault.status;
 }
 
-/* The other way in time, where pieces of signals are entered from their other ends. */
+/* Reverses the direction of time. The intervals of signals are then entered from their other ends. */
 static void em_turn_back(em_run_state *w) {
     w->direction = -w->direction;
     w->stale |= em_enter_interval(w);
 }
 
-/* em_model.advance: steps up to t, after what inputs may have jumped. Whatever ended an advance before does not count:
- * the run stands where it came to, and tries again. */
+/* em_model.advance: steps to t, after inputs may have jumped. A fault of an earlier advance has no effect: the run
+ * continues from where it stopped. */
 EM_EXPORT int em_handle_advance(void *run_state, double t, int jumped) {
     em_run_state *w = run_state;
     em_run *run = w->run;
@@ -86,12 +87,12 @@ EM_EXPORT size_t em_handle_saved(const em_model *model) {
 
 /* em_model.save */
 EM_EXPORT void em_handle_save(const void *run_state, void *saved) {
-    em_run_state *const w = (em_run_state *)run_state; /* of which nothing is written */
+    em_run_state *const w = (em_run_state *)run_state; /* which is only read */
     const em_run *run = w->run;
     em_memory_block piece[EM_PIECES];
     em_tally tally;
     char *to = saved;
-    memset(&tally, 0, sizeof tally); /* with what pads it: the same motion gives the same bytes */
+    memset(&tally, 0, sizeof tally); /* the padding too, so that the same motion gives the same bytes */
     tally.kept = run->kept, tally.least_norm = run->least_norm, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
     tally.n_bounded = run->n_bounded, tally.n_stiff = run->n_stiff, tally.t_reached = run->t_reached;
     em_saved_blocks(w, piece);
@@ -110,7 +111,7 @@ EM_EXPORT void em_handle_restore(void *run_state, const void *saved) {
     em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; from += piece[i].size, ++i) memcpy(piece[i].at, from, piece[i].size);
     memcpy(&tally, from, sizeof tally);
-    if (em_saved_prepared(w->model) > 0) { /* in a table of one row, where steppers have the mode they are in */
+    if (em_saved_prepared(w->model) > 0) { /* in a table of one row, where steppers keep their current mode */
         memcpy(run->segments.y, from + sizeof tally, em_saved_prepared(w->model) * sizeof(double));
         run->prepared = run->segments.y;
     }

@@ -6,7 +6,7 @@
 #include "stepper/em_tables.h"
 #include "events/em_event_detection.h"
 
-/* A row at t, of the state y. */
+/* Appends a row at t, of the state y. */
 static int em_append(em_run_state *w, em_rows *rows, int mode, double t, const double *y, const double *memory) {
     em_fault fault;
     double *row = em_rows_next(rows, &fault);
@@ -15,7 +15,7 @@ static int em_append(em_run_state *w, em_rows *rows, int mode, double t, const d
     return EM_GO_ON;
 }
 
-/* The same at t, inside the step under way or at its end. */
+/* The same at t, within the current step or at its end. */
 static int em_append_at(em_run_state *w, em_rows *rows, double t) {
     double memory[em_padded(w->n_memory)];
     if (t == w->t_new) return em_append(w, rows, w->mode_new, t, w->y_new, w->memory_new);
@@ -23,13 +23,13 @@ static int em_append_at(em_run_state *w, em_rows *rows, double t) {
     return em_append(w, rows, w->mode, t, w->argument, memory);
 }
 
-/* Whether the next row of t_eval is due when the run has come to t. */
+/* Whether the next row of t_eval is due once the run has reached t. */
 static int em_row_is_due(const em_run_state *w, double t) {
     const em_run *run = w->run;
     return w->next_t_eval < run->n_t_eval && w->direction * (run->t_eval[w->next_t_eval] - t) <= 0.0;
 }
 
-/* The rows of this step up to t_stop. */
+/* Appends the rows of this step up to t_stop. */
 static int em_append_rows(em_run_state *w, double t_stop) {
     em_run *run = w->run;
     if (run->t_eval == NULL) return t_stop == w->t ? EM_GO_ON : em_append_at(w, &run->rows, t_stop);
@@ -47,15 +47,16 @@ static int em_append_first_rows(em_run_state *w) {
     return EM_GO_ON;
 }
 
-/* What acts within so many last places of the time acts at once. */
+/* Events that act within this many spacings of the time act at once. */
 #define EM_AT_ONE_TIME (8.0 * DBL_EPSILON)
 
-/* Whether a crossing at t is to be recorded, where the run stops at t_stop if it `stops`. */
+/* Whether a crossing at t is to be recorded, if the run stops at t_stop when it `stops`. */
 static int em_is_reached(const em_run_state *w, double t, double t_stop, int stops) {
     return !stops || t == t_stop || (w->acting && fabs(t - t_stop) <= EM_AT_ONE_TIME * fabs(t_stop));
 }
 
-/* Record the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and what else happens then. */
+/* Records the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and the others at that
+ * time. */
 static int em_append_crossings(em_run_state *w, double *t_stop, int *terminal) {
     em_crossing list[EM_MOST_FOUND * w->n_events];
     const int count = em_locate_crossings(w, list);
@@ -76,7 +77,7 @@ static int em_append_crossings(em_run_state *w, double *t_stop, int *terminal) {
     return EM_GO_ON;
 }
 
-/* All that is recorded of an accepted step; *t_stop is where a terminal event ends it. */
+/* Records an accepted step; *t_stop is the time of a terminal event that ends it. */
 static int em_record(em_run_state *w, double *t_stop, int *terminal) {
     const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run),
                                 w->run->segments.count};

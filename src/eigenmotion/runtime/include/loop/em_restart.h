@@ -1,4 +1,4 @@
-/* em_restart.h: restart after an event action (em_event_actions.h), from the state that the action has made. */
+/* em_restart.h: restart after an event action (em_event_actions.h), from the state after it. */
 #ifndef EM_RESTART_H
 #define EM_RESTART_H
 
@@ -7,10 +7,10 @@
 
 static int em_begin(em_run_state *w);
 
-/* Whether rows that hold may depend on each other in some modes, where cones stick. */
+/* Whether rows that hold may be dependent in some modes, because cones stick. */
 static int em_may_share(const em_run_state *w) { return w->of->cones && w->asked != EM_REFUSED; }
 
-/* run->least_norm <- of the mode. 0, or -1 and w->reason. */
+/* run->least_norm <- for the current mode. 0, or -1 and w->reason. */
 static int em_share_in_mode(em_run_state *w, const double *y) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
@@ -20,7 +20,7 @@ static int em_share_in_mode(em_run_state *w, const double *y) {
     return 0;
 }
 
-/* A segment from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
+/* Begins a segment at w->t in the mode c (n_prepared), if the mode has changed. 0, or -1 and w->reason. */
 static int em_segment_begin(em_run_state *w, const double *c) {
     em_run *run = w->run;
     const size_t prepared = (size_t)w->model->n_prepared;
@@ -36,7 +36,7 @@ static int em_segment_begin(em_run_state *w, const double *c) {
     return 0;
 }
 
-/* row (n_state), published <- after the events w->fired at t, in a segment of its own. 0, or -1 and w->reason. */
+/* row (n_state), published <- the state after the events w->fired at t; begins a segment. 0, or -1 and w->reason. */
 static int em_act_on(em_run_state *w, double t, double *row) {
     const em_run *run = w->run;
     double x[w->n], v[w->n], c[w->model->n_prepared + 1];
@@ -52,7 +52,7 @@ static int em_act_on(em_run_state *w, double t, double *row) {
     return em_segment_begin(w, c) || em_share_in_mode(w, x) || w->model->state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
 }
 
-/* The mode in which a run starts. 0, or -1 and w->reason. */
+/* Finds the mode at the start of a run. 0, or -1 and w->reason. */
 static int em_first_segment(em_run_state *w) {
     if (w->model->n_switches == 0) return 0;
     em_enter_interval(w);
@@ -60,7 +60,7 @@ static int em_first_segment(em_run_state *w) {
     return w->run->least_norm && !w->shares ? em_keep_constraints_at_start(w) : 0;
 }
 
-/* What a step knows of those before it is of another motion. */
+/* Discards the history of earlier steps: it belongs to another motion. */
 static void em_forget(em_run_state *w) {
     memset(&w->nodes, 0, offsetof(em_nodes, Y));
     memset(w->node_tables, 0, w->node_tables_size);
@@ -85,7 +85,7 @@ static int em_append_after(em_run_state *w) {
     return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
 }
 
-/* The step ends at t, where events act; the next segment begins. */
+/* Ends the step at t, where events act, and begins the next segment. */
 static int em_next_segment(em_run_state *w, double t, int terminal) {
     double row[w->n_state], memory[em_padded(w->n_memory)];
     em_run *run = w->run;

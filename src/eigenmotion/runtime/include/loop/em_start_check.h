@@ -1,6 +1,6 @@
 /* em_start_check.h: consistency check of a start (x, v), for any em_model.
  *
- * For the runtime, not for generated code. simulation/initial_state/consistency.py says in words why it cannot. */
+ * For the runtime, not for generated code. running/start.py words the reasons. */
 #ifndef EM_START_CHECK_H
 #define EM_START_CHECK_H
 
@@ -9,20 +9,21 @@
 #include "numeric/em_linear.h"
 #include "constraints/em_start_tolerance.h"
 
-/* Why no motion starts at a state. */
+/* Why the motion cannot start at a state. */
 typedef enum em_refusal {
     EM_MAY_START = 0,
-    EM_UNDECLARED,       /* a coordinate has a value that it was not declared to have */
+    EM_UNDECLARED,       /* a coordinate has a value that violates the assumption of its symbol */
     EM_WITHOUT_INERTIA,  /* the mass matrix is not positive definite */
     EM_OFF_POSITION,     /* phi = 0 does not hold */
     EM_OFF_VELOCITY,     /* A v + b = 0 does not hold */
-    EM_WITHIN_CONTACT,   /* x is where a contact or an impact lets nothing come */
+    EM_WITHIN_CONTACT,   /* x is inside a contact or an impact */
     EM_WITHOUT_STATE     /* C, s and eta cannot be found, or are not finite */
 } em_refusal;
 
-#define EM_LAST_PLACES_OF_ALL 8.0 /* of x and v in the mass metric: what is less is rounding, whatever it is in a row */
+#define EM_LAST_PLACES_OF_ALL 8.0 /* spacings of x and v in the mass metric: a smaller change is rounding, whatever
+                                     it changes in a row */
 
-/* M (n, n) <- what is factored: the mass matrix, or what the model puts in its place. */
+/* M (n, n) <- the matrix that is factored: the mass matrix, or the model's replacement. */
 static void em_factored_matrix(const em_model *model, double t, const double *x, const double *c, double *M) {
     (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, x, c, M);
 }
@@ -49,7 +50,7 @@ static double em_mass_length(int n, const double *L, const double *x) {
     return sqrt(square);
 }
 
-/* |L^-1 a|, that of a row (n) */
+/* |L^-1 a|, the length of a row (n) */
 static double em_row_length(int n, const double *L, const double *r, const double *a) {
     double y[n], square = 0.0;
     for (int i = 0; i < n; ++i) y[i] = a[i];
@@ -58,17 +59,17 @@ static double em_row_length(int n, const double *L, const double *r, const doubl
     return sqrt(square);
 }
 
-/* Whether a residual is beyond its limit; NaN is. off, unless NULL <- the residual then, else 0 */
+/* Whether a residual exceeds its limit; NaN does. off, unless NULL <- the residual if so, else 0 */
 static int em_is_off(double residual, double limit, double *off) {
     const int wrong = !(fabs(residual) <= limit);
     if (off != NULL) *off = !wrong ? 0.0 : residual == 0.0 ? NAN : residual;
     return wrong;
 }
 
-/* Whether A v + b = 0 and phi = 0 up to em_start_tolerance of the terms that cancel in them, and to what a change of x
- * and v by EM_START_STEPS atol (n) makes of them, or one in the last places of x and v as a whole: where all that cancels
- * in a row is rounding, what is left of it is, too. Returns em_refusal.
- * off (m), unless NULL <- by how much each row is off that is */
+/* Whether A v + b = 0 and phi = 0 are violated. Allowed are: em_start_tolerance of the terms that cancel in a row;
+ * the residual that a change of x and v by EM_START_STEPS atol (n) makes; and that of a change in the last places of
+ * x and v as a whole, because if all that cancels in a row is rounding, so is its residual. Returns em_refusal. off
+ * (m), unless NULL <- the residuals of violated rows */
 static int em_constraints_refuse(const em_model *model, double t, const double *x, const double *v, const double *c,
                                  const double *L, const double *r, double rtol, const double *atol, double *off) {
     const int n = model->n, m = model->m;
@@ -98,7 +99,7 @@ static int em_constraints_refuse(const em_model *model, double t, const double *
     return wrong ? EM_OFF_VELOCITY : EM_MAY_START;
 }
 
-/* Whether an event is an impact where phi passes zero, downwards, and no contact. */
+/* Whether an event is an impact where phi passes zero, downwards, and does not belong to a contact. */
 static int em_impact_is_alone(const em_event_action *action) { return action->impact >= 0 && action->keeps_apart && action->held < 0; }
 
 static int em_keeps_anything_apart(const em_model *model) {
@@ -107,7 +108,7 @@ static int em_keeps_anything_apart(const em_model *model) {
     return model->n_switches > 0;
 }
 
-/* Whether an impact's phi grows: nothing strikes at once where it begins within by rounding. */
+/* Whether an impact's phi grows: a start that is inside by rounding then causes no impact. */
 static int em_comes_out(const em_model *model, int event, double t, const double *x, const double *v, const double *c) {
     const int n = model->n, width = model->n_arguments;
     double D[model->n_events * width];
@@ -117,8 +118,9 @@ static int em_comes_out(const em_model *model, int event, double t, const double
     return model->event_actions[event].keeps_apart * rate > 0.0;
 }
 
-/* The contact or impact that x is inside of, its event; -1: none. As off as constraints may be it may be off its gap, by what such
- * changes of x make of that. With rtol 0 nobody starts there, and it is not asked. */
+/* The event of the contact or impact that x is inside of; -1: none. The gap may be as far off as the constraints
+ * may, that is, by the change that the allowed changes of x make. With rtol 0, which no run has, this is not
+ * checked. */
 static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
                              double rtol, const double *atol) {
     if (!em_keeps_anything_apart(model) || rtol == 0.0) return -1;
@@ -142,8 +144,8 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
     return -1;
 }
 
-/* y (n_state, in: 0) <- the state at x, v (n). Returns em_refusal.
- * `at` and off (m), unless NULL <- the coordinate without inertia, and by how much each constraint row is off that is */
+/* y (n_state, in: 0) <- the state at x, v (n). Returns em_refusal. `at` and off (m), unless NULL <- the coordinate
+ * without inertia, and the residuals of violated constraint rows */
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
                     double rtol, const double *atol, double *y, int *at, double *off) {
     em_fault fault;

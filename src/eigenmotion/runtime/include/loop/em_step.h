@@ -1,9 +1,8 @@
 /* em_step.h: one step: attempts of decreasing size, until one is accepted.
  *
- * A step counts only when everything about it worked: its stages, its error, settling, the right-hand side and the
- * interpolant at its end. Whatever did not is tried again with a shorter step, and names the end of the run if no step is
- * short enough.
- */
+ * A step is accepted only if all of it succeeds: its stages, its error, settling, and the right-hand side and the
+ * interpolant at its end. A failed attempt is repeated with a smaller size, and is the reason for the end of the run
+ * if no size is small enough. */
 #ifndef EM_STEP_H
 #define EM_STEP_H
 
@@ -13,13 +12,14 @@
 
 static double em_spacing(const em_run_state *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
 
-/* Steps of fixed size make equal parts of the way, none longer; the last one goes too far and is cut, whatever rounding. */
+/* Steps of fixed size divide the interval into equal parts, none longer than `size`; the last one overshoots and is
+ * cut, so that rounding does not matter. */
 static double em_equal_part(double way, double size) {
     const double count = ceil(way / size - 1e-6);
     return count > 1.0 ? way / count : 2.0 * way;
 }
 
-/* t_new and h of a step of size `size`, no further than the goal or the end of what is smooth. */
+/* t_new and h of a step of size `size`, up to the target time and the end of the smooth interval at most. */
 static void em_aim(em_run_state *w, double size) {
     const double bound = w->direction * (w->pieces_end - w->t_goal) < 0.0 ? w->pieces_end : w->t_goal;
     if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
@@ -28,7 +28,7 @@ static void em_aim(em_run_state *w, double size) {
     w->h = w->t_new - w->t;
 }
 
-/* Whether somebody asks for a state inside the step. */
+/* Whether a state inside the step is requested. */
 static int em_asks_within(const em_run_state *w) {
     const em_run *run = w->run;
     if (run->dense == EM_DENSE || w->n_found > 0) return 1;
@@ -39,7 +39,7 @@ static int em_needs_interpolant(const em_run_state *w) {
     return !w->has_interpolant && (w->run->dense || em_asks_within(w));
 }
 
-/* What follows a step whose error is small enough. 0, or -1 and w->reason. */
+/* Finishes a step whose error is small enough. 0, or -1 and w->reason. */
 static int em_land(em_run_state *w) {
     w->mode_new = w->mode;
     em_copy_memory(w, w->memory_new, w->memory);
@@ -60,7 +60,7 @@ static int em_land(em_run_state *w) {
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
-/* 0, or -1 and w->reason; then the error norm may still be 1 or more. */
+/* One attempt. 0, or -1 and w->reason; the error norm may still be 1 or more. */
 static int em_attempt(em_run_state *w) {
     w->error_norm = w->size_norm = INFINITY;
     if (w->scheme.step(w)) return -1;
@@ -68,7 +68,7 @@ static int em_attempt(em_run_state *w) {
     return w->error_norm < 1.0 ? em_land(w) : 0;
 }
 
-/* No step is short enough: the fault that stood in the way, if it was not the error alone. */
+/* No step size is small enough: the fault that prevented the step, if it was not the error alone. */
 EM_COLD_PATH static int em_underflow(em_run_state *w, double size, em_fault obstacle) {
     if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
     return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
@@ -95,7 +95,7 @@ static int em_step_forward(em_run_state *w) {
         else if (w->error_norm < 1.0) break;
         ++run->n_rejected;
     }
-    /* A step cut short, at the end of a piece or the goal, says little: the size proposed before stands. */
+    /* A step that was cut at the end of an interval or at the target time tells little: the earlier proposal stands. */
     const int cut = (w->t_new == w->pieces_end || w->t_new == w->t_goal) && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
     return EM_GO_ON;

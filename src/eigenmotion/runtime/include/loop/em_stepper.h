@@ -1,10 +1,10 @@
 /* em_stepper.h: a run as a handle: opened, advanced and closed; em_simulate does all three.
  *
- * Of its model it knows what em_model says: it is compiled once for all of them (em_stepper.c), or at the end of a NAME.c
- * that is compiled whole (docs/architecture.md). No state of its own, all memory belongs to the run and is taken as it opens,
- * but for the tables of rows that somebody wants kept. From the inside out: em_run_state.h (what a run carries), em_model_calls.h,
- * em_error_norm.h, em_methods.h (the methods), em_dense_output.h, em_event_detection.h (events), em_monitors.h (what an accepted step is worth),
- * em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
+ * The stepper uses a model through em_model alone. It is compiled once for all models (em_stepper.c), or at the end of a
+ * NAME.c that is compiled whole (docs/architecture.md). It has no state of its own: all memory belongs to the run and is
+ * allocated as the run opens, apart from tables of rows. From the inside out: em_run_state.h (the state of a run),
+ * em_model_calls.h, em_error_norm.h, em_methods.h (the methods), em_dense_output.h, em_event_detection.h (events),
+ * em_monitors.h (checks of an accepted step), em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
  */
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
@@ -15,7 +15,7 @@
 
 /* --- the start of a run --- */
 
-/* The published state as the internal one, and the first rows. */
+/* Converts the published state to the internal one, and records the first rows. */
 static int em_enter(em_run_state *w) {
     em_run *run = w->run;
     run->t_reached = w->t = run->t_start;
@@ -31,7 +31,7 @@ static int em_enter(em_run_state *w) {
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
-/* The first right-hand side, event values and step size. */
+/* Computes the first right-hand side, event values and step size. */
 static int em_begin(em_run_state *w) {
     em_run *run = w->run;
     if (em_enter_interval(w) < 0) return em_end_with(w, w->reason);
@@ -45,11 +45,11 @@ static int em_begin(em_run_state *w) {
     return EM_GO_ON;
 }
 
-/* What a run_state, zeroed, knows of its run before it stands anywhere. */
+/* Initialises a zeroed run state from its run. */
 static void em_run_state_prepare(em_run_state *w) {
     const em_run *run = w->run;
     memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
-    w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
+    w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* a smaller tolerance cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
     w->fresh = EM_FIRST_SEGMENT;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
@@ -58,7 +58,7 @@ static void em_run_state_prepare(em_run_state *w) {
     w->most_steps = run->max_steps;
 }
 
-/* A run_state that stands nowhere yet, or NULL. */
+/* An initialised run state, not yet at a state; or NULL. */
 static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
     em_run_state *const w = em_run_state_allocate(model);
     if (w == NULL) return NULL;
@@ -74,7 +74,7 @@ static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
 
 /* --- steps --- */
 
-/* The end of the step becomes the start of the next. */
+/* Makes the end of the step the start of the next. */
 static void em_commit(em_run_state *w) {
     em_run *run = w->run;
     ++run->n_steps;
@@ -96,7 +96,7 @@ static void em_commit(em_run_state *w) {
     if (w->of->act != NULL) memset(w->stirred, 0, (size_t)w->n_rows * sizeof *w->stirred);
 }
 
-/* Rates and event values anew at a state whose rates have jumped: where another piece begins. */
+/* Recomputes rates and event values where the rates have jumped, at the start of another smooth interval. */
 static int em_resume(em_run_state *w) {
     if (w->crosses < 0 || (w->crosses && em_cross_time_event(w))) return em_end_with(w, w->reason);
     w->crosses = 0;
@@ -104,13 +104,13 @@ static int em_resume(em_run_state *w) {
     return w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
-/* From one piece to the next; where the run may end there, not before it goes on. */
+/* Enters the next smooth interval; if the run may end there, only when it continues. */
 static int em_go_over(em_run_state *w) {
     if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_GO_ON;
     return em_resume(w);
 }
 
-/* One accepted step. */
+/* Makes one accepted step. */
 static int em_go_on(em_run_state *w) {
     if (em_step_forward(w)) return EM_END;
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
@@ -128,7 +128,7 @@ static int em_go_on(em_run_state *w) {
 
 static void em_close(em_run_state *w) { free(w->block); }
 
-/* A run at its start, or NULL without memory. Whether it is over already `ended` says, and run->fault why. */
+/* A run at its start, or NULL without memory. `ended` says whether it is already over, and run->fault why. */
 static em_run_state *em_open(const em_model *model, em_run *run) {
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     if (em_rows_prepare(model, run)) return NULL;
@@ -139,7 +139,7 @@ static em_run_state *em_open(const em_model *model, em_run *run) {
     return w;
 }
 
-/* Steps up to t_goal exactly, none beyond. Returns `ended`: whether the run is over. */
+/* Steps to t_goal exactly. Returns `ended`: whether the run is over. */
 static int em_advance(em_run_state *w, double t_goal) {
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
@@ -147,7 +147,7 @@ static int em_advance(em_run_state *w, double t_goal) {
     return w->ended;
 }
 
-/* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
+/* em_model.simulate: runs from t_start to t_end. Returns run->fault.status. */
 EM_EXPORT int em_simulate(const em_model *model, em_run *run) {
     em_run_state *w = em_open(model, run);
     if (w == NULL) return (int)run->fault.status;

@@ -1,17 +1,17 @@
-/* em_time_event_jump.h: jump conditions at a time event, where a condition in the time alone changes
- * (em_time_events.h).
+/* em_time_event_jump.h: jump conditions at a time event, where a condition on time alone changes (em_time_events.h).
  *
- * Forces may jump there. Rows of constraints on velocities may, too: velocities then change by an impulse along the rows that
- * hold from there on, to the nearest that these allow in the mass metric. Where phi jumps no motion goes on, and where
- * T's momenta do, as a mass that changes at once, T alone does not say what velocities do: both are refused by name. */
+ * Forces may jump there. So may rows of velocity constraints: velocities then change by an impulse along the rows
+ * that hold afterwards, to the nearest velocities that these allow in the mass metric. If phi jumps no motion
+ * continues. If the momenta of T jump, as with a mass that changes suddenly, T alone does not determine the
+ * velocities. Both are refused by name. */
 #ifndef EM_TIME_EVENT_JUMP_H
 #define EM_TIME_EVENT_JUMP_H
 
 #include "stepper/em_smooth_intervals.h"
 
-#define EM_JUMPS 1e-9 /* the part of its terms by which a number jumps */
+#define EM_JUMPS 1e-9 /* a number jumps if it changes by this part of its terms */
 
-/* Two times on each side of a break: where its condition has changed by all means, and further away. */
+/* Two times on each side of a time event: just outside its rounding, and further away. */
 typedef struct em_sides {
     double t[4]; /* far before, before, after, far after */
 } em_sides;
@@ -21,13 +21,13 @@ static em_sides em_sides_of(const em_run_state *w) {
     return (em_sides){{w->t - 100.0 * reach, w->t - reach, after, w->t + 100.0 * reach}};
 }
 
-/* Whether a number that is g (4) at these times jumps: what varies without changes by more further away. */
+/* Whether a number with values g (4) at these times jumps: a continuous one changes more at the times further away. */
 static int em_number_jumps(const double *g, double size) {
     const double near = fabs(g[2] - g[1]), far = fabs(g[3] - g[0]);
     return near > EM_JUMPS * size && near > 0.1 * far;
 }
 
-/* Whether one of `count` numbers g (4, most) jumps, with `terms` of each: its index, or -1. */
+/* The index of the first of `count` numbers g (4, most), with `terms` of each, that jumps; or -1. */
 static int em_first_jump(int count, int most, const double *g, const double *terms) {
     for (int i = 0; i < count; ++i) {
         const double one[4] = {g[i], g[most + i], g[2 * most + i], g[3 * most + i]};
@@ -36,7 +36,7 @@ static int em_first_jump(int count, int most, const double *g, const double *ter
     return -1;
 }
 
-/* The coordinate whose momentum M v + G jumps, or -1. */
+/* The first coordinate whose momentum M v + G jumps, or -1. */
 static int em_momentum_jumps(const em_run_state *w, const em_sides *at) {
     const int n = w->n, numbers = n * n + n;
     double g[4][numbers], terms[numbers], e[4], one[n];
@@ -55,7 +55,7 @@ static int em_momentum_jumps(const em_run_state *w, const em_sides *at) {
     return first < 0 ? -1 : first < n * n ? first / n : first - n * n;
 }
 
-/* The contact whose row jumps while it holds, or -1: it may push, but not pull, as the nearest velocities would have it. */
+/* The contact whose row jumps while it holds, or -1: a contact may push, but the projection would also pull. */
 static int em_contact_jumps(const em_run_state *w, const em_sides *at) {
     const int n = w->n, m = w->n_rows, numbers = m * n + m;
     if (w->of->switched_rows == 0) return -1;
@@ -68,7 +68,7 @@ static int em_contact_jumps(const em_run_state *w, const em_sides *at) {
     return first >= 0 && (w->of->switched_rows >> row & 1) ? row : -1;
 }
 
-/* Velocities as the rows after a break want them. 0, or -1 and w->reason. */
+/* Projects velocities onto the rows after a time event. 0, or -1 and w->reason. */
 static int em_meet_rows(em_run_state *w, const em_sides *at) {
     const int m = w->n_rows;
     double phi[4][em_some(m)], terms[em_some(m)];
@@ -82,7 +82,7 @@ static int em_meet_rows(em_run_state *w, const em_sides *at) {
     return em_settle(w->model, w->run, &w->mode, EM_STABILISE, at->t[2], w->y, w->memory, 0.0, &w->reason) < 0 ? -1 : 0;
 }
 
-/* From one side of a break to the other. 0, or -1 and w->reason. */
+/* Crosses a time event. 0, or -1 and w->reason. */
 EM_NOINLINE int em_cross_time_event(em_run_state *w) {
     const em_sides at = em_sides_of(w);
     const int first = em_momentum_jumps(w, &at);

@@ -107,7 +107,8 @@ int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing land
 
 void em_rate_jacobian(double t, const double *y, const double *c, const double *u, double *J);
 
-/* A module may be linked without some units: em_model has NULL in their places, until somebody asks (docs/architecture.md). */
+/* A module may be linked without some units: em_model then has NULL in their places, until they are loaded on demand
+ * (docs/architecture.md). */
 #ifdef __ELF__
 #define EM_LATER(function) extern __typeof__(function) function __attribute__((weak, visibility("hidden")))
 #else

@@ -1,5 +1,5 @@
 /* em_error_norm.h: the error norm, in x and v for every formulation: the root mean square of e_k / (atol_k + rtol
- * max(|y_k| before, after)); eigenfactors take part where nothing restores them. */
+ * max(|y_k| before, after)); eigenfactors contribute where nothing restores them. */
 #ifndef EM_ERROR_NORM_H
 #define EM_ERROR_NORM_H
 
@@ -18,8 +18,8 @@ EM_INLINE double em_weighted_squares(int n, const double *restrict e, const doub
     return (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;
 }
 
-/* 1 / (atol + rtol max(|before|, |after|)); finite where both tolerances vanish. By packs, of which the last may reach behind
- * the n numbers. */
+/* 1 / (atol + rtol max(|before|, |after|)); finite if both tolerances vanish. Computed in packs, the last of which
+ * may extend beyond the n numbers. */
 EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const double *restrict before,
                         const double *restrict after, double *restrict weight) {
     for (int k = 0; k < n; k += EM_PACK)
@@ -27,7 +27,7 @@ EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const d
             weight[place] = 1.0 / (atol[place] + rtol * em_max(fabs(before[place]), fabs(after[place])) + DBL_MIN);
 }
 
-/* Eigenfactors, which count where nothing settles them: C is of size one, s scales with itself. */
+/* Weights of eigenfactors, which contribute where nothing settles them: C is of order one, s scales with itself. */
 EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const double *after) {
     const int count[] = {w->of->n_C, w->of->n_s, w->of->n_C_delta, w->of->n_s_delta};
     for (int part = 0, k = 2 * w->n, end = k; part < 4; ++part)
@@ -37,7 +37,7 @@ EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const d
         }
 }
 
-/* Whether errors of eigenfactors count: where they are integrated and nothing settles them. */
+/* Whether errors of eigenfactors contribute: where they are integrated and nothing settles them. */
 EM_INLINE int em_counts_factors(const em_run_state *w) {
     return w->n_state > 2 * w->n && (w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise));
 }
@@ -45,7 +45,8 @@ EM_INLINE int em_counts_factors(const em_run_state *w) {
 /* The weights of x and v (and, unless settled, of the eigenfactors) between two states and their right-hand sides. */
 EM_INLINE void em_set_weights_of(em_run_state *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_weigh(w->n, w->atol, w->rtol, y, y_new, w->weight);
-    em_weigh(w->n, w->atol, w->rtol, dy, dy_new, w->weight + w->n); /* behind x, over what the last pack left there */
+    em_weigh(w->n, w->atol, w->rtol, dy, dy_new, w->weight + w->n); /* after x, over what its last pack has
+                                                                       overwritten */
     if (em_counts_factors(w)) em_weigh_factors(w, y, y_new);
 }
 
@@ -53,7 +54,7 @@ static void em_set_weights(em_run_state *w, const double *y, const double *dy, c
     em_set_weights_of(w, y, dy, y_new, dy_new);
 }
 
-/* Weights of the state at the start; what is 0 and has no absolute tolerance says nothing of its size. */
+/* Weights of the state at the start. A number that is 0 without an absolute tolerance gives no scale. */
 static void em_weigh_start(em_run_state *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     for (int k = 0; k < w->n_state; ++k)
@@ -67,7 +68,7 @@ EM_INLINE double em_squares(const em_run_state *w, const double *q) {
     return sum;
 }
 
-/* The same of e, an error or a rate of the state, whose part of eta becomes one of v in place. */
+/* The same for e, an error or a rate of the state, whose part of eta is replaced by the corresponding v. */
 EM_INLINE double em_squares_of_error(const em_run_state *w, double *restrict e) {
     if (!em_is_velocity_error(w)) {
         em_velocity_error(w, e + w->n, w->spare);
@@ -78,7 +79,8 @@ EM_INLINE double em_squares_of_error(const em_run_state *w, double *restrict e) 
 
 static int em_count(const em_run_state *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
 
-/* sum / count: where that is a power of two by its inverse, which is exact, and there before the sum is. */
+/* sum / count. If count is a power of two, the product with its inverse is exact, and the inverse is known before
+ * the sum is. */
 EM_INLINE double em_mean(double sum, int count) {
     const double inverse = 1.0 / count;
     return count & (count - 1) ? sum / count : sum * inverse;

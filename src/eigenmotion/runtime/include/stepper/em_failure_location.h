@@ -11,15 +11,16 @@ static int em_non_finite_coordinate(int n, const double *y) {
     return -1;
 }
 
-/* -1 and w->reason: a state or its rate (n_state) is not finite, which names the coordinate. */
+/* -1 and w->reason: a state or its rate (n_state) is not finite; the reason names the coordinate. */
 EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, const double *rate) {
     int first = em_non_finite_coordinate(w->n, y);
     if (first < 0) first = em_non_finite_coordinate(w->n, rate);
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
 }
 
-/* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
- * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
+/* Where y, or M there, has overflowed, the fault is not that of pivots or rows. Nor is it that of rows if a
+ * coordinate has lost the inertia it had at the start: a row with a part of that coordinate is then infinitely long
+ * in the mass metric. */
 EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const double *y) {
     const int first = em_non_finite_coordinate(w->n, y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
@@ -37,7 +38,7 @@ EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const 
     return -1;
 }
 
-/* The coordinate with the largest part of the last error estimate. */
+/* The coordinate with the largest contribution to the last error estimate. */
 EM_UNUSED static int em_worst_coordinate(const em_run_state *w) {
     int worst = 0;
     for (int k = 1; k < 2 * w->n; ++k)

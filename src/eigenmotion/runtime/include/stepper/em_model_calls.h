@@ -17,7 +17,7 @@ EM_INLINE void em_copy_events(const em_run_state *w, double *restrict to, const 
     memcpy(to, from, (size_t)w->n_events * sizeof *to);
 }
 
-/* The time at which the model is asked for what holds at t in the step under way (em_time_events.h). */
+/* The time at which the model is evaluated for time t of the current step (em_time_events.h). */
 EM_INLINE double em_clock(const em_run_state *w, double t) { return em_min(em_max(t, w->inside[0]), w->inside[1]); }
 
 static void em_signals(em_run_state *w, double t) {
@@ -28,20 +28,20 @@ static void em_signals(em_run_state *w, double t) {
     }
 }
 
-/* F <- y alone */
+/* F <- the constant y */
 static void em_clear_interpolant(em_run_state *w) {
     const size_t states = (size_t)w->n_state;
     memset(w->F[0], 0, EM_DENSE_COEFFICIENTS * states * sizeof *w->y);
     memcpy(w->F[0], w->y, states * sizeof *w->y);
 }
 
-/* What stands behind a fault of a right-hand side at y. Returns -1 (em_constraint_monitor.h). */
+/* Locates the cause of a fault of a right-hand side at y. Returns -1 (em_constraint_monitor.h). */
 EM_COLD_PATH static int em_locate_failure(em_run_state *w, double t, const double *y);
 
-/* What is asked of constraint rows. */
+/* Flags for the treatment of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
 
-/* dy <- (v, a) at a state of the motion, with the signals in w->u. */
+/* dy <- (v, a) at a state (x, v), with the signals in w->u. */
 EM_NOINLINE int em_motion_rate_here(em_run_state *w, double t, const double *y, double *dy) {
     em_run *run = w->run;
     ++run->n_rhs;
@@ -68,10 +68,10 @@ static int em_xdot(const em_run_state *w, int mode, double t, const double *y, d
     return 0;
 }
 
-/* Whether what y[n .. 2 n) is off is what xdot is. */
+/* Whether an error of y[n .. 2 n) is an error of xdot itself. */
 EM_INLINE int em_is_velocity_error(const em_run_state *w) { return w->mode == EM_MOTION || em_carries_motion(w->model); }
 
-/* ev (n) <- what an error e (n) of y[n .. 2 n) makes of xdot */
+/* ev (n) <- the error of xdot that follows from an error e (n) of y[n .. 2 n) */
 static void em_velocity_error(const em_run_state *w, const double *e, double *ev) {
     if (em_is_velocity_error(w)) memcpy(ev, e, (size_t)w->n * sizeof *ev);
     else w->of->velocity_error(w->mode, w->y, w->run->prepared, w->memory, e, ev);
@@ -93,7 +93,7 @@ static int em_settle(const em_model *model, const em_run *run, int *mode, int fl
     return model->dynamics->settle(mode, flags, t, y, run->prepared, memory, pace, fault);
 }
 
-/* The published state in w->y as that of the scheme's mode, settled. As em_settle. */
+/* Converts the published state in w->y to the scheme's mode and settles it. Returns as em_settle. */
 static int em_enter_mode(em_run_state *w) {
     double v[w->n];
     if (w->scheme.mode == EM_MOTION) {
@@ -104,8 +104,9 @@ static int em_enter_mode(em_run_state *w) {
     return em_settle(w->model, w->run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
 }
 
-/* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,
- * an argument that is off them by e has rates that are off by e over the square of what is left; on them they are not. */
+/* dy <- f at the nearest point on the constraints. Where the rows become dependent, as near a singular position, an
+ * argument with a constraint error e has rates with an error of e over the square of the remaining independence; on
+ * the constraints it does not. */
 EM_NOINLINE int em_settled_rhs(em_run_state *w, double t, const double *y, double *dy) {
     double settled[w->width], memory[em_padded(w->n_memory)];
     int mode = w->mode;
@@ -115,12 +116,12 @@ EM_NOINLINE int em_settled_rhs(em_run_state *w, double t, const double *y, doubl
     return em_rhs(w, mode, t, settled, memory, dy);
 }
 
-/* dy <- f within a step. */
+/* dy <- f at a stage of a step. */
 EM_NOINLINE int em_any_stage_rate(em_run_state *w, double t, const double *y, double *dy) {
     return w->near && w->n_positions > 0 ? em_settled_rhs(w, t, y, dy) : em_rhs(w, w->mode, t, y, w->memory, dy);
 }
 
-/* Whether that is what the model has for the rates at a state, as it stands: so most steps ask for them. */
+/* Whether the rates at a state are simply the model's right-hand side there, as in most steps. */
 EM_INLINE int em_is_plain(const em_run_state *w) {
     return w->n_inputs == 0 && w->model->n_time_events == 0 && !w->near && (w->mode != EM_MOTION || em_carries_motion(w->model));
 }
@@ -133,7 +134,7 @@ EM_INLINE int em_stage_rate(em_run_state *w, int plain, double t, const double *
                ? em_locate_failure(w, t, y) : 0;
 }
 
-/* Whether a state, or a rate, is: NaN and infinity survive a product with zero. */
+/* Whether all numbers of a state, or of a rate, are finite: NaN and infinity survive a product with zero. */
 EM_INLINE int em_all_finite(const em_run_state *w, const double *restrict y) {
     const int width = w->width;
     em_pack sum = {0.0};

@@ -10,7 +10,7 @@
 
 EM_INLINE int em_is_bare(const em_model *model) { return model->dynamics->factored == NULL; }
 
-/* Whether the state is that of the motion anyway. */
+/* Whether the state is (x, v) in mode 0 already. */
 EM_INLINE int em_carries_motion(const em_model *model) { return model->dynamics->second_order && !em_is_bare(model); }
 
 /* dy <- (v, a, 0). 0, or -1 and *fault */
@@ -25,7 +25,8 @@ EM_NOINLINE int em_motion_rhs(const em_model *model, double t, const double *y, 
     return model->dynamics->acceleration(t, y, y + n, c, u, flags, dy + n, lambda, fault);
 }
 
-/* As em_dynamics.settle: constraints where they are to be kept, and eigenfactors, but for a state within a step. */
+/* As em_dynamics.settle: restores the constraints, if asked for, and the eigenfactors; not for a state within a
+ * step. */
 EM_NOINLINE int em_motion_settle(const em_model *model, int flags, double t, double *y, const double *c, double *memory,
                              double pace, em_fault *fault) {
     const em_dynamics *const of = model->dynamics;
@@ -49,7 +50,7 @@ EM_NOINLINE int em_motion_publish(const em_model *model, double t, const double 
     return em_carries_motion(model) ? 0 : model->state(t, y, y + model->n, c, row, fault);
 }
 
-/* M (n, n), or what is factored in its place; where nothing is stated, 1 */
+/* M (n, n), or the matrix that is factored in its place; 1 if the model states neither */
 EM_NOINLINE void em_mass_at(const em_model *model, double t, const double *x, const double *c, double *M) {
     const int n = model->n;
     if (!em_is_bare(model)) {

@@ -1,4 +1,4 @@
-/* em_run_memory.h: the memory of a run: one block, taken when the run opens, and the parts of it that are saved. */
+/* em_run_memory.h: the memory of a run: one block, allocated when the run opens, and the parts of it that are saved. */
 #ifndef EM_RUN_MEMORY_H
 #define EM_RUN_MEMORY_H
 
@@ -7,9 +7,9 @@
 
 #include "stepper/em_model_calls.h"
 
-enum { EM_LINE = 64 }; /* bytes of a line of the cache, on which every table begins */
+enum { EM_LINE = 64 }; /* bytes of a cache line; every table is aligned to one */
 
-/* Tables one after the other; without a place they are counted alone. */
+/* Allocates tables one after the other; without a base address it only counts their size. */
 typedef struct em_layout {
     char *place;
     size_t used;
@@ -88,7 +88,7 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
     w->c = em_take_bytes(at, (size_t)w->lanes->n_prepared * sizeof *w->c);
 }
 
-/* What a run_state knows of its model. */
+/* Sizes of the run state, from its model. */
 static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     static const em_lanes none = {0};
     w->model = model;
@@ -101,7 +101,7 @@ static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     w->second_order = w->of->second_order, w->bare = em_is_bare(model), w->first_rate = w->second_order ? w->n : 0;
 }
 
-/* A run_state of zeros, with its tables, on lines of its own; or NULL. */
+/* A zeroed run state with its tables, aligned to cache lines; or NULL. */
 static em_run_state *em_run_state_allocate(const em_model *model) {
     const size_t own = (sizeof(em_run_state) + EM_LINE - 1) / EM_LINE * EM_LINE;
     em_run_state counted = {0};
@@ -119,7 +119,7 @@ static em_run_state *em_run_state_allocate(const em_model *model) {
     return w;
 }
 
-/* What is saved, four pieces one after the other, which hold no pointers. */
+/* The blocks that are saved: four, one after the other, without pointers. */
 typedef struct em_memory_block {
     void *at;
     size_t size;
@@ -133,7 +133,7 @@ EM_NOINLINE void em_saved_blocks(em_run_state *w, em_memory_block *piece) {
     piece[3] = (em_memory_block){w->tables, w->tables_size};
 }
 
-/* How many bytes they have. */
+/* Their total size in bytes. */
 EM_NOINLINE size_t em_saved_size(const em_model *model) {
     em_run_state counted = {0};
     em_layout at = {NULL, 0};
@@ -142,7 +142,7 @@ EM_NOINLINE size_t em_saved_size(const em_model *model) {
     return offsetof(em_run_state, run) + offsetof(em_nodes, Y) + offsetof(em_implicit, K) + counted.tables_size;
 }
 
-/* As it was when it was taken. */
+/* Frees the block at its unaligned address. */
 EM_NOINLINE void em_run_state_free(em_run_state *w) {
     em_memory_block piece[EM_PIECES];
     em_saved_blocks(w, piece);

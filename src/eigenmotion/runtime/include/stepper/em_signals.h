@@ -1,18 +1,17 @@
-/* em_signals.h: signals u(t), the inputs that are given at run time.
+/* em_signals.h: signals u(t), the inputs that are set at run time.
  *
- * Piece j of a sampled signal lies between times[j] and times[j + 1]; pieces -1 and count - 1 lie outside the samples,
- * where the value at the nearest end holds. A step never crosses a sample of EM_HOLD or EM_LINEAR, so that their
- * pieces are looked up once per step, nor the first and last of EM_CUBIC: all stages see one smooth function. Methods
- * that take averages of linear signals (em_signal_averages.h) cross their samples, too.
- */
+ * Interval j of a sampled signal lies between times[j] and times[j + 1]; intervals -1 and count - 1 lie outside the
+ * samples, where the value at the nearest end holds. A step never crosses a sample of EM_HOLD or EM_LINEAR, nor the
+ * first and last of EM_CUBIC. The intervals are therefore looked up once per step, and all stages see one smooth
+ * function. Methods that average linear signals (em_signal_averages.h) do cross their samples. */
 #ifndef EM_SIGNALS_H
 #define EM_SIGNALS_H
 
 #include "numeric/em_linear.h"
 
-/* The piece just after t in the direction of time: -1 .. count - 1. */
+/* The interval just after t in the direction of time: -1 .. count - 1. */
 static long em_signal_interval(const em_signal *u, double t, double direction) {
-    size_t below = 0, above = u->count; /* times[0 .. below) are passed, times[above ..) are not */
+    size_t below = 0, above = u->count; /* times[0 .. below) lie before t, times[above ..) do not */
     while (below < above) {
         const size_t middle = below + (above - below) / 2;
         const int passed = direction > 0.0 ? u->times[middle] <= t : u->times[middle] < t;
@@ -38,7 +37,7 @@ static double em_signal_linear(const em_signal *u, long piece, double t) {
     return value[0] + (value[1] - value[0]) * ((t - time[0]) / (time[1] - time[0]));
 }
 
-/* Needs two samples at least. */
+/* Requires at least two samples. */
 static double em_signal_cubic(const em_signal *u, double t) {
     const long last = (long)u->count - 2;
     const double inside = fmin(fmax(t, u->times[0]), u->times[u->count - 1]);

@@ -1,14 +1,14 @@
-/* em_smooth_intervals.h: smooth intervals of what drives a motion: between samples of signals, and between time
- * events. */
+/* em_smooth_intervals.h: smooth intervals of a motion: between samples of signals, and between time events. */
 #ifndef EM_SMOOTH_INTERVALS_H
 #define EM_SMOOTH_INTERVALS_H
 
 #include "stepper/em_model_calls.h"
 
-#define EM_BLUR 1e-5 /* of the way: what is asked of a piece so far aside of its time is off by the square of that */
+#define EM_BLUR 1e-5 /* relative to the interval: evaluating the model this far from its time changes the result by
+                        the square of this */
 
-/* Whether a break is at w->t, or before the end, whose time rounding leaves open by a part of the way: that of
- * exp(-t / 1e20) < 1. */
+/* Whether a time event at w->t, or before the end, has a rounding that is a considerable part of the interval, as
+ * that of exp(-t / 1e20) < 1. */
 static int em_is_blurred(const em_run_state *w, const double *at, double next) {
     const double goal = isfinite(w->run->t_end) ? w->run->t_end : w->t_goal;
     const double most = EM_BLUR * em_max(fabs(goal - w->run->t_start), 1e-3 * fabs(w->t));
@@ -17,7 +17,7 @@ static int em_is_blurred(const em_run_state *w, const double *at, double next) {
     return most > 0.0 && (em_time_event_reach(w->model->n_time_events, at, w->t) > most || (matters && there > most));
 }
 
-/* What holds after w->t of conditions in the time alone. Returns whether others did before, or -1 and w->reason. */
+/* Enters the interval between time events after w->t. Returns whether w->t is a time event, or -1 and w->reason. */
 static int em_enter_time_event(em_run_state *w) {
     const int time_events = w->model->n_time_events;
     double at[em_some(3 * time_events)];
@@ -32,7 +32,8 @@ static int em_enter_time_event(em_run_state *w) {
     return w->crosses = em_time_event_sides(time_events, at, w->t, next, w->direction, w->inside);
 }
 
-/* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too, or what ends the run. */
+/* Enters the intervals of all signals after w->t. Returns whether a signal jumps there, so that f does too, or the
+ * status that ends the run. */
 static int em_enter_interval(em_run_state *w) {
     int jumps = 0;
     w->pieces_end = w->direction * INFINITY;

@@ -24,7 +24,7 @@ EM_NOINLINE int em_rows_grow(em_rows *rows, em_fault *fault) {
     return 0;
 }
 
-/* The row after the last one, to be filled and then counted by em_rows_keep; NULL without memory. */
+/* The row after the last one. The caller fills it and then counts it by em_rows_keep. NULL without memory. */
 static double *em_rows_next(em_rows *rows, em_fault *fault) {
     if (rows->most > 0 && rows->count == rows->most) --rows->count;
     if (rows->count == rows->capacity && em_rows_grow(rows, fault)) return NULL;
@@ -43,7 +43,7 @@ EM_NOINLINE int em_dense_grow(em_run *run, size_t n_state, em_fault *fault) {
     return 0;
 }
 
-/* Keep the interpolant F (EM_DENSE_COEFFICIENTS, n_state) of one step. */
+/* Keeps the interpolant F (EM_DENSE_COEFFICIENTS, n_state) of one step. */
 static int em_dense_keep(em_run *run, size_t n_state, em_dense_step step, const double *F, em_fault *fault) {
     const size_t size = EM_DENSE_COEFFICIENTS * n_state;
     if (run->n_dense == run->dense_capacity && em_dense_grow(run, n_state, fault)) return -1;
@@ -71,7 +71,7 @@ static void em_rows_free(em_rows *rows) {
     *rows = (em_rows){0};
 }
 
-/* em_model.release: frees what simulate allocated; may be called again, and after a failed run. */
+/* em_model.release: frees what simulate allocated; may be called repeatedly, and after a failed run. */
 EM_COLD_PATH EM_EXPORT void em_release(const em_model *model, em_run *run) {
     em_rows_free(&run->rows);
     for (int i = 0; run->events != NULL && i < model->n_events; ++i) em_rows_free(&run->events[i]);

@@ -1,10 +1,10 @@
-/* em_termination.h: the end of a run before t_end: by a fault, or by the caller's wish. */
+/* em_termination.h: the end of a run before t_end: by a fault, or at the caller's request. */
 #ifndef EM_TERMINATION_H
 #define EM_TERMINATION_H
 
 #include "stepper/em_model_calls.h"
 
-/* What a function of the loop answers: go on, or the run has ended with run->fault. */
+/* Result of a function of the loop: continue, or the run has ended with run->fault. */
 enum { EM_GO_ON = 0, EM_END = -1 };
 
 static int em_end_with(em_run_state *w, em_fault fault) {
@@ -18,15 +18,15 @@ static double em_seconds_since(const struct timespec *then, const struct timespe
     return difftime(now->tv_sec, then->tv_sec) + 1e-9 * (double)(now->tv_nsec - then->tv_nsec);
 }
 
-/* Looking at the clock costs as much as a small right-hand side: look so seldom that it costs nothing, and so often
- * that a millisecond or a single step passes between two looks. */
+/* Sets how often the clock is read. Reading it costs as much as a small right-hand side: it is read so rarely that
+ * its cost is negligible, and often enough that at most a millisecond or a single step passes in between. */
 static void em_pace_looks(em_run_state *w, double seconds) {
     enum { AT_MOST = 1024 };
     if (seconds > 2e-3) w->looks_every = 1;
     else if (seconds < 5e-4 && w->looks_every < AT_MOST) w->looks_every *= 2;
 }
 
-/* Calls poll about every 20 ms. A clock that was set back counts as time passed. */
+/* Calls poll about every 20 ms. A clock that was set back counts as elapsed time. */
 static int em_poll(em_run_state *w) {
     const em_run *run = w->run;
     struct timespec now;

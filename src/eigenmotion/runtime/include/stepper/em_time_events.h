@@ -1,9 +1,9 @@
-/* em_time_events.h: time events: times at which conditions in the time alone change.
+/* em_time_events.h: time events: times at which conditions on time alone change.
  *
- * A break is three numbers: at, period, terms. It is at + k period, k whole; with period 0 one time; eps terms is the
- * rounding of `at`. One that is not finite is none. Steps end at time_events, and what is asked of the model within a step is
- * asked as far from both of its ends as rounding may move a condition there: so each side of a jump is seen from that side
- * alone. Breaks that are no further apart than that are one. */
+ * A time event is three numbers: at, period, terms. It happens at the times at + k period, k an integer; period 0
+ * means once; eps terms is the rounding of `at`. If `at` is not finite there is none. Steps end at time events.
+ * Within a step the model is evaluated no closer to either end than rounding may move a condition there, so that
+ * each side of a jump is seen from that side alone. Time events that are closer to each other than that are one. */
 #ifndef EM_TIME_EVENTS_H
 #define EM_TIME_EVENTS_H
 
@@ -14,7 +14,7 @@
 
 #define EM_TIME_EVENT_ROUNDINGS (8.0 * DBL_EPSILON)
 
-/* How far from a break at about t its condition may change. */
+/* The rounding of a time event near t: its condition may change this far from its time. */
 EM_UNUSED static double em_time_event_slack(const double *b, double t) {
     const double size = fabs(t) + fabs(b[0]);
     return EM_TIME_EVENT_ROUNDINGS * (b[2] > size && b[2] < INFINITY ? b[2] : size) + DBL_MIN / DBL_EPSILON; /* at t = 0 too */
@@ -22,17 +22,18 @@ EM_UNUSED static double em_time_event_slack(const double *b, double t) {
 
 EM_UNUSED static int em_is_time_event(const double *b) { return isfinite(b[0]) && isfinite(b[1]); }
 
-/* Whether the times of a break come back faster than rounding at about t tells them apart. */
+/* Whether a time event repeats faster than rounding near t can separate. */
 EM_UNUSED static int em_time_event_is_blurred(const double *b, double t) {
     return em_is_time_event(b) && b[1] != 0.0 && fabs(b[1]) <= 2.0 * em_time_event_slack(b, t);
 }
 
-/* The time of a break that is nearest to t. */
+/* The time of a time event that is nearest to t. */
 EM_UNUSED static double em_nearest_time_event(const double *b, double t) {
     return b[1] != 0.0 ? b[0] + round((t - b[0]) / b[1]) * b[1] : b[0];
 }
 
-/* The next time of a break that is more than its slack beyond t; infinite: there is none. That of one that is blurred is anywhere. */
+/* The next time of a time event beyond t by more than its slack; infinite: there is none. A blurred one has no
+ * definite time. */
 EM_UNUSED static double em_time_event_after(const double *b, double t, double direction) {
     const double slack = em_time_event_slack(b, t), clear = t + direction * slack;
     double next = b[0];
@@ -45,7 +46,7 @@ EM_UNUSED static double em_time_event_after(const double *b, double t, double di
     return em_is_time_event(b) && direction * (next - clear) > 0.0 ? next : direction * INFINITY;
 }
 
-/* The next of `count` time_events (count, 3) beyond t; infinite: there is none. */
+/* The next of `count` time events (count, 3) beyond t; infinite: there is none. */
 EM_UNUSED static double em_next_time_event(int count, const double *at, double t, double direction) {
     double next = direction * INFINITY;
     for (int i = 0; i < count; ++i) {
@@ -55,7 +56,8 @@ EM_UNUSED static double em_next_time_event(int count, const double *at, double t
     return next;
 }
 
-/* How far from t the time_events there reach, which are no further than their slack or `near`; 0: t is no break. */
+/* How far from t the time events there extend that are no further away than their slack or `near`; 0: t is no time
+ * event. */
 EM_UNUSED static double em_time_event_reach_near(int count, const double *at, double t, double near) {
     double reach = 0.0;
     for (int i = 0; i < count && isfinite(t); ++i) {
@@ -67,7 +69,8 @@ EM_UNUSED static double em_time_event_reach_near(int count, const double *at, do
 
 EM_UNUSED static double em_time_event_reach(int count, const double *at, double t) { return em_time_event_reach_near(count, at, t, 0.0); }
 
-/* inside (2) <- between which times a step from t on, up to the break `next`, asks the model. Returns whether t is a break. */
+/* inside (2) <- the times between which a step from t to the time event `next` evaluates the model. Returns whether
+ * t is a time event. */
 EM_UNUSED static int em_time_event_sides(int count, const double *at, double t, double next, double direction, double *inside) {
     const double here = em_time_event_reach(count, at, t), there = em_time_event_reach(count, at, next);
     double begin = here > 0.0 ? t + direction * here : -direction * INFINITY, end = next - direction * there;
