@@ -1,8 +1,8 @@
 /* em_fixed_steps.h: Runge-Kutta steps of fixed size on lanes, one motion in each lane.
  *
- * For the runtime, not for generated code; of models whose state is x, xdot and that hold no constraints. A motion's numbers
- * follow from its own alone, never from who is beside it. Where a lane finds no number, its step is made again by numbers,
- * which say why there is none, or know better (a lane knows no sine beyond 1e6). */
+ * For the runtime, not for generated code; for models whose state is x, xdot and that have no constraints. The
+ * numbers of a motion do not depend on the other lanes. A lane without a finite result repeats its step by the
+ * scalar code, which names the fault or succeeds (a lane has no sine beyond 1e6). */
 #ifndef EM_FIXED_STEPS_H
 #define EM_FIXED_STEPS_H
 
@@ -16,16 +16,16 @@
 
 enum { EM_LOCKSTEP_STAGES = 4 };
 
-/* What a step works with, for one thread: tables (..., EM_MOST_LANES), on addresses that are multiples of 64. */
+/* Working memory of a step, for one thread: tables (..., EM_MOST_LANES), aligned to 64 bytes. */
 typedef struct em_fixed_steps {
     const em_model *model;
     const em_tableau *rk;
-    double size; /* no step is longer */
+    double size; /* upper bound of step sizes */
     double *t_stage, *t_new, *h, *sound; /* sound: 0 where y_new is finite, else NaN */
     double *y_new, *argument, *K;        /* (n_state, ...), (n_state, ...), (4, n_state, ...) */
 } em_fixed_steps;
 
-/* How many numbers a lockstep's tables are. */
+/* The number of doubles in these tables. */
 static size_t em_fixed_numbers(const em_model *model) {
     return (4 + (2 + EM_LOCKSTEP_STAGES) * (size_t)model->n_state) * EM_MOST_LANES;
 }
@@ -41,14 +41,14 @@ static em_fixed_steps em_fixed_at(const em_model *model, const em_tableau *rk, d
     return w;
 }
 
-/* ceil, without a call of C's library. */
+/* ceil, without a call of the C library. */
 EM_INLINE double em_fixed_ceil(double a) {
     if (!(fabs(a) < 0x1p52)) return a;
     const double whole = (double)(long long)a;
     return whole < a ? whole + 1.0 : whole;
 }
 
-/* t_new and h of one motion's next step towards t_goal: of equal parts of the way (em_step.h). */
+/* t_new and h of one motion's next step towards t_goal: one of equal parts of the interval (em_step.h). */
 static void em_fixed_aim(const em_fixed_steps *w, int lane, double t, double t_goal) {
     const double direction = t_goal < t ? -1.0 : 1.0, way = fabs(t_goal - t), count = em_fixed_ceil(way / w->size - 1e-6);
     const double t_new = t + direction * (count > 1.0 ? way / count : 2.0 * way);
@@ -71,7 +71,7 @@ EM_INLINE void em_fixed_combine(const int width, const em_fixed_steps *w, const 
     }
 }
 
-/* y_new <- a step from y at t; NaN in lanes that have none. */
+/* y_new <- a step from y at t; NaN in lanes that fail. */
 EM_INLINE void em_fixed_step(const int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
                                 const double *u) {
     const em_tableau *const rk = w->rk;
@@ -94,7 +94,7 @@ static void em_fixed_any(int width, const em_fixed_steps *w, const double *t, co
     else em_fixed_step(2, w, t, y, c, u);
 }
 
-/* Numbers of one lane, out of a table (count, width). */
+/* Copies the numbers of one lane out of a table (count, width). */
 static void em_lane_out(int width, int lane, int count, const double *table, double *numbers) {
     for (int k = 0; k < count; ++k) numbers[k] = table[k * width + lane];
 }
@@ -103,7 +103,7 @@ static void em_lane_in(int width, int lane, int count, const double *numbers, do
     for (int k = 0; k < count; ++k) table[k * width + lane] = numbers[k];
 }
 
-/* One lane's step by numbers, into y_new. 0, or -1 and *fault. */
+/* Makes one lane's step by the scalar code, into y_new. 0, or -1 and *fault. */
 EM_NOINLINE int em_fixed_alone(int width, int lane, const em_fixed_steps *w, double t, const double *y, const double *c,
                               const double *u, em_fault *fault) {
     const em_model *const model = w->model;

@@ -1,5 +1,5 @@
-/* em_lane_factors.h: refresh of C and s on lanes, after a step that all lanes have taken. Where a lane needs another
- * root of M, this says so: that lane is then settled by the scalar code (em_blocks.h). */
+/* em_lane_factors.h: refresh of C and s on lanes, after a step that all lanes have made. The result says which lanes
+ * need another root of M: these are settled by the scalar code (em_blocks.h). */
 #ifndef EM_LANE_FACTORS_H
 #define EM_LANE_FACTORS_H
 
@@ -10,11 +10,11 @@
 EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
 EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
 
-/* Small enough for what is left of all rotations, squared, that em_refine goes on. */
+/* Bound on the sum of the squares of the remaining rotations, below which em_refine continues. */
 #define EM_LANE_CONVERGED 1e-6
 
-/* C turned to where em_refine finds the eigenfactors of M (n, n), by Jacobi sweeps in the lanes that are `far` from there,
- * as where C has rested during a step. Each lane makes as many as it would alone. */
+/* C turned close enough to the eigenfactors of M (n, n) for em_refine, by Jacobi sweeps in the lanes that are `far`
+ * from them, as after a step during which C was constant. Each lane makes as many sweeps as it would alone. */
 EM_NOINLINE void em_turn_near(int n, em_truth far, const real *restrict M, real *restrict C) {
     real Lambda[n * n];
     em_congruence(n, C, M, Lambda);
@@ -31,8 +31,8 @@ EM_NOINLINE void em_turn_near(int n, em_truth far, const real *restrict M, real 
     }
 }
 
-/* C, s <- eigenfactors of M (n, n), near the C given; eta (NULL: another root's) turns with C. Returns -1 in lanes that
- * have them, and whose eigenvalues leave no doubt that M is positive definite. */
+/* C, s <- eigenfactors of M (n, n), near the C given; eta (NULL: of another root) turns with C. Returns -1 in lanes
+ * where they are found, with eigenvalues that are clearly positive. */
 EM_INLINE em_truth em_refresh(int n, const real *restrict M, real *restrict C, real *restrict s, real *restrict eta) {
     real before[n * n];
     if (eta) em_copy(n * n, C, before);
@@ -65,7 +65,7 @@ EM_INLINE em_truth em_keeps_mode(int mode, real gap, real time, real pace) {
     return apart | ~(time < EM_NEAR * fabs(pace));
 }
 
-/* D (n) of M = L D L^T, and the diagonal of M; NaN, or not positive, where that is not positive definite. */
+/* D (n) of M = L D L^T, and the diagonal of M. Where M is not positive definite, D is NaN or not positive. */
 EM_INLINE void em_pivots(int n, const real *restrict M, real *restrict pivots, real *restrict diagonal) {
     real L[n * n], r[n];
     em_ldlt(n, M, L, r, 0.0);

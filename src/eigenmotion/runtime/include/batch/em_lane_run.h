@@ -7,18 +7,18 @@
 
 #define EM_LANE(table, k) (table)[(size_t)(k) * (size_t)width + (size_t)lane]
 
-/* Numbers that its lane keeps of a run's last step: asked of the lanes that it is in, for those that this object is linked
- * with may be for nodes alone, and keep none. */
+/* The count of numbers that a lane keeps from a run's last step. It is that of the lanes which hold the run: the
+ * lanes that this object is linked with may be for nodes alone, and keep none. */
 static int em_member_remembers(const em_run_state *w) { return w->run->model->lanes->remembered; }
 
-/* When the lane's steps are looked at next. */
+/* Plans when the lane's steps are checked next. */
 static void em_member_plan(const em_run_state *w, em_lane_group *f, int lane) {
     const em_run *run = w->run;
     f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_energy_check;
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
-/* Whether a step would end at a break, which lanes do not know of. */
+/* Whether a step would end at a time event, which lanes do not handle. */
 static int em_time_events_ahead(const em_run_state *w) {
     return w->model->n_time_events > 0 &&
            (isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0);
@@ -60,7 +60,7 @@ EM_COLD_PATH EM_EXPORT void em_member_load(void *run_state, em_lane_group *f, in
     em_member_plan(w, f, lane);
 }
 
-/* The stages of the step under way, from the lane, and what the last was made at. */
+/* Reads the stages of the current step from the lane, and the state and time of its last stage. */
 EM_COLD_PATH static void em_member_read_stages(em_run_state *w, const em_lane_group *f, int lane) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     const int width = w->lanes->width, last = rk->stages - 1;
@@ -69,7 +69,7 @@ EM_COLD_PATH static void em_member_read_stages(em_run_state *w, const em_lane_gr
     em_combine(w, rk->a[last], last, 0, w->h, 0, w->y, w->argument);
 }
 
-/* Its ends, and what the run has done so far. */
+/* Reads the ends of the step, and the counts of the run. */
 EM_COLD_PATH static void em_member_read(em_run_state *w, const em_lane_group *f, int lane) {
     em_run *const run = w->run;
     const int width = w->lanes->width;
@@ -103,7 +103,7 @@ EM_COLD_PATH static void em_member_read(em_run_state *w, const em_lane_group *f,
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 
-/* What em_land does about a step that was settled. 0, or -1 */
+/* The checks of em_land for a step that has been settled. 0, or -1 */
 EM_COLD_PATH static int em_member_trusts(em_run_state *w, const em_lane_group *f, int lane) {
     if (w->n_events > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
@@ -114,13 +114,15 @@ EM_COLD_PATH static int em_member_trusts(em_run_state *w, const em_lane_group *f
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
-/* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
+/* em_land, for a step that the lane has not settled, and its result written into the lane. 0, or -1 */
 EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int lane) {
     const int width = w->lanes->width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
     if (w->n_events > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
-    --w->run->n_rhs; /* that of the lane was in vain */
-    if (em_land(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* stages are settled there */
+    --w->run->n_rhs; /* the one of the lane is discarded */
+    if (em_land(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* near a singular
+                                                                                               position stages are
+                                                                                               settled */
     for (int k = 0; k < w->n_state; ++k) {
         EM_LANE(f->y_new, k) = w->y_new[k];
         EM_LANE(f->f_new, k) = w->f_new[k];
@@ -130,7 +132,7 @@ EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int
     return 0;
 }
 
-/* em_model.look: what em_land and em_advance do about an accepted step. */
+/* em_model.look: the checks of em_land and em_advance for an accepted step. */
 EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing) {
     em_run_state *const w = run_state;
     int terminal = 0;

@@ -1,8 +1,8 @@
 /* em_lane_runge_kutta.h: dop853 on lanes: one run of an ensemble in each lane of a vector.
  *
- * Included by NAME.c where that is compiled for lanes. Each lane has its own time, step size and error, and none looks at
- * another: a member's numbers are the same in whatever lane and company. Most steps need no more than this; at others
- * the lane's run is looked at number by number (em_lane_run.h). */
+ * Included by NAME.c where that is compiled for lanes. Each lane has its own time, step size and error, and does not
+ * depend on the others: a member's numbers are the same in any lane and beside any other members. Most steps need no
+ * more than this; the others are checked by the scalar code (em_lane_run.h). */
 #ifndef EM_LANE_RUNGE_KUTTA_H
 #define EM_LANE_RUNGE_KUTTA_H
 
@@ -11,14 +11,14 @@
 #include "tableaux/em_butcher.h"
 
 enum {
-    EM_TOGETHER = 4, /* states whose sums are made together */
+    EM_TOGETHER = 4, /* states whose sums are computed together */
     EM_GROUP_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
     EM_GROUP_STAGES = 12,
     EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
-    EM_GROUP_LOOKS = 64 /* attempts between two looks at whether an end is wanted */
+    EM_GROUP_LOOKS = 64 /* attempts between two checks for a requested end */
 };
 
-/* The arrays of a flock (em_lanes.h), as vectors. */
+/* The arrays of a lane group (em_lanes.h), as vectors. */
 typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_GROUP_STATE];
@@ -26,17 +26,17 @@ typedef struct em_lane_state {
     real *stiff, *n_stiff, *next_judge, *next_look, *t_look, *memory, *memory_new;
 } em_lane_state;
 
-/* What e (n), eta or an error of it, makes of xdot: where the state is x, xdot, itself. */
+/* The part of xdot that follows from e (n), eta or an error of it; for a state x, xdot it is e itself. */
 #ifndef EM_VELOCITY
 #define EM_VELOCITY(mode, y, c, memory, e, v) em_copy(N, e, v)
 #endif
 
-/* How much of a state changes within a step: in mode 1 C and s rest. */
+/* How many numbers of a state change within a step: in mode 1 C and s are constant. */
 EM_INLINE int em_group_moving(const em_lane_group *f) {
     return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_GROUP_STATE;
 }
 
-/* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, of the states from k on */
+/* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, for the states from k on */
 EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_GROUP_STATE], int k, real *sum) {
     for (int i = 0; i < EM_TOGETHER; ++i) sum[i] = a[0] * K[0][k + i];
     EM_UNROLL
@@ -55,10 +55,10 @@ EM_INLINE void em_group_combine(int moving, const double *a, int n, real h, cons
     }
 }
 
-/* The part of a lane's time that is no step: the spacing of numbers there, times ten. */
+/* The smallest step of a lane: ten spacings of its time. */
 EM_INLINE real em_group_least(real t) { return 10.0 * DBL_EPSILON * em_lane_max(fabs(t), em_real(DBL_MIN / DBL_EPSILON)); }
 
-/* t_new and h of the step under way: of the size that was chosen, no further than t_end. */
+/* t_new and h of the current step: of the chosen size, up to t_end at most. */
 EM_INLINE void em_group_aim(const em_lane_group *f, em_lane_state *w) {
     const real end = em_real(f->task->t_end), least = em_group_least(*w->t);
     const real first = em_lane_max(least, em_lane_min(*w->h_next, em_real(f->task->max_step)));
@@ -68,10 +68,10 @@ EM_INLINE void em_group_aim(const em_lane_group *f, em_lane_state *w) {
     *w->h = *w->t_new - *w->t;
 }
 
-/* Errors of eigenfactors count where they are integrated (em_error_norm.h). */
+/* How many numbers contribute to the error norm: eigenfactors do where they are integrated (em_error_norm.h). */
 EM_INLINE int em_group_counted(const em_lane_group *f) { return f->mode == 0 ? N_STATE : 2 * N; }
 
-/* What errors of the state count, those of eta by what they are of v. */
+/* The weights of errors of the state; errors of eta are weighted by those of v that follow from them. */
 EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, real *weight) {
     const real *const v_new = w->K[EM_DOP853_TABLEAU.velocity_stage];
     for (int k = 0; k < N; ++k) {
@@ -86,7 +86,7 @@ EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, re
     }
 }
 
-/* Both errors (EM_TOGETHER) of the states from k on: what is read is read once. */
+/* Both errors (EM_TOGETHER) of the states from k on, so that each number is read once. */
 EM_INLINE void em_group_errors(real (*K)[EM_GROUP_STATE], int k, real *fifth, real *third) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     for (int i = 0; i < EM_TOGETHER; ++i) {
@@ -103,7 +103,7 @@ EM_INLINE void em_group_errors(real (*K)[EM_GROUP_STATE], int k, real *fifth, re
     }
 }
 
-/* Sums in EM_TOGETHER parts, which do not wait for each other. */
+/* The sum of EM_TOGETHER partial sums, which do not depend on each other. */
 EM_INLINE real em_group_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
 
 /* sum_k (a_k b_k)^2 */
@@ -126,11 +126,11 @@ EM_INLINE void em_group_norm(const em_lane_group *f, em_lane_state *w, const rea
     *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
 }
 
-/* y_new put right in lanes that *done keeps; v (n) <- the velocities before. */
+/* Settles y_new in the lanes where *done stays set; v (n) <- the velocities before. */
 EM_INLINE void em_group_settle(const em_lane_group *f, em_lane_state *w, EM_UNUSED real *v, EM_UNUSED em_truth *done) {
 #ifdef EM_SETTLE
     real raw[N_STATE];
-    if (EM_SECOND_ORDER) { /* settling moves v alone, in all lanes */
+    if (EM_SECOND_ORDER) { /* settling changes v alone, in all lanes */
         em_copy(N, w->y_new + N, v);
         EM_SETTLE(f->mode, *w->t_new, w->y_new, w->c, NULL, *w->h * f->stretch, done);
         return;
@@ -141,11 +141,11 @@ EM_INLINE void em_group_settle(const em_lane_group *f, em_lane_state *w, EM_UNUS
     for (int k = 0; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
 #else
     (void)f, (void)w;
-    if (N_POSITIONS > 0) *done = (em_truth){0}; /* Newton's method on positions is for numbers */
+    if (N_POSITIONS > 0) *done = (em_truth){0}; /* Newton's method on positions is left to the scalar code */
 #endif
 }
 
-/* How far settling moved v, in tolerances (em_monitors.h). */
+/* The distance by which settling moved v, in tolerances (em_monitors.h). */
 EM_INLINE real em_group_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const real *v, EM_UNUSED const real *weight) {
     real sum = em_real(0.0);
 #ifdef EM_SETTLE
@@ -157,7 +157,7 @@ EM_INLINE real em_group_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const 
     return N_ROWS > 0 ? sqrt(sum / (2.0 * N)) : sum;
 }
 
-/* NaN and infinity survive a product with zero. */
+/* Whether all numbers are finite: NaN and infinity survive a product with zero. */
 EM_INLINE em_truth em_group_finite(const real *a) {
     real part[EM_TOGETHER] = {{0.0}};
     for (int k = 0; k < N_STATE; ++k) part[k % EM_TOGETHER] += 0.0 * a[k];
@@ -168,7 +168,8 @@ EM_INLINE void em_group_rate(const em_lane_group *f, const em_lane_state *w, con
     rhs_on_lanes(f->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
 }
 
-/* Whether stability keeps steps short, of lanes of which that is judged now (em_rk_judge); argument: of the last stage. */
+/* Whether stability limits the step size, in the lanes where that is judged now (em_rk_judge); argument: of the last
+ * stage. */
 EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real *weight) {
     const int last = EM_DOP853_TABLEAU.stages - 1;
     const em_truth judged = *w->n_steps >= *w->next_judge;
@@ -183,10 +184,10 @@ EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real
     *w->stiff = em_where(judged, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
 }
 
-/* What came of attempts at a step. */
+/* Results of an attempt at a step. */
 typedef struct em_attempts {
-    em_truth sound, settled; /* -1: it gave numbers that can be judged; it ended where runs may be */
-    real moved, error, factor; /* how far settling moved it; log of the error; by which the next step's size differs */
+    em_truth sound, settled; /* -1: its numbers are finite; its end is settled */
+    real moved, error, factor; /* distance of settling; log of the error; ratio of the next step size */
 } em_attempts;
 
 /* error and factor, as in em_step_size.h */
@@ -199,7 +200,7 @@ EM_INLINE void em_group_control(const em_lane_state *w, em_attempts *found) {
     found->factor = em_where(*w->retries > 0.0, em_lane_min(em_real(1.0), factor), factor);
 }
 
-/* An attempt at a step in every lane. */
+/* Makes an attempt at a step in every lane. */
 static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
     em_attempts found = {.settled = ~(em_truth){0}};
@@ -214,7 +215,7 @@ static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     em_group_combine(em_group_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
     em_group_weigh(f, w, weight);
     em_group_norm(f, w, weight);
-    em_group_control(w, &found); /* here, where it waits for itself while steps are settled */
+    em_group_control(w, &found); /* here, where its latency overlaps with settling */
     em_group_settle(f, w, v, &found.settled);
     em_group_rate(f, w, w->t_new, w->y_new, w->f_new);
     em_group_judge(w, argument, weight);
@@ -223,8 +224,8 @@ static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     return found;
 }
 
-/* -1 in lanes whose `accepted` step is looked at number by number: the first, short ones at which a singularity may be near
- * (em_singularity_monitor.h), and those at which the energy, a row or the end is due. */
+/* -1 in lanes whose `accepted` step is to be checked by the scalar code: the first one, short ones at which a
+ * singularity may be near (em_singularity_monitor.h), and those at which the energy, a row or the end is due. */
 EM_INLINE em_truth em_group_due(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
     em_truth brief = accepted & ((fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
@@ -234,14 +235,14 @@ EM_INLINE em_truth em_group_due(const em_lane_group *f, const em_lane_state *w, 
            (f->direction * (*w->t_new - *w->t_look) >= 0.0);
 }
 
-/* -1 in lanes whose run goes on number by number, from its start: what a step made is not sound, or was moved far
- * (em_monitors.h), or steps become too short, or too many. */
+/* -1 in lanes whose run is to be repeated from its start by the scalar code: a step is not finite, or was moved far
+ * by settling (em_monitors.h), or steps become too short or too many. */
 EM_INLINE em_truth em_group_lost(const em_lane_group *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
     return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_group_least(*w->t))) |
            (small & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
 }
 
-/* The end of a step becomes the start of the next, in lanes that took it. */
+/* Makes the end of a step the start of the next, in lanes that took it. */
 static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     const real none = em_real(0.0), one = em_real(1.0);
     for (int k = 0; k < N_STATE; ++k) {
@@ -259,14 +260,14 @@ static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     *w->n_rhs += em_where(took, one, none) + em_where(tried, em_real(EM_GROUP_STAGES - 1.0), none);
 }
 
-/* -1 in lanes with a run. */
+/* -1 in lanes that hold a run. */
 EM_INLINE em_truth em_group_live(const em_lane_group *f) {
     em_truth live;
     for (int lane = 0; lane < EM_LANES; ++lane) live[lane] = -f->live[lane];
     return live;
 }
 
-/* One attempt at a step in every lane, and what follows from it. */
+/* Makes one attempt at a step in every lane, and accepts or rejects it. */
 static void em_group_step(em_lane_group *f, em_lane_state *w) {
     em_group_aim(f, w);
     const em_attempts found = em_group_attempt(f, w);
@@ -279,11 +280,12 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
     for (int lane = 0; lane < EM_LANES && em_any(looks); ++lane) {
         const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
         if (looks[lane] && f->look(f, lane, landing) == 0) stays[lane] = -1;
-    } /* where it does not stay, there is another member now, or none */
+    } /* if its run does not continue, the lane now holds another member, or none */
     em_group_commit(w, stays, stays & small);
 }
 
-/* As long as there are members, and no other flock is to go on first: f->look puts them into lanes. */
+/* Steps as long as the group has members and the other group is not to continue first; f->look loads members into
+ * lanes. */
 static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,

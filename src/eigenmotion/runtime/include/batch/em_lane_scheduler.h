@@ -1,7 +1,8 @@
 /* em_lane_scheduler.h: the lane scheduler: puts the members of an ensemble into lanes (em_lane_runge_kutta.h).
  *
- * All runs of a flock are in one mode. One whose mode changes leaves its lane and waits for one in the other flock. A flock
- * goes on as long as it has no empty lane, so that few wait, and all lanes are in use until few members are left. */
+ * All runs of a lane group are in one mode. A run whose mode changes leaves its lane and waits for one in the other
+ * group. A group continues as long as it has no empty lane. So few runs wait, and all lanes are in use until few
+ * members are left. */
 #ifndef EM_LANE_SCHEDULER_H
 #define EM_LANE_SCHEDULER_H
 
@@ -11,7 +12,7 @@
 
 enum { EM_MOST_MODES = 2, EM_SLOTS = EM_MOST_MODES * EM_MOST_LANES };
 
-/* A run under way: of which member, and what it works with. */
+/* A slot: a run in progress, its member, and its memory. */
 typedef struct em_slot {
     em_run run;
     void *run_state;
@@ -29,8 +30,8 @@ typedef struct em_lane_scheduler {
     size_t next;
 } em_lane_scheduler;
 
-/* Whether runs of this task are made in lanes, but for members with redundant rows. That follows from the task and the
- * model, so that all others' are. */
+/* Whether runs of this task are made in lanes, apart from members with redundant rows. This depends on the task and
+ * the model alone, so that it is the same for all members. */
 static int em_ensemble_has_lanes(const em_ensemble *e) {
     const em_model *model = e->model;
     if (model->enter == NULL || model->lanes == NULL || model->lanes->run == NULL || model->lanes->width < 2) return 0;
@@ -38,7 +39,7 @@ static int em_ensemble_has_lanes(const em_ensemble *e) {
     return (model->m == 0 && model->lanes->remembered == 0) || (e->task.stabilise && e->task.least_norm != EM_SHARED);
 }
 
-/* Whether a member's inputs rest, as those of lanes do. */
+/* Whether a member's inputs are constant, as lanes require. */
 static int em_ensemble_rests(const em_ensemble *e, size_t member) {
     const em_signal *inputs = e->inputs ? e->inputs + member * e->inputs_stride : NULL;
     for (int k = 0; k < e->model->n_inputs; ++k)
@@ -46,7 +47,8 @@ static int em_ensemble_rests(const em_ensemble *e, size_t member) {
     return 1;
 }
 
-/* A run has ended: its slot is free. kept: what came of it; else the member is run anew, number by number. */
+/* Frees the slot of a run that has ended. kept: its results are stored; else the member is run again by the scalar
+ * code. */
 static void em_leave(em_lane_scheduler *w, em_slot *slot, int kept) {
     em_ensemble *const e = w->e;
     if (slot->run_state != NULL) e->model->close(slot->run_state);
@@ -62,7 +64,8 @@ static em_slot *em_free_slot(em_lane_scheduler *w) {
     return slot;
 }
 
-/* The next member takes a slot and waits for a lane of its mode; or all that came of it is kept already. */
+/* Starts the next member in a free slot, where it waits for a lane of its mode; or runs it to its end by the scalar
+ * code. */
 static void em_arrive(em_lane_scheduler *w) {
     em_ensemble *const e = w->e;
     em_slot *const slot = em_free_slot(w);
@@ -83,21 +86,22 @@ static void em_arrive(em_lane_scheduler *w) {
     else w->waiting[mode][w->n_waiting[mode]++] = slot;
 }
 
-/* How many lanes of a flock could be in use; new members count as of mode 0. */
+/* How many lanes of a group could be in use; members not yet started count as of mode 0. */
 static size_t em_ready(const em_lane_scheduler *w, int mode) {
     const size_t here = (size_t)(w->groups[mode].n_live + w->n_waiting[mode]);
     const size_t more = mode == 0 ? w->e->count - w->next : 0;
     return here + more < (size_t)w->width ? here + more : (size_t)w->width;
 }
 
-/* Whether the other flock is to go on first. */
+/* Whether the other group is to continue first. */
 static int em_yields_lane(const em_lane_scheduler *w, int mode) {
     if (w->modes == 1) return 0;
     const size_t other = em_ready(w, !mode);
     return other > em_ready(w, mode) || (mode == 0 && other == (size_t)w->width);
 }
 
-/* Somebody into an empty lane, unless the other flock is to go on first; where nobody is left it stands still. */
+/* Loads a run into an empty lane, unless the other group is to continue first; without a run left the lane stays
+ * idle. */
 static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
     em_lane_group *const f = &w->groups[mode];
     while (!(f->pauses = em_yields_lane(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
@@ -133,7 +137,7 @@ static int em_ensemble_all_stop(em_lane_group *f) {
     return w->stopped = em_ensemble_stopped(w->e);
 }
 
-/* Runs that were on their way when an end was asked for. */
+/* Ends the runs that were in progress when an end was requested. */
 static void em_ensemble_give_up(em_lane_scheduler *w) {
     for (em_slot *slot = w->slots; slot < w->slots + EM_SLOTS; ++slot) {
         if (!slot->taken) continue;
@@ -146,7 +150,7 @@ static void em_ensemble_give_up(em_lane_scheduler *w) {
     while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->slots->c, w->slots->y);
 }
 
-/* The next numbers of a block of memory. */
+/* Takes the next numbers of a block of memory. */
 static double *em_cut_off(double **place, size_t size) {
     double *const piece = *place;
     *place += size;
@@ -155,14 +159,14 @@ static double *em_cut_off(double **place, size_t size) {
 
 enum { EM_GROUP_STEPS = 12, EM_GROUP_NUMBERS = 16 };
 
-/* Numbers of all tables of a flock. */
+/* The size of all tables of a lane group, in numbers. */
 static size_t em_group_size(const em_model *model) {
     const size_t states = ((size_t)model->n_state + 3) / 4 * 4, memory = 2 * (size_t)model->lanes->remembered;
     const size_t rows = (EM_GROUP_STEPS + 3) * states + memory + (size_t)model->n_prepared + (size_t)model->n_inputs;
     return (rows + EM_GROUP_NUMBERS) * (size_t)model->lanes->width;
 }
 
-/* The tables of a flock, one after the other. */
+/* Lays out the tables of a lane group one after the other. */
 static void em_group_tables(em_lane_group *f, const em_model *model, double *place) {
     const size_t width = (size_t)model->lanes->width, states = ((size_t)model->n_state + 3) / 4 * 4;
     const size_t memory = (size_t)model->lanes->remembered;
@@ -187,7 +191,7 @@ static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
     em_group_tables(f, w->e->model, place);
 }
 
-/* Memory for all of it in one block, which is returned, or NULL. */
+/* Allocates all memory in one block and returns it, or NULL. */
 static double *em_lane_scheduler_open(em_lane_scheduler *w) {
     enum { LINE = 8 };
     const em_model *model = w->e->model;
@@ -203,7 +207,7 @@ static double *em_lane_scheduler_open(em_lane_scheduler *w) {
     return block;
 }
 
-/* Lanes that are empty are filled, and the flock goes on until it gives way to the other. */
+/* Fills the empty lanes and continues the group until it yields to the other. */
 static void em_group_go_on(em_lane_scheduler *w, int mode) {
     em_lane_group *const f = &w->groups[mode];
     for (int lane = 0; lane < w->width; ++lane)
@@ -211,7 +215,7 @@ static void em_group_go_on(em_lane_scheduler *w, int mode) {
     if (f->n_live > 0 && !f->pauses) w->e->model->lanes->run(f);
 }
 
-/* All members in lanes, as far as they can. 0, or -1 without memory. */
+/* Runs all members in lanes, as far as possible. 0, or -1 without memory. */
 static int em_ensemble_in_lanes(em_ensemble *e) {
     em_lane_scheduler w = {.e = e, .modes = e->model->lanes->modes, .width = e->model->lanes->width};
     double *const block = em_lane_scheduler_open(&w);
@@ -223,7 +227,7 @@ static int em_ensemble_in_lanes(em_ensemble *e) {
     return 0;
 }
 
-/* Every member of an ensemble. 0, or -1 without memory. */
+/* Runs every member of an ensemble. 0, or -1 without memory. */
 static int em_ensemble_run(em_ensemble *e) {
     timespec_get(&e->polled, TIME_UTC);
     return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_by_numbers(e, 0, e->count);

@@ -6,14 +6,15 @@
 #include "monitors/em_singularity_limits.h"
 #include "numeric/em_real.h"
 
-/* -1 in lanes where a pivot changes by no more than it may. */
+/* -1 in lanes where a pivot changes by no more than the limit. */
 EM_INLINE em_truth em_pivot_stays(real before, real after) {
     return (after * EM_RESOLVED >= before) & (before * EM_RESOLVED >= after) & (after > 0.0);
 }
 
 #ifdef EM_PIVOTS
 
-/* -1 in lanes whose step sees M between x and x_new (n); others are looked at by numbers, which say why. */
+/* -1 in lanes whose step resolves M between x and x_new (n); the others are checked by the scalar code, which names
+ * the reason. */
 EM_NOINLINE em_truth em_resolved(real t, const real *x, real t_new, const real *x_new, const real *c, double rtol) {
     em_truth resolved = ~(em_truth){0};
     real middle[N], pivots[3][N_PIVOTS], diagonal[N_PIVOTS];

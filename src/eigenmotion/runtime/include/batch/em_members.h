@@ -9,30 +9,30 @@
 
 enum { EM_COUNTS = 7 };
 
-/* `count` members. Of what differs from member to member each has its row; a stride of 0 is a row that all share. */
+/* `count` members. Data that differ between members have a row for each; a stride of 0 means one row shared by all. */
 typedef struct em_ensemble {
     const em_model *model;
-    em_run task;               /* what is asked of every run; prepared, y_start and inputs are the member's */
+    em_run task;               /* the task of every run; prepared, y_start and inputs are the member's */
     size_t count, n_rows;
     const double *parameters, *x, *v; /* rows of n_parameters, n, n */
     const em_signal *inputs;          /* rows of n_inputs */
     size_t parameters_stride, x_stride, v_stride, inputs_stride; /* in numbers, or signals */
-    const unsigned char *skip; /* (count) 1: refused already */
-    int end_only;              /* rows are where runs end: at t_eval, or before where an event ends them */
-    const volatile int *stop;  /* set to 1 by whoever wants an end */
+    const unsigned char *skip; /* (count) 1: already refused */
+    int end_only;              /* record only the row at the end of a run: at t_eval, or earlier if an event ends it */
+    const volatile int *stop;  /* the caller sets it to 1 to request an end */
 
     double *y;                 /* (count, n_rows, n_state), in: NaN; published meaning */
-    double *t_end;             /* (count) where the run came to */
+    double *t_end;             /* (count) the time that the run reached */
     em_fault *fault;           /* (count) how it ended */
-    long *counts;              /* (count, EM_COUNTS) right-hand sides, steps, rejected ones, those of another root, stiff ones,
-                                  slopes, factors */
+    long *counts;              /* (count, EM_COUNTS) right-hand sides, steps, rejected ones, those with another root,
+                                  stiff ones, Jacobians, factorisations */
     em_rows events;            /* of all members, in the order in which they ended */
-    long *event_starts;        /* (count, n_events) where those of a member's event begin, */
-    long *event_counts;        /* and how many they are */
+    long *event_starts;        /* (count, n_events) index of the first row of a member's event, */
+    long *event_counts;        /* and the number of its rows */
     struct timespec polled;
 } em_ensemble;
 
-/* Whether somebody wants an end. Runs that take long ask themselves (em_termination.h). */
+/* Whether an end is requested. Long runs also check that themselves (em_termination.h). */
 static int em_ensemble_stopped(em_ensemble *e) {
     struct timespec now;
     if (*e->stop) return 1;
@@ -44,7 +44,7 @@ static int em_ensemble_stopped(em_ensemble *e) {
     return e->task.poll(e->task.poll_argument);
 }
 
-/* events <- with all rows of another table. 0, or -1 without memory */
+/* Appends all rows of another table to events. 0, or -1 without memory */
 static int em_ensemble_append(em_rows *all, const em_rows *rows) {
     const size_t count = all->count + rows->count, width = rows->width;
     if (count > all->capacity) {
@@ -73,7 +73,7 @@ static const double *em_ensemble_last_event(const em_model *model, const em_run 
     return NULL;
 }
 
-/* What came of a run, into the rows of its member. */
+/* Stores the results of a run in the rows of its member. */
 static void em_ensemble_keep(em_ensemble *e, size_t member, const em_run *run) {
     const em_model *model = e->model;
     const size_t width = (size_t)model->n_state;
@@ -110,7 +110,7 @@ static int em_ensemble_start(const em_ensemble *e, size_t member, double *c, dou
     return refusal == EM_MAY_START ? 0 : em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
 }
 
-/* One member by the model's own stepper. c (n_prepared), y (n_state): to work with */
+/* Runs one member by the model's own stepper. c (n_prepared), y (n_state): scratch */
 static void em_ensemble_member(em_ensemble *e, size_t member, double *c, double *y) {
     em_run run = e->task;
     run.t_reached = run.t_start;
@@ -125,7 +125,7 @@ static void em_ensemble_member(em_ensemble *e, size_t member, double *c, double 
     e->model->release(&run);
 }
 
-/* Members first ... last - 1. 0, or -1 without memory. */
+/* Runs members first ... last - 1 by the scalar code. 0, or -1 without memory. */
 static int em_ensemble_by_numbers(em_ensemble *e, size_t first, size_t last) {
     const size_t width = (size_t)e->model->n_prepared + 1, states = (size_t)e->model->n_state;
     double *const memory = malloc((width + states) * sizeof *memory);

@@ -1,9 +1,9 @@
 /* em_steppers.h: K steppers of one em_model, advanced together.
  *
- * For the runtime, not for generated code. In lanes (em_fixed_steps.h) where the method has steps of fixed size and the model
- * allows it, which all members share; else each is an em_stepper (em_control.h). Members know nothing of each other: what
- * comes of one depends neither on how many there are, nor on threads. All memory is taken as they open. A member that cannot
- * go on, or meets a terminal event, has ended: it stands where it came to until it begins anew. */
+ * For the runtime, not for generated code. They use lanes (em_fixed_steps.h) if the method has a fixed step size and
+ * the model allows it; else each is an em_stepper (em_control.h). Members are independent: the results of one depend
+ * neither on their number nor on threads. All memory is allocated as they open. A member that fails, or meets a
+ * terminal event, has ended: it stays there until it is restarted. */
 #ifndef EM_STEPPERS_H
 #define EM_STEPPERS_H
 
@@ -16,22 +16,22 @@
 /* The arrays of the first part are the caller's: (count), (count, n), (count, n_inputs). */
 typedef struct em_steppers {
     const em_model *model;
-    em_run task;             /* what is asked of all; t_start, y_start, prepared are the member's */
+    em_run task;             /* the task of all; t_start, y_start, prepared are the member's */
     size_t count;
-    double *t, *x, *v, *u;   /* where they stand; inputs of theirs that are constant */
+    double *t, *x, *v, *u;   /* the current states; the inputs that are constant */
     unsigned char *ended;
-    long *n_rhs, *n_steps;   /* since they began */
-    const volatile int *stop; /* set to 1 by whoever wants an end */
+    long *n_rhs, *n_steps;   /* since the start of the member */
+    const volatile int *stop; /* the caller sets it to 1 to request an end */
 
-    em_fault *fault;         /* (count) why a member ended, or could not go on for now (EM_INTERRUPTED) */
-    int width, workers;      /* lanes, or 1: one by one */
-    em_stepper **steppers;   /* (count), or NULL: in lanes; then, of each group of `width` members, */
+    em_fault *fault;         /* (count) why a member has ended, or has stopped for now (EM_INTERRUPTED) */
+    int width, workers;      /* width: number of lanes, or 1: one by one */
+    em_stepper **steppers;   /* (count), or NULL: in lanes. Then the tables of each group of `width` members are: */
     double *Y, *C, *U;       /* (n_state, width), (n_prepared, width), (n_inputs, width) */
     double *scratch;         /* of each worker */
     void *block;
 } em_steppers;
 
-/* Whether members go in lanes; u (n_inputs) of the task says which inputs are constant. */
+/* The number of lanes that members use; u (n_inputs) of the task says which inputs are constant. */
 static int em_steppers_width(const em_model *model, const em_run *task) {
     const int fixed = task->method == EM_RK4 || task->method == EM_MIDPOINT;
     const em_lanes *const lanes = model->lanes;
@@ -46,7 +46,7 @@ static size_t em_steppers_scratch(const em_steppers *s) {
     return (numbers + 7) / 8 * 8;
 }
 
-/* The tables of lanes, on cache lines. 0, or -1 without memory. */
+/* Allocates the tables of lanes, aligned to cache lines. 0, or -1 without memory. */
 static int em_steppers_tables(em_steppers *s) {
     enum { LINE = 8 };
     const em_model *const model = s->model;
@@ -73,7 +73,7 @@ static void em_steppers_close(em_steppers *s) {
     s->fault = NULL;
 }
 
-/* Room for all; nobody stands anywhere yet. The first part is filled by the caller. 0, or -1 without memory. */
+/* Allocates all memory; no member has a state yet. The caller fills the first part. 0, or -1 without memory. */
 static int em_steppers_open(em_steppers *s, int workers) {
     s->width = em_steppers_width(s->model, &s->task);
     s->workers = workers;
@@ -86,12 +86,12 @@ static int em_steppers_open(em_steppers *s, int workers) {
 
 /* --- in lanes --- */
 
-/* Tables of the group of a member, and its lane in them. */
+/* The tables of the group that a member is in, and its lane in them. */
 static double *em_steppers_of(const em_steppers *s, double *table, size_t member, int numbers) {
     return table + member / (size_t)s->width * (size_t)s->width * (size_t)numbers;
 }
 
-/* x and v (n) of a member out of its lane: y is x, xdot. */
+/* Copies x and v (n) of a member out of its lane: y is x, xdot. */
 static void em_steppers_show(em_steppers *s, size_t member) {
     const int n = s->model->n, lane = (int)(member % (size_t)s->width);
     const double *const y = em_steppers_of(s, s->Y, member, s->model->n_state);
@@ -108,7 +108,7 @@ static void em_steppers_put(em_steppers *s, size_t member, double t, const doubl
     em_steppers_show(s, member);
 }
 
-/* What a step made of one lane: taken, or the member has ended. Returns whether it is under way still. */
+/* Takes the step of one lane, or ends its member. Returns whether the member is still on its way. */
 static int em_steppers_land(em_steppers *s, const em_fixed_steps *w, size_t member, double t_goal, const double *y,
                             const double *c, const double *u) {
     const int lane = (int)(member % (size_t)s->width), n = s->model->n_state;
@@ -124,7 +124,7 @@ static int em_steppers_land(em_steppers *s, const em_fixed_steps *w, size_t memb
     return s->t[member] != t_goal;
 }
 
-/* Whether somebody wants an end; polled as often as this is called, every 20 ms at the most. */
+/* Whether an end is requested; calls poll, every 20 ms at the most. */
 static int em_steppers_stopped(const em_steppers *s, struct timespec *polled) {
     struct timespec now;
     if (*s->stop) return 1;
@@ -136,7 +136,7 @@ static int em_steppers_stopped(const em_steppers *s, struct timespec *polled) {
     return s->task.poll(s->task.poll_argument);
 }
 
-/* Members of which none goes on: for now, or for good. */
+/* Stops the members of a group: for now, or for good. */
 static int em_steppers_leave(em_steppers *s, size_t first, int *live, em_status status) {
     for (int lane = 0; lane < s->width; ++lane) {
         if (!live[lane]) continue;
@@ -147,7 +147,7 @@ static int em_steppers_leave(em_steppers *s, size_t first, int *live, em_status 
     return 0;
 }
 
-/* One group to its members' times. */
+/* Advances one group to its members' times. */
 static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t first, const double *t_goal,
                               struct timespec *polled) {
     enum { LOOKS = 256 };
@@ -183,7 +183,7 @@ static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t fi
 
 /* --- one by one --- */
 
-/* Where its stepper stands, in the member's rows. */
+/* Copies the state of a member's stepper to the member's rows. */
 static void em_steppers_read(em_steppers *s, size_t member) {
     const em_stepper *const one = s->steppers[member];
     const size_t n = (size_t)s->model->n;
@@ -196,8 +196,8 @@ static void em_steppers_read(em_steppers *s, size_t member) {
     s->ended[member] = one->run.fault.status != EM_FINISHED && one->run.fault.status != EM_INTERRUPTED;
 }
 
-/* From the end of the step within which a terminal event ended it, back to that event: `row` (n_state) at t. What it has
- * counted is kept, but its step size and history are not: nobody goes on from there. */
+/* Moves a member from the end of its last step back to the terminal event within it: `row` (n_state) at t. Its
+ * counts are kept, but not its step size and history: it does not continue from there. */
 static void em_steppers_stand(em_steppers *s, size_t member, double t, const double *row) {
     em_stepper *const one = s->steppers[member];
     const int events = s->model->n_events;
@@ -214,7 +214,7 @@ static void em_steppers_stand(em_steppers *s, size_t member, double t, const dou
     s->n_steps[member] = n_steps;
 }
 
-/* A member that ended at an event, there. */
+/* Moves a member that ended at an event to that event. */
 static void em_steppers_end_at_event(em_steppers *s, size_t member) {
     const em_run *const run = &s->steppers[member]->run;
     if (run->fault.status != EM_TERMINAL_EVENT || run->t_reached == s->t[member]) return;
@@ -235,8 +235,8 @@ static void em_steppers_one(em_steppers *s, size_t member, double t_goal) {
     em_steppers_end_at_event(s, member);
 }
 
-/* A member at its start: y (n_state), published; c (n_prepared); its inputs are those of s->u. Takes memory the first time
- * alone. 0, -1 without memory; whether motion starts there s->ended says. */
+/* Starts a member: y (n_state), published; c (n_prepared); its inputs are those of s->u. Allocates memory the first
+ * time only. 0, or -1 without memory; s->ended says whether the motion can start. */
 static int em_steppers_begin(em_steppers *s, size_t member, double t, const double *y, const double *c) {
     const double *const u = s->u + member * (size_t)s->model->n_inputs;
     s->ended[member] = 0;
@@ -257,7 +257,8 @@ static int em_steppers_begin(em_steppers *s, size_t member, double t, const doub
 
 /* --- all --- */
 
-/* Members first ... last - 1 to t_goal (count), by the scratch of this worker; `first` is a multiple of EM_MOST_LANES. */
+/* Advances members first ... last - 1 to t_goal (count), with the scratch of this worker; `first` is a multiple of
+ * EM_MOST_LANES. */
 static void em_steppers_advance(em_steppers *s, size_t first, size_t last, int worker, const double *t_goal) {
     struct timespec polled;
     timespec_get(&polled, TIME_UTC);
@@ -273,7 +274,7 @@ static void em_steppers_advance(em_steppers *s, size_t first, size_t last, int w
         em_steppers_group(s, &w, member, t_goal, &polled);
 }
 
-/* The constants of a member, as they are now: of the mode of contacts. c (n_prepared): where they may be put */
+/* The constants of a member in its current contact mode. c (n_prepared): memory for them */
 static const double *em_steppers_constants(const em_steppers *s, size_t member, double *c) {
     if (s->steppers != NULL) return s->steppers[member]->run.prepared;
     em_lane_out(s->width, (int)(member % (size_t)s->width), s->model->n_prepared,

@@ -4,7 +4,7 @@
 
 #include "batch/em_steppers.h"
 
-/* What is kept of a member whatever it is: then come the constants it began with, its inputs, and its motion. */
+/* The data saved of every member; the constants at its start, its inputs, and its motion follow. */
 typedef struct em_steppers_member {
     double t;
     long n_rhs, n_steps, ended;
@@ -15,19 +15,19 @@ static size_t em_steppers_motion(const em_steppers *s) {
     return s->steppers != NULL ? em_stepper_size(s->steppers[0]) : (size_t)s->model->n_state * sizeof(double);
 }
 
-/* How many bytes one member is. */
+/* The size of one member in bytes. */
 static size_t em_steppers_size(const em_steppers *s) {
     const size_t numbers = (size_t)s->model->n_prepared + (size_t)s->model->n_inputs;
     return sizeof(em_steppers_member) + numbers * sizeof(double) + (em_steppers_motion(s) + 7) / 8 * 8;
 }
 
-/* saved, of a multiple of 8 bytes each: em_steppers_size a member. */
+/* Saves all members, em_steppers_size bytes each, a multiple of 8. */
 static void em_steppers_save(const em_steppers *s, char *saved) {
     const size_t c = (size_t)s->model->n_prepared, u = (size_t)s->model->n_inputs, size = em_steppers_size(s);
     em_fault fault;
     memset(saved, 0, s->count * size);
     for (size_t k = 0; k < s->count; ++k, saved += size) {
-        em_steppers_member *const kept = (em_steppers_member *)saved; /* number by number: what pads them stays 0 */
+        em_steppers_member *const kept = (em_steppers_member *)saved; /* field by field, so that the padding stays 0 */
         double *const numbers = (double *)(kept + 1);
         kept->t = s->t[k], kept->n_rhs = s->n_rhs[k], kept->n_steps = s->n_steps[k], kept->ended = s->ended[k];
         kept->fault.status = s->fault[k].status, kept->fault.first = s->fault[k].first;

@@ -5,7 +5,7 @@
 #include "events/em_event_location.h"
 #include "events/em_root_isolation.h"
 
-/* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
+/* w->found <- the sign changes in the current step, and the signs after it. 0, or -1 and w->reason. */
 static int em_detect_events(em_run_state *w) {
     double screened[EM_SCREENED_STATES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
     em_isolation isolation = {.n_events = w->n_events, .g = g, .probe = probe};
@@ -30,13 +30,13 @@ typedef struct em_crossing {
     int event;
 } em_crossing;
 
-/* Insert in the order of the run. */
+/* Inserts in the order of the run. */
 static void em_crossing_insert(em_crossing *list, int count, em_crossing crossing, double direction) {
     for (; count > 0 && direction * (list[count - 1].t - crossing.t) > 0.0; --count) list[count] = list[count - 1];
     list[count] = crossing;
 }
 
-/* list (n_found) <- the crossings of this step in the order of the run. Their number, or -1 and w->reason. */
+/* list (n_found) <- the crossings of this step in the order of the run. Returns their number, or -1 and w->reason. */
 static int em_locate_crossings(em_run_state *w, em_crossing *list) {
     for (int k = 0; k < w->n_found; ++k) {
         em_crossing crossing = {w->t_new, w->found[k].event};

@@ -1,12 +1,11 @@
 /* em_event_functions.h: event functions g_i, whose sign changes along the trajectory are events.
  *
- * An event fires where g_i goes over from one sign to the other, or reaches zero at t_end. Directions are those of the
- * run: 1 fires where g_i grows on the way from t_start to t_end. A g_i that is zero at the start, to rounding, takes its
- * sign from what follows: it does not fire as it leaves zero, and does when it comes back. One that touches zero and
- * turns back keeps its sign. What the step's interpolant shows is not missed:
- * em_event_screening.h looks at every step, em_root_isolation.h where that is not enough, em_event_location.h locates what they find; em_event_detection.h
- * puts them together.
- */
+ * An event fires where g_i changes its sign, or reaches zero at t_end. Directions are those of the run: 1 fires
+ * where g_i grows on the way from t_start to t_end. A g_i that is zero at the start, to rounding, takes its sign
+ * from the values that follow: it does not fire as it leaves zero, and does when it returns. One that touches zero
+ * and turns back keeps its sign. Every sign change that the step's interpolant shows is found: em_event_screening.h
+ * examines every step, em_root_isolation.h those where that is not enough, em_event_location.h locates the roots,
+ * and em_event_detection.h combines them. */
 #ifndef EM_EVENT_FUNCTIONS_H
 #define EM_EVENT_FUNCTIONS_H
 
@@ -16,7 +15,7 @@ static int em_keeps_apart(const em_run_state *w, int i) { return w->model->event
 static int em_event_acts(const em_run_state *w, int i) { return w->model->event_actions ? w->model->event_actions[i].acts : 0; }
 static int em_lets_go(const em_run_state *w, int i) { return w->model->event_actions && w->model->event_actions[i].held >= 0; }
 
-/* Whether g_i is a condition of the mode: how far a row is from letting go, slipping back, moving. */
+/* Whether g_i is a condition of the mode: the margin of a row before it releases, slips, or moves. */
 static int em_watches_mode(const em_run_state *w, int i) {
     const double *const c = w->run->prepared;
     for (int k = 0; k < w->model->n_switches; ++k) {
@@ -64,10 +63,11 @@ static int em_events_inside(em_run_state *w, double t, double *g) {
 
 /* --- the start of a run --- */
 
-#define EM_LAST_PLACES (256.0 * DBL_EPSILON) /* relative: what the arithmetic before the start may leave of a number */
-#define EM_OF_TOLERANCE 1e-3                 /* the part of a tolerance within which a start is meant to be on zero */
+#define EM_LAST_PLACES (256.0 * DBL_EPSILON) /* relative: the rounding of numbers that the user computed before the
+                                                start */
+#define EM_OF_TOLERANCE 1e-3                 /* a start within this part of a tolerance counts as on zero */
 
-/* What g changes by from one to the other adds to what is zero at the start, and `part` of it to noise. */
+/* Adds the change of g from one to the other to `zero`, and `part` of it to `noise`. */
 static void em_add_noise(em_run_state *w, const double *g, double part) {
     for (int i = 0; i < w->n_events; ++i) {
         const double change = fabs(g[i] - w->g[i]);
@@ -76,8 +76,8 @@ static void em_add_noise(em_run_state *w, const double *g, double part) {
     }
 }
 
-/* noise[i] <- what g_i changes by when the time, and one of x and v after the other, change in their last places;
- * zero[i] <- the same with a part of their tolerances. Where g has no value that way nothing is added. */
+/* noise[i] <- the change of g_i when the time, and one of x and v after the other, change in their last places;
+ * zero[i] <- the same for a part of their tolerances. Where g has no value nothing is added. */
 static void em_events_noise(em_run_state *w) {
     const double later = EM_LAST_PLACES * fabs(w->t);
     double z[2 * w->n], g[em_some(w->n_events)];

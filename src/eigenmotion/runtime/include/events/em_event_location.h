@@ -9,8 +9,8 @@ typedef struct em_bracket {
     double a, fa, b, fb, c, fc;
 } em_bracket;
 
-/* Where to look next, as a fraction of the way from a to b: inverse quadratic interpolation where it is safe, the
- * middle elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145). Never closer to an end than `margin`. */
+/* The next point to evaluate, as a fraction of the way from a to b: inverse quadratic interpolation where it is
+ * safe, bisection elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145). Never closer to an end than `margin`. */
 static double em_bracket_fraction(const em_bracket *r, double margin) {
     const double xi = (r->a - r->b) / (r->c - r->b), phi = (r->fa - r->fb) / (r->fc - r->fb);
     double fraction = 0.5;
@@ -34,8 +34,8 @@ static double em_spacing_at(const em_run_state *w, double t) {
     return 2.0 * DBL_EPSILON * em_max(fabs(t), DBL_EPSILON * fabs(w->h));
 }
 
-/* *g <- g_i at t. Where it is 0 and stays so beyond t, it has not passed zero yet: *g <- next to nothing, on the side
- * from which it came. 1: t is the root; 0; or -1 and w->reason. */
+/* *g <- g_i at t. If it is 0 there and beyond t, it has not passed zero yet: *g <- a tiny number of the sign that it
+ * had before. 1: t is the root; 0; or -1 and w->reason. */
 static int em_at_root(em_run_state *w, const em_found *found, double t, double *g) {
     double here[em_some(w->n_events)], beyond[em_some(w->n_events)];
     const double later = t + w->direction * em_spacing_at(w, t);
@@ -48,9 +48,9 @@ static int em_at_root(em_run_state *w, const em_found *found, double t, double *
     return em_side_of(beyond[found->event], 0.0) == em_side_of(found->after.g, 0.0);
 }
 
-/* *root <- where g_i = 0 between the points found; of an interval on which it is, the end. 0, or -1 and w->reason. */
+/* *root <- the zero of g_i between the points found; of an interval of zeros, its end. 0, or -1 and w->reason. */
 static int em_locate(em_run_state *w, const em_found *found, double *root) {
-    enum { ENOUGH = 200 }; /* bisection alone needs 60 */
+    enum { ENOUGH = 200 }; /* bisection alone needs 60 steps */
     const em_point *end = &found->after, *start = &found->before;
     em_bracket r = {end->t, end->g, start->t, start->g, start->t, start->g};
     double fraction = 0.5, g = 0.0;

@@ -1,13 +1,13 @@
-/* em_event_screening.h: event screening: may g_i change its sign in this step? Asked at every step, before dense
+/* em_event_screening.h: event screening: may g_i change its sign in this step? Called at every step, before dense
  * output is built. */
 #ifndef EM_EVENT_SCREENING_H
 #define EM_EVENT_SCREENING_H
 
 #include "events/em_event_functions.h"
 
-#define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
+#define EM_SLACK 0.25 /* g, relative to its variation, is safely off zero beyond this */
 
-/* g (EM_SCREENED_STATES, n_events) on that sketch. How many, or 0: nothing is known. */
+/* g (EM_SCREENED_STATES, n_events) on the approximate interpolant. Returns the number of states, or 0: unknown. */
 static int em_screen_event(em_run_state *w, double *g) {
     static const double at[EM_SCREENED_STATES] = {0.14644660940672624, 0.5, 0.85355339059327376};
     const int terms = w->scheme.sketch(w);
@@ -27,8 +27,8 @@ static double em_eighth(int j) {
     return j <= 4 ? quarter[j] : -quarter[8 - j];
 }
 
-/* Whether the screened say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
- * its coefficients do not fall off. */
+/* Whether the states screened undersample g_i: with the ends they are the five Chebyshev nodes, and its coefficients
+ * do not decay. */
 static int em_is_undersampled(const em_run_state *w, const double *g, int i) {
     const double at[EM_SCREENED_STATES + 2] = {0.5 * w->g[i], g[i], g[w->n_events + i], g[2 * w->n_events + i], 0.5 * w->g_new[i]};
     double size[EM_SCREENED_STATES + 2] = {0.0};
@@ -39,8 +39,8 @@ static int em_is_undersampled(const em_run_state *w, const double *g, int i) {
     return size[3] + 0.5 * size[4] > 0.25 * (size[1] + size[2]);
 }
 
-/* Whether g_i may come to zero in this step: it changes sign, comes close to it beside how much it varies,
- * or varies too fast to say. */
+/* Whether g_i may reach zero in this step: it changes sign, comes close to zero relative to its variation, or is
+ * undersampled. */
 static int em_may_cross(const em_run_state *w, int count, const double *g, int i) {
     const double side = w->side[i], noise = w->quiet[i];
     double low = em_min(side * w->g[i], side * w->g_new[i]), high = em_max(side * w->g[i], side * w->g_new[i]);
@@ -54,22 +54,24 @@ static int em_may_cross(const em_run_state *w, int count, const double *g, int i
     return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_undersampled(w, g, i);
 }
 
-/* Whether g_i keeps apart what has not gone through, yet is past zero: what touches at rest, or falls side by side, is so by
- * rounding, or by what one blow after another leaves. */
+/* Whether g_i, of an impact that has not happened, is beyond zero by rounding alone: of bodies that touch at rest or
+ * fall side by side, or by the rounding of one impact after another. */
 static int em_touches(const em_run_state *w, int i) {
     const int through = w->run->event_direction[i];
     return w->fresh != EM_FIRST_SEGMENT && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
-/* A condition of the mode holds as it begins, or may be zero: what is beyond that ends the mode at once, however it goes on. */
+/* A condition of the mode holds at the start of the segment, or may be zero: a value beyond that ends the mode at
+ * once, whatever follows. */
 static void em_begin_condition(em_run_state *w, int i, double zero) {
     w->side[i] = w->g[i] > zero || w->g[i] < -zero;
     w->quiet[i] = zero;
 }
 
-/* In the first step of a segment: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
- * number they are so no longer. Those that fired as it began are meant to be zero; others, where they are zero, keep their
- * sign. What touches counts as zero by all means: else what strikes then goes through. */
+/* In the first step of a segment: finds which g_i are zero, to rounding relative to their later values or to a part
+ * of the tolerances, and the size above which they no longer are. Events that fired at the start of the segment are
+ * zero by definition; others that are zero keep their sign. A touching contact always counts as zero: otherwise its
+ * impact would be missed. */
 static void em_begin_sides(em_run_state *w, int count, const double *g) {
     for (int i = 0; i < w->n_events; ++i) {
         double size = fabs(w->g_new[i]);

@@ -5,10 +5,11 @@
 
 #include "events/em_event_screening.h"
 
-#define EM_PROBE 0.38196601125010515 /* by no fraction of small numbers: what repeats itself from node to node shows there */
+#define EM_PROBE 0.38196601125010515 /* in (0, 1), not a ratio of small integers, so that a function periodic in the
+                                        nodes shows there */
 
-/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes; and at one
- * more, EM_PROBE, where no node is. */
+/* g at points of a step, in the order of the run: at its start, at `near` points close to that, at the other nodes;
+ * and at one more point, EM_PROBE, which is no node. */
 typedef struct em_isolation {
     int count, near;
     double t[EM_PLACES];
@@ -16,7 +17,7 @@ typedef struct em_isolation {
     double *g, *probe; /* (EM_PLACES, n_events), (n_events) */
 } em_isolation;
 
-/* The nodes of Chebyshev's polynomials, in [0, 1]. */
+/* The Chebyshev nodes, in [0, 1]. */
 static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
 
 static int em_look(em_run_state *w, em_isolation *s, double t) {
@@ -24,7 +25,8 @@ static int em_look(em_run_state *w, em_isolation *s, double t) {
     return em_events_inside(w, t, s->g + s->count++ * w->n_events);
 }
 
-/* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
+/* The position in the step of the first point at which no g_i that was zero at the start is still zero, in powers
+ * 4^-n. */
 static int em_quarters(em_run_state *w, int *quarters) {
     double g[em_some(w->n_events)];
     for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
@@ -36,7 +38,8 @@ static int em_quarters(em_run_state *w, int *quarters) {
     return 0;
 }
 
-/* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
+/* Evaluates g at the nodes and, if some g_i was zero at the start of the step, ever closer to the start. 0, or -1
+ * and w->reason. */
 static int em_isolate_roots(em_run_state *w, em_isolation *s) {
     int zero = 0, quarters = 0;
     for (int i = 0; i < w->n_events; ++i) zero |= w->side[i] == 0;
@@ -53,7 +56,7 @@ static int em_isolate_roots(em_run_state *w, em_isolation *s) {
 
 static double em_at_node(const em_isolation *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
 
-/* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
+/* a (9): the Chebyshev coefficients, in 1 - 2 theta, of the polynomial through g_i at the nodes. */
 static void em_polynomial(const em_isolation *s, int i, double *a) {
     for (int k = 0; k < EM_NODES; ++k) {
         double sum = 0.0;
@@ -74,9 +77,9 @@ static double em_polynomial_at(const double *a, double theta) {
     return a[0] + z * b - before;
 }
 
-/* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
- * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
- * enough. Nor of what is rounding all along. */
+/* Whether nine nodes do not represent g_i: its coefficients, `size` the sum of their magnitudes, do not decay, or
+ * the polynomial differs from g_i at the probe. A shorter step may represent g_i, but not a jump: a step that is
+ * short relative to others is accepted. So is a g_i that is rounding throughout. */
 static int em_is_wild(const em_run_state *w, int i, const double *a, double size, double probe) {
     enum { RETRIES = 5 };
     const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
@@ -86,10 +89,10 @@ static int em_is_wild(const em_run_state *w, int i, const double *a, double size
     return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
 }
 
-/* The way between two places of the survey, walked along in equal parts. */
+/* The interval between two points, divided into equal parts. */
 typedef struct em_way {
     double left, right, part; /* in theta */
-    int next;                 /* part */
+    int next;                 /* index of the next part */
 } em_way;
 
 enum { EM_PARTS = 8 };
@@ -99,8 +102,8 @@ static em_way em_way_to(const em_run_state *w, const em_isolation *s, int k) {
     return (em_way){left, right, (right - left) / EM_PARTS, 0};
 }
 
-/* *theta <- the next place on the way at which the polynomial, times `side`, is lowest among its neighbours, *low <- how
- * low. Whether there is one: a lowest place close to an end of the way may lie on either side of it. */
+/* *theta <- the next local minimum of the polynomial, times `side`, on the interval; *low <- its value. Returns
+ * whether there is one: a minimum close to an end of the interval may lie on either side of it. */
 static int em_next_low(const double *a, em_way *way, double side, double *theta, double *low) {
     double before = side * em_polynomial_at(a, way->left + (way->next - 1) * way->part);
     double here = side * em_polynomial_at(a, way->left + way->next * way->part);
@@ -113,8 +116,8 @@ static int em_next_low(const double *a, em_way *way, double side, double *theta,
     return 0;
 }
 
-/* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
- * closer places, at first `apart` from each other. 1, 0, or -1 and w->reason. */
+/* Whether g_i has the other sign near a minimum *theta, which then becomes such a point: by parabolas through ever
+ * closer points, at first `apart` from each other. 1, 0, or -1 and w->reason. */
 static int em_dips(em_run_state *w, int i, double side, double apart, double *theta, double *value) {
     double f[3], g[em_some(w->n_events)];
     for (int n = 0; n < 8; ++n) {
@@ -129,25 +132,26 @@ static int em_dips(em_run_state *w, int i, double side, double apart, double *th
         if (!(bend > 0.0)) return 0;
         if (f[1] - 0.5 * slope * slope / bend > 0.1 * bend && fabs(slope) < bend) return 0;
         *theta += apart * em_min(1.0, em_max(-1.0, -slope / bend));
-        if (fabs(slope) <= bend) apart /= 8.0; /* else the lowest place lies farther than this, and is walked to */
+        if (fabs(slope) <= bend) apart /= 8.0; /* else the minimum lies further away, and the step length stays */
     }
     return 0;
 }
 
 static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
 
-/* Whether g_i, zero so far, is where it must not go from there: then it fires where it left. */
+/* Whether g_i, zero so far, has entered the forbidden side: then it fires where it left zero. */
 static int em_enters(const em_run_state *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
-/* Whether a segment begins by going where a contact must not: its first step is too long for what opens as slowly as t^3. */
+/* Whether a segment begins by entering a contact: its first step is then too long for a gap that opens as slowly as
+ * t^3. */
 static int em_is_rash(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
     return w->fresh == EM_NEXT_SEGMENT && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
 
-/* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
+/* Compares two successive signs: if they differ, g_i has passed zero between `before` and `after`. */
 static void em_pass(em_run_state *w, int i, const em_point *before, const em_point *after) {
     const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
     if (sign == 0) return;
@@ -160,8 +164,9 @@ static void em_pass(em_run_state *w, int i, const em_point *before, const em_poi
     w->side_new[i] = sign;
 }
 
-/* The crossings of event i on the way to place k, where the polynomial turns back before or behind zero: each dip towards it
- * from the side on which g_i is by then, in their order. *before <- the last point known. 0, or -1 and w->reason. */
+/* The crossings of event i in the interval that ends at point k, where the polynomial turns back before or beyond
+ * zero: each minimum towards zero from the side on which g_i then is, in order. *before <- the last point evaluated.
+ * 0, or -1 and w->reason. */
 static int em_search_way(em_run_state *w, const em_isolation *s, int i, int k, const double *a, double size, em_point *before) {
     const double coarse = 1.0 / 128.0, close = 0.05; /* of the step; of `size` */
     em_way way = em_way_to(w, s, k);
@@ -179,8 +184,9 @@ static int em_search_way(em_run_state *w, const em_isolation *s, int i, int k, c
     return 0;
 }
 
-/* The crossings of event i by the signs at the places of the survey and in the dips between them: of nine nodes
- * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
+/* The crossings of event i by the signs at the points evaluated and at the minima between them, which are those of
+ * the polynomial through nine nodes; the polynomial represents g_i wherever g_i is smooth within a step. 0, or -1
+ * and w->reason. */
 static int em_search(em_run_state *w, const em_isolation *s, int i) {
     double a[EM_NODES], size = 0.0;
     em_polynomial(s, i, a);
@@ -198,15 +204,15 @@ static int em_search(em_run_state *w, const em_isolation *s, int i) {
     return 0;
 }
 
-/* g (n_events) as they are at the end of the run itself: before a break the model is asked a little earlier. */
+/* g (n_events) at the very end of the run: before a time event the model is evaluated slightly earlier. */
 static void em_events_at_end(em_run_state *w, double *g) {
     em_copy_events(w, g, w->g_new);
     if (w->t_new == w->run->t_end && em_clock(w, w->t_new) != w->t_new && em_events_in_mode(w, w->t_new, w->y_new, w->f_new, g))
         em_copy_events(w, g, w->g_new);
 }
 
-/* What is zero at the end of the run, where g_i is g, has come there, unless it rested at zero before; what has the other sign
- * has jumped there. */
+/* At the end of the run, where g_i is g: a g_i that is zero has reached zero there, unless it was zero before; one
+ * of the other sign has jumped there. */
 static void em_arrive(em_run_state *w, const em_isolation *s, int i, double g) {
     const em_point end = {w->t_new, g};
     const int sign = em_side_of(g, 0.0);
