@@ -31,7 +31,7 @@ EM_INLINE void em_rows_of_factors(int m, int n, const real *restrict C, const re
     for (int row = 0; row < m; ++row) em_force_on_eta(n, C, s, B + row * n);
 }
 
-/* load[row] += B (a + q), of one block: what stands on the right of (46). q NULL where B rests. */
+/* load[row] += B (a + q), of one block: the right-hand side of (46). q NULL if B is constant. */
 EM_INLINE void em_add_to_load(int n, int row, const real *restrict B, const real *restrict a,
                               const real *restrict q, real *restrict load) {
     real sum = load[row];
@@ -60,7 +60,7 @@ EM_INLINE void em_subtract_reactions(int m, int n, const real *restrict B, const
     }
 }
 
-/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
+/* The first row that is zero to rounding relative to the others; -1: none. */
 EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
     real largest = em_real(0.0);
     for (int i = 0; i < m; ++i) largest = em_where(em_value(Delta[i * m + i]) > em_value(largest), Delta[i * m + i], largest);
@@ -69,8 +69,8 @@ EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
     return -1;
 }
 
-/* Rows of a mode in which they do not hold are zero, and so is what stands on their right: with the largest number of the
- * diagonal there, their multipliers are zero, too. */
+/* Rows that do not hold in the mode are zero, and so are their right-hand sides. With the largest number of the
+ * diagonal in their place, their multipliers are zero, too. */
 EM_INLINE void em_rest_rows(int m, real *restrict Delta) {
 #ifdef EM_SWITCHED_ROWS
     real largest = em_real(0.0);
@@ -84,7 +84,7 @@ EM_INLINE void em_rest_rows(int m, real *restrict Delta) {
 #endif
 }
 
-/* Delta, rhs <- with ones and zeros for the rows that are not kept, whose multipliers are zero then. */
+/* Delta, rhs <- with ones and zeros for the rows that are not kept, so that their multipliers are zero. */
 EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int flags) {
     for (int i = 0; i < m && i < EM_MOST_ROWS; ++i) {
         if (flags & EM_FIRST_KEPT << i) continue;
@@ -95,12 +95,12 @@ EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int
     }
 }
 
-/* rhs (m) <- Delta^-1 rhs, of the rows that are kept or of all; Delta (m, m) by its lower triangle. Returns -1, or a row
- * that depends on those before it. */
+/* rhs (m) <- Delta^-1 rhs, of the rows that are kept or of all; Delta (m, m) by its lower triangle. Returns -1, or a
+ * row that depends on those before it. */
 EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict rhs, int flags) {
     if (m == 1) {
         if (em_fails(&Delta[0], em_value(Delta[0]) > 0.0)) return 0;
-        rhs[0] *= em_inverse(Delta[0]); /* ready before rhs is */
+        rhs[0] *= em_inverse(Delta[0]); /* the inverse is ready before rhs is */
         return -1;
     }
     real L[m * m], r[m];
@@ -114,7 +114,7 @@ EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict r
     return -1;
 }
 
-/* The same; where dependent rows are allowed and none are kept, the multipliers of least norm. 0, or -1 and *fault. */
+/* The same; if dependent rows are allowed and none are kept, the multipliers of least norm. 0, or -1 and *fault. */
 EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
     em_rest_rows(m, Delta);
 #ifdef EM_ON_LANES
@@ -128,7 +128,7 @@ EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, in
 }
 
 #ifndef EM_ON_LANES
-/* Whether it is B B^T, to the last bit, as it is where nothing slides. */
+/* Whether Delta is B B^T, to the last bit, as it is if no friction slides. */
 EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
     for (int i = 0; i < m; ++i) {
         if (!(Delta[i * m + i] >= 0.0)) return 0;
@@ -149,7 +149,7 @@ EM_NOINLINE void em_swap_rows(int m, double *Delta, double *rhs, double *unit, i
     rhs[k] = rhs[row], rhs[row] = right, unit[k] = unit[row], unit[row] = length;
 }
 
-/* rhs (m) <- Delta^-1 right, with the largest pivot of what is left, of the rows that are kept. 0, or -1 and *fault. */
+/* rhs (m) <- Delta^-1 right with complete pivoting, of the rows that are kept. 0, or -1 and *fault. */
 EM_NOINLINE int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
     double unit[m], y[m];
     int column[m];
@@ -191,9 +191,9 @@ EM_NOINLINE int em_solve_pushed_pivoted(int m, double *Delta, const double *righ
 }
 #endif
 
-/* rhs (m) <- Delta^-1 rhs where multipliers push by other rows than those that hold: Delta (m, m) is full, and regular
- * as long as friction does not jam; where it is indefinite, as consistent modes of much friction may be, rows are taken in
- * another order. 0, or -1 and *fault. */
+/* rhs (m) <- Delta^-1 rhs if multipliers act along other rows than those that hold. Delta (m, m) is then full, and
+ * regular unless friction jams. If it is indefinite, as in consistent modes with large friction, rows are pivoted.
+ * 0, or -1 and *fault. */
 EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
     real whole[m];
 #ifndef EM_ON_LANES
@@ -237,7 +237,7 @@ EM_INLINE void em_part_of_delta(int m, int g, const int *rows, const real *restr
         for (int j = 0; j <= i; ++j) part[i * g + j] = part[j * g + i] = Delta[rows[i] * m + rows[j]];
 }
 
-/* Bdot (m, n) <- (Adot C^T + A Cdot^T - B Sdot) S^-1 (40); C_dot NULL where C rests */
+/* Bdot (m, n) <- (Adot C^T + A Cdot^T - B Sdot) S^-1 (40); C_dot NULL if C is constant */
 EM_INLINE void em_row_rates(int m, int n, const real *restrict C, const real *restrict r,
                             const real *restrict C_dot, const real *restrict s_dot, const real *restrict A,
                             const real *restrict A_dot, const real *restrict B, real *restrict B_dot) {

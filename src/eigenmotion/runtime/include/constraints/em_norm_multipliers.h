@@ -2,25 +2,27 @@
  *
  *     Delta lambda + sum_f g_f rho_f = load,   rho_f = sqrt(sum of lambda_k^2 over the rows of f)
  *
- * rho is homogeneous of degree one, rho(lambda) = toward . lambda with toward = lambda / rho, its gradient. So a step of Newton's
- * method is a solution at the direction known, (Delta + sum_f g_f toward_f^T) lambda = load, and the last matrix is the exact
- * Jacobian. It begins at the direction of the multipliers without this friction: a function of the state alone. With one norm
- * it comes to the first solution there is on the way from no friction to all of it, or to none, where friction jams: beyond,
- * the determinant has changed its sign. */
+ * rho is homogeneous of degree one, rho(lambda) = toward . lambda with toward = lambda / rho, its gradient. So a
+ * step of Newton's method is a solution at the known direction, (Delta + sum_f g_f toward_f^T) lambda = load, and
+ * the last matrix is the exact Jacobian. The iteration begins at the direction of the multipliers without this
+ * friction, so that its result is a function of the state alone. With one norm it converges to the first solution on
+ * the path from no friction to full friction, or fails if friction jams: beyond that the determinant has changed its
+ * sign. */
 #ifndef EM_NORM_MULTIPLIERS_H
 #define EM_NORM_MULTIPLIERS_H
 
 #include "constraints/em_multipliers.h"
 
 #ifdef EM_ON_DUALS
-enum { EM_STEPS_MORE = 1 }; /* derivatives are one step behind */
+enum { EM_STEPS_MORE = 1 }; /* the derivatives lag one step behind */
 #else
 enum { EM_STEPS_MORE = 0 };
 #endif
 
-#define EM_NORM_CONVERGED 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
+#define EM_NORM_CONVERGED 1e-9 /* bound on the change of a direction: its square is the remaining error */
 
-/* rho (r) of lambda (m), toward (r, m) its gradients, 0 where it vanishes. Returns the largest change of these. */
+/* rho (r) of lambda (m), toward (r, m) its gradients, 0 where rho vanishes. Returns the largest change of the
+ * gradients. */
 EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, const real *lambda, real *rho, real *toward) {
     double change = 0.0;
     for (int f = 0; f < r; ++f) {
@@ -40,7 +42,8 @@ EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, cons
     return change;
 }
 
-/* x (m) <- A^-1 x, A (m, m); unit (m): 1 / length of each row. Returns the sign of the determinant, 0 where that is rounding. */
+/* x (m) <- A^-1 x, A (m, m); unit (m): 1 / length of each row. Returns the sign of the determinant, or 0 if it is
+ * zero to rounding. */
 EM_INLINE int em_solve_signed(int m, real *A, const double *unit, real *x) {
     int sign = 1;
     double largest = 0.0;
@@ -85,7 +88,7 @@ EM_INLINE int em_solve_norm_friction(int m, real *A, const double *unit, real *x
     return em_solve_signed(m, A, unit, x);
 }
 
-/* unit (m) <- 1 / length of each row; of those that do not hold, that of the longest. */
+/* unit (m) <- 1 / length of each row; for rows that do not hold, that of the longest row. */
 EM_INLINE void em_units_of_rows(int m, const real *own, double *unit) {
     double largest = 0.0;
     for (int i = 0; i < m; ++i) largest = fmax(largest, em_value(own[i * m + i]));
@@ -120,7 +123,8 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
     const int rests = 0;
 #endif
     em_units_of_rows(m, own, unit);
-    const int first = rests ? 1 : em_solve_norm_friction(m, A, unit, lambda, flags); /* contacts that slide may turn the sign, too */
+    const int first = rests ? 1 : em_solve_norm_friction(m, A, unit, lambda, flags); /* sliding contacts may change
+                                                                                        the sign, too */
     if (first == 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     for (int step = 0; step < STEPS; ++step) {
         const double change = em_normal_forces(m, r, among, lambda, lambda + m, toward);

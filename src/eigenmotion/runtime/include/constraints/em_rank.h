@@ -1,22 +1,26 @@
 /* em_rank.h: independent constraint rows, and multipliers of least norm where rows depend on each other.
  *
- * Rows that depend on each other on the constraints are independent beside them, by the square of the distance: what is
- * asked of Delta there is noise. A run therefore keeps the rows that were independent at its last accepted step (bits
- * of `flags`), and its right-hand sides solve for those: between two accepted steps it integrates the smooth system of
- * independent rows, whose motion is the same. Multipliers of least norm are for what is asked at one state. */
+ * Rows that are dependent on the constraints are independent off them, by the square of the distance: the part of
+ * Delta that belongs to them is noise. A run therefore keeps the rows that were independent at its last accepted
+ * step (bits of `flags`), and its right-hand sides solve for those. Between two accepted steps it thus integrates
+ * the smooth system of independent rows, whose motion is the same. Multipliers of least norm are used where a single
+ * state is evaluated. */
 #ifndef EM_RANK_H
 #define EM_RANK_H
 
 #include "numeric/em_linear.h"
 
-#define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
-#define EM_TAKES_PART 1e-6 /* a row's part, at length one, in a combination that vanishes: less is rounding's */
-#define EM_CONTRADICTS 1e-4 /* of the terms that cancel in a row: what is left where rows do not contradict each other */
-#define EM_NOTHING 1e-290   /* what is left of numbers so small that their rounding is not in proportion to them */
+#define EM_DEPENDENT 1e-11 /* a row of length one is independent of others if the square of the part that it adds
+                              exceeds this */
+#define EM_TAKES_PART 1e-6 /* the coefficient of a row of length one in a vanishing combination: smaller ones are
+                              rounding */
+#define EM_CONTRADICTS 1e-4 /* relative to the terms that cancel in a row: a residual of rows that do not contradict
+                               each other */
+#define EM_NOTHING 1e-290   /* below this, the rounding of a number is not proportional to it */
 
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
 
-/* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
+/* Units (m) in which the rows of B have length one; rows that vanish relative to the others keep their unit. */
 EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {
     double largest = 0.0;
     for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
@@ -26,9 +30,9 @@ EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {
     }
 }
 
-/* Delta = L D L^T by its lower triangle, in the order `row` (m) in which rows add most to those before: L (m, m) by the
- * rows' own numbers, ones not stored; D (m) the squares of what they add, 0 behind the last that is above `tolerance`.
- * Returns how many are. */
+/* Pivoted Delta = L D L^T by the lower triangle, in the order `row` (m) in which rows add most to those before: L
+ * (m, m) indexed by the original rows, ones not stored; D (m) the squares of the added parts, 0 after the last one
+ * above `tolerance`. Returns the rank. */
 EM_NOINLINE int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
     double left[m];
     for (int i = 0; i < m; ++i) left[i] = Delta[i * m + i], row[i] = i, D[i] = 0.0;
@@ -50,7 +54,7 @@ EM_NOINLINE int em_pivoted(int m, const double *Delta, double tolerance, double 
     return m;
 }
 
-/* The same with all rows at length one, in the units given. */
+/* The same with all rows scaled to length one, by the units given. */
 EM_NOINLINE int em_pivoted_units(int m, const double *Delta, const double *unit, double tolerance, double *L, double *D,
                              int *row) {
     double scaled[m * m];
@@ -59,13 +63,15 @@ EM_NOINLINE int em_pivoted_units(int m, const double *Delta, const double *unit,
     return em_pivoted(m, scaled, tolerance, L, D, row);
 }
 
-/* pivot, row (m) <- the rows in the order in which they add most to those before, and the squares of what they add. */
+/* pivot, row (m) <- the squares of the parts that rows add to those before, and the rows in the order of the
+ * largest. */
 EM_NOINLINE void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
     double L[m * m];
     em_pivoted(m, Delta, 0.0, L, pivot, row);
 }
 
-/* How many rows are independent, judged with all rows at length one. *kept <- their bits, 0 where they are too many. */
+/* The number of independent rows, judged with all rows at length one. *kept <- their bits, 0 if there are too many
+ * rows for bits. */
 EM_NOINLINE int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
     double unit[m], L[m * m], D[m];
     int row[m];
@@ -81,13 +87,13 @@ EM_NOINLINE int em_rank(int m, const double *Delta) {
     return em_independent_rows(m, Delta, EM_DEPENDENT, &kept);
 }
 
-/* z <- L^-T z, for the first `rank` rows in that order; z by the rows' own numbers. */
+/* z <- L^-T z, for the first `rank` rows in that order; z is indexed by the original rows. */
 EM_NOINLINE void em_pivoted_backward(int m, int rank, const double *L, const int *row, double *z) {
     for (int k = rank - 1; k >= 0; --k)
         for (int i = k + 1; i < rank; ++i) z[row[k]] -= L[row[i] * m + k] * z[row[i]];
 }
 
-/* z (m) <- the combination that vanishes of row number `dependent` of the order, behind the first `rank`, and of these. */
+/* z (m) <- the vanishing combination of row number `dependent` of the order, after the first `rank`, and of these. */
 EM_NOINLINE void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
     for (int j = 0; j < m; ++j) z[j] = 0.0;
     for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[dependent] * m + j];
@@ -95,7 +101,8 @@ EM_NOINLINE void em_vanishing_combination(int m, int rank, const double *L, cons
     em_pivoted_backward(m, rank, L, row, z);
 }
 
-/* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
+/* r (n) <- r without its components along the `count` orthonormal rows of Q; done twice, because once leaves the
+ * rounding of what was removed. */
 EM_NOINLINE void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
         const double *const q = Q + pass % count * n;
@@ -105,7 +112,7 @@ EM_NOINLINE void em_remove_rows(int n, int count, const double *Q, double *r) {
     }
 }
 
-/* How many rows depend on others; rows (m) <- 1 for those that take part in a combination that vanishes, else 0. */
+/* The number of rows that depend on others; rows (m) <- 1 for those in a vanishing combination, else 0. */
 EM_NOINLINE int em_rows_in_doubt(int m, const double *Delta, int *rows) {
     double unit[m], L[m * m], D[m], z[m];
     int order[m];
@@ -126,7 +133,7 @@ EM_NOINLINE double em_length(int n, const double *r) {
     return sqrt(square);
 }
 
-/* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
+/* x (m) <- x without its components along the `count` rows (m) of `null`, which become orthonormal. */
 EM_NOINLINE void em_remove_parts(int m, int count, double *null, double *x) {
     for (int k = 0; k < count; ++k) {
         double *const row = null + k * m;
@@ -137,9 +144,9 @@ EM_NOINLINE void em_remove_parts(int m, int count, double *null, double *x) {
     em_remove_rows(m, count, null, x);
 }
 
-/* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
- * given. Which rows depend on others is judged with all rows at length one. Returns -1, or a row that contradicts those
- * it depends on, by more than rounding of `terms` (m), the sizes of what cancels in rhs (NULL: that is not asked). */
+/* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta, given by its lower triangle.
+ * Dependence is judged with all rows at length one. Returns -1, or a row that contradicts those it depends on, by
+ * more than the rounding of `terms` (m), the sizes of the terms that cancel in rhs (NULL: not checked). */
 EM_COLD_PATH EM_NOINLINE int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
     double unit[m], L[m * m], D[m], null[m * m], largest = EM_NOTHING;
     int row[m], worst = -1;
@@ -166,7 +173,7 @@ EM_COLD_PATH EM_NOINLINE int em_least_norm(int m, const double *Delta, double *r
     return worst;
 }
 
-/* rhs (m) <- least-norm solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
+/* rhs (m) <- least-norm solution of Delta x = rhs if row `row` depends on those before it and the flags allow it. */
 EM_COLD_PATH EM_NOINLINE int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
                                em_fault *fault) {
     for (int i = 0; i < m; ++i)

@@ -1,12 +1,14 @@
 /* em_active_set.h: the active set (mode): which contacts are closed, which frictions stick or slide, and the
  * conditions that end it.
  *
- * A mode is the set of constraint rows that hold. It is in the prepared parameters: a switched row has its parameter in
- * front, 1 or 0, and a row that is 0 has no multiplier (em_rest_rows). A contact holds until it would pull, a friction
- * sticks until it would take more than its limit; both show in the multiplier, which is then what their event watches.
+ * A mode is the set of constraint rows that hold. It is encoded in the prepared parameters: a switched row has a
+ * parameter as a factor, 1 or 0, and a row that is 0 has no multiplier (em_rest_rows). A contact holds until it
+ * would pull, a friction sticks until its force would exceed its limit. Both conditions are functions of the
+ * multiplier, which is then their event function.
  *
- * A contact that touches, or a friction at its limit without slip, because rows that hold keep it so, is idle: its row
- * depends on theirs, and needs no force. The parameter that says so is how far it may be off before it counts as moving. */
+ * A contact that touches, or a friction at its limit without slip, is idle if other rows keep it so: its row depends
+ * on theirs, and needs no force. The parameter that marks it as idle is its tolerance, beyond which it counts as
+ * moving. */
 #ifndef EM_ACTIVE_SET_H
 #define EM_ACTIVE_SET_H
 
@@ -21,7 +23,7 @@ EM_NOINLINE double em_approach(const double *impact_data, const double *v) {
     return speed;
 }
 
-/* The fastest that anything of this kinetic energy approaches along N, sqrt(N M^-1 N^T v^T M v), and what phi changes by. */
+/* The largest speed of approach along N at this kinetic energy, sqrt(N M^-1 N^T v^T M v), plus that of phi itself. */
 EM_NOINLINE double em_fastest(const em_root *root, const double *impact_data, const double *v) {
     double along[N], p[N];
     memcpy(along, impact_data, sizeof along);
@@ -33,7 +35,7 @@ EM_NOINLINE double em_fastest(const em_root *root, const double *impact_data, co
 
 #include "contact/em_complementarity.h"
 
-enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 2 /* limit of sliding, limit at rest */ };
+enum { EM_SOME_SWITCHES = N_SWITCHES > 0 ? N_SWITCHES : 1, EM_LEVELS = 2 /* limit of sliding, limit of sticking */ };
 
 EM_NOINLINE int em_is_contact(const em_switch *s) { return s->slides < 0; }
 
@@ -43,29 +45,29 @@ EM_NOINLINE int em_is_idle(const em_switch *s, const double *c) { return c[s->id
 
 #ifdef EM_CONES
 EM_NOINLINE int em_is_cone(const em_switch *s) { return s->shift >= 0; }
-#else /* known to compilers, which leave out what cones need */
+#else /* compilers see that, and remove the code for cones */
 EM_INLINE int em_is_cone(const em_switch *s) { return (void)s, 0; }
 #endif
 
-/* The size of what a friction's row has, or the two rows of a cone. */
+/* The magnitude along a friction's row, or along the two rows of a cone. */
 EM_NOINLINE double em_along_switch(const em_switch *s, const double *of_rows) {
     return em_is_cone(s) ? hypot(of_rows[s->row], of_rows[s->row + 1]) : fabs(of_rows[s->row]);
 }
 
-/* Up to which force a friction sticks. */
+/* The largest force at which a friction sticks. */
 EM_NOINLINE double em_limit(const em_switch *s, double level, const double *lambda) {
     if (em_norm_of(s) >= 0) return level * em_norm_of_multipliers(em_norm_of(s), lambda);
     return s->over < 0 ? level : level * fmax(0.0, -lambda[switches[s->over].row]);
 }
 
-/* What a switch is in a mode: whether its row holds, the sign of slip, and how far it is off at the most where it idles; what is
- * added to the slips of a cone: without slip its force has no direction. */
+/* The state of a switch in a mode: whether its row holds, the sign of its slip, and its tolerance if it idles; for a
+ * cone, the shift added to its slips, without which its force has no direction at zero slip. */
 typedef struct em_state_of_switch {
     int holds, slides;
     double idles, shift[2];
 } em_state_of_switch;
 
-/* c <- prepared anew in this mode (n_switches). 0, or -1 and *fault. */
+/* c <- prepared again for this mode (n_switches). 0, or -1 and *fault. */
 EM_NOINLINE int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fault) {
     double parameters[N_PARAMETERS + 1];
     int same = 1;
@@ -93,7 +95,8 @@ EM_NOINLINE void em_mode_of(const double *c, em_state_of_switch *mode) {
     }
 }
 
-/* g (n_events) <- with what modes watch: how far a multiplier is from letting go, an idle row from moving. 0, or -1 and *fault. */
+/* g (n_events) <- with the conditions of the mode: the margin of a multiplier before release, of an idle row before
+ * it moves. 0, or -1 and *fault. */
 EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
                              int least_norm, double *g, em_fault *fault) {
     double a[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
@@ -115,7 +118,8 @@ EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const d
     return 0;
 }
 
-/* em_model.acceleration: multipliers of idle frictions are what they push with, as if their rows held: so modes show them. */
+/* em_model.acceleration: the multipliers of idle frictions are their forces, as if their rows held, so that modes do
+ * not show. */
 EM_EXPORT int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, em_fault *fault) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
@@ -128,15 +132,15 @@ EM_EXPORT int em_acceleration_shown(double t, const double *x, const double *v, 
     return 0;
 }
 
-/* --- the rows of contacts and frictions, whatever the mode --- */
+/* --- the rows of contacts and frictions, in any mode --- */
 
-/* At a state: A, b, M's root and B = A L^-T of all rows that may hold (in `c`: all of them do), gaps and rates along rows, and
- * the sums of the sizes of their terms. */
+/* At a state: A, b, the root of M and B = A L^-T of all rows that may hold (in `c` all of them do), gaps and rates
+ * along rows, and the sums of the magnitudes of their terms. */
 typedef struct em_all_rows {
     double c[N_PREPARED + 1], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
     double gap[EM_SOME_ROWS], gap_terms[EM_SOME_ROWS], rate[EM_SOME_ROWS], rate_terms[EM_SOME_ROWS];
     em_root root;
-    int permanent[EM_SOME_ROWS]; /* whether a row holds in every mode, and does not depend on others that do */
+    int permanent[EM_SOME_ROWS]; /* whether a row holds in every mode and is independent of the others that do */
 } em_all_rows;
 
 /* Rates A v + b. */
@@ -150,7 +154,8 @@ EM_NOINLINE void em_rates_along(em_all_rows *r, const double *v) {
     }
 }
 
-/* Delta (m, m) <- of rows that hold in every mode, but for `without`; switched (m): which do not. Whether there are any. */
+/* Delta (m, m) <- of the rows that hold in every mode, but for `without`; switched (m) <- the others. Returns
+ * whether there are any of the former. */
 EM_NOINLINE int em_unswitched(const em_all_rows *r, int without, double *Delta, int *switched) {
     int any = 0;
     memcpy(Delta, r->root.Delta, sizeof r->root.Delta);
@@ -164,7 +169,8 @@ EM_NOINLINE int em_unswitched(const em_all_rows *r, int without, double *Delta, 
     return any;
 }
 
-/* A row that presses on a friction, but whose multiplier is not unique: it depends on others that hold in every mode; -1: none. */
+/* A row whose multiplier is the normal force of a friction but is not unique, because it depends on others that hold
+ * in every mode; -1: none. */
 EM_NOINLINE int em_shared_normal(const em_all_rows *r) {
     double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int switched[EM_SOME_ROWS];
@@ -179,7 +185,7 @@ EM_NOINLINE int em_shared_normal(const em_all_rows *r) {
     return -1;
 }
 
-/* permanent <- those rows that hold in every mode and are independent. */
+/* permanent <- the rows that hold in every mode and are independent. */
 EM_NOINLINE void em_find_permanent(em_all_rows *r) {
     double Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int switched[EM_SOME_ROWS], kept;
@@ -196,14 +202,14 @@ EM_NOINLINE int em_all_rows_at(double t, const double *x, const double *v, const
     if (em_set_mode(r->c, all, fault) || em_root_at(t, x, r->c, &r->root, fault)) return -1;
     pfaffian(t, x, r->c, r->A, r->b);
     position(t, x, r->c, r->gap, r->gap_terms);
-    for (int row = 0; row < N_POSITIONS; ++row) /* what x itself is rounded by counts, too */
+    for (int row = 0; row < N_POSITIONS; ++row) /* plus the rounding of x itself */
         for (int k = 0; k < N; ++k) r->gap_terms[row] += fabs(r->A[row * N + k] * x[k]);
     em_rates_along(r, v);
     em_find_permanent(r);
     return 0;
 }
 
-/* Rows that hold in every mode, with nothing else: the rest is out. G by all rows. */
+/* The problem with the rows alone that hold in every mode. G is for all rows. */
 EM_NOINLINE void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     *s = (em_mixed){.k = EM_IMPACT_ROWS};
     for (int i = 0; i < EM_IMPACT_ROWS; ++i) {
@@ -217,7 +223,7 @@ EM_NOINLINE void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     }
 }
 
-/* side <- the sign of the slip of a friction that slides, or the direction of that of a cone. rate (m); c: the mode. */
+/* side <- the sign of the slip of a sliding friction, or the direction of the slip of a cone. rate (m); c: the mode. */
 EM_NOINLINE void em_side_of_slip(const em_switch *friction, const double *rate, const double *c, double *side) {
     double slip[2] = {rate[friction->row], em_is_cone(friction) ? rate[friction->row + 1] : 0.0};
     for (int i = 0; em_is_cone(friction) && i < 2; ++i) slip[i] += c[friction->shift + i];
@@ -225,7 +231,8 @@ EM_NOINLINE void em_side_of_slip(const em_switch *friction, const double *rate, 
     for (int i = 0; i <= em_is_cone(friction); ++i) side[i] = slip[i] / size;
 }
 
-/* A friction's row, or the two of a cone, with what they may take. rate (m): of what slides, in the mode of c; NULL: at rest. */
+/* A friction's row, or the two rows of a cone, with their limits. rate (m): of those that slide, in the mode of c;
+ * NULL: at rest. */
 EM_NOINLINE void em_friction_row(em_mixed *s, int k, const double *level, const double *rate, const double *c) {
     const em_switch *const friction = &switches[k];
     const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0, cone = em_is_cone(friction);
@@ -244,7 +251,7 @@ EM_NOINLINE void em_friction_row(em_mixed *s, int k, const double *level, const 
 }
 
 #ifdef EM_CONES
-/* lambda (m), where rows that hold depend on each other <- with the largest reserve (em_force_sharing.h). Delta: of the mode. */
+/* lambda (m) <- with the largest reserve, if rows that hold are dependent (em_force_sharing.h). Delta: of the mode. */
 EM_EXPORT void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
                                     const double *Delta, double *lambda) {
     em_mixed s = {.k = EM_IMPACT_ROWS};

@@ -9,25 +9,26 @@
  *     cone            two rows: |p| <= L; p = -L d where w = beta d, beta > 0, |d| = 1
  *     sliding         p = -side L (of a cone two rows, side their direction)
  *
- * with L = level + coefficient (over . p), over (k) of the rows that press, or of a rooted row the root of the sum of the squares of
- * these terms (em_norm_friction.h). A mode says of every row which of these conditions holds as an equation. Each mode is
- * one linear system, and its solution is verified by the inequalities. Where rows depend on each other the forces are not
- * unique: the modes tried are basic solutions, in which the rows that push without a bound are independent; or, where cones
- * stick, all of them with forces that are shared (em_force_sharing.h).
+ * with L = level + coefficient (over . p), over (k) of the rows of the normal force, or for a rooted row the root of
+ * the sum of the squares of these terms (em_norm_friction.h). A mode states for every row which of these conditions
+ * holds as an equation. Each mode is one linear system, and its solution is verified by the inequalities. If rows
+ * are dependent the forces are not unique: the modes tried are basic solutions, in which the rows with unbounded
+ * forces are independent; or, if cones stick, all rows with shared forces (em_force_sharing.h).
  *
- * Where several modes are consistent (Painleve), the one is taken that changes the fewest of the choices given; of those the
- * first in the order of rows. None: `clash` says which conditions are in the way. */
+ * If several modes are consistent (Painleve), the one that changes the fewest of the given choices is taken, and of
+ * those the first in the order of rows. If none is, `clash` says which conditions conflict. */
 #ifndef EM_COMPLEMENTARITY_H
 #define EM_COMPLEMENTARITY_H
 
 #include "numeric/em_complete_pivoting.h"
 
-#define EM_MODE_EXACT (64.0 * DBL_EPSILON) /* the part of the terms by which rounding may miss a condition, */
-#define EM_MODE_VERIFIED 1e-10 /* and by which it may be missed where no mode is as good */
+#define EM_MODE_EXACT (64.0 * DBL_EPSILON) /* the part of its terms by which rounding may violate a condition, */
+#define EM_MODE_VERIFIED 1e-10 /* and the allowed violation if no mode is better */
 
-enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* rows without pivoting first; modes before giving up */
+enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* up to so many rows modes are enumerated before pivoting; modes
+                                                       tried before giving up */
 
-/* The second row of a cone is EM_ROW_CONE_TOO, next to the first, whose choice holds for both. */
+/* The second row of a cone is EM_ROW_CONE_TOO, after the first; their choice is the same. */
 typedef enum em_row_kind {
     EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_TOO, EM_ROW_SLIDES
 } em_row_kind;
@@ -40,22 +41,25 @@ typedef struct em_mixed em_mixed;
 struct em_mixed {
     int k;
     em_row_kind kind[EM_MIXED_ROWS];
-    em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: taken only where nothing else is consistent */
-    double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: what of p its limit is in proportion to */
-    double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative by p */
+    em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: choices that are taken only if nothing else is
+                                                               consistent */
+    double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: the linear form of p that its limit is proportional to */
+    double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative with respect to p */
     int rooted[EM_MIXED_ROWS];
-    double last[EM_MIXED_ROWS];       /* of a cone whose force has come to its limit: the way it pushes against, else 0 */
-    int by_last;                      /* whether such cones slide that way */
-    int rests[EM_MIXED_ROWS];         /* rows that hold by others: without a force in a basic solution */
-    double beside[EM_MIXED_ROWS];     /* what presses on rooted rows beside p */
-    double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, of sticking */
+    double last[EM_MIXED_ROWS];       /* of a cone whose force has reached its limit: the direction opposite to it,
+                                         else 0 */
+    int by_last;                      /* whether such cones slide in that direction */
+    int rests[EM_MIXED_ROWS];         /* rows that hold because others do: without a force in a basic solution */
+    double beside[EM_MIXED_ROWS];     /* normal forces of rooted rows beside p */
+    double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, and of sticking */
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
-    double size[EM_MIXED_ROWS];       /* the sum of the sizes of what is added in q */
+    double size[EM_MIXED_ROWS];       /* the sum of the magnitudes of the terms in q */
     double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
-    double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation that a mode had */
-    int clash[2], tried;              /* rows whose conditions are missed in the modes that come closest */
-    int (*lasts)(const void *where, const em_mixed *s); /* whether rows that rest follow from others nearby, too; or NULL */
+    double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation of any mode */
+    int clash[2], tried;              /* rows whose conditions are violated in the closest modes */
+    int (*lasts)(const void *where, const em_mixed *s); /* whether resting rows follow from others nearby, too; or
+                                                           NULL */
     const void *where;
 };
 
@@ -63,7 +67,7 @@ EM_NOINLINE int em_is_choice_row(const em_mixed *s, int i) {
     return s->kind[i] == EM_ROW_CONTACT || s->kind[i] == EM_ROW_FRICTION || s->kind[i] == EM_ROW_CONE;
 }
 
-/* A friction whose contacts are open has no force and no condition. */
+/* Whether a friction is without load: its contacts are open, so that it has no force and no condition. */
 EM_NOINLINE int em_is_unloaded(const em_mixed *s, int i) {
     int presses = 0;
     if (s->kind[i] < EM_ROW_FRICTION || s->level[i] != 0.0) return 0;
@@ -81,7 +85,7 @@ EM_NOINLINE int em_row_holds(const em_mixed *s, int i) {
     return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
 }
 
-/* The sign of p / L of a row that is at its limit: -1 forward, 1 back, 0: it is not. */
+/* The sign of p / L of a row at its limit: -1 forward, 1 back, 0: it is not at its limit. */
 EM_NOINLINE double em_limit_sign(const em_mixed *s, int i) {
     if (em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
@@ -91,7 +95,7 @@ EM_NOINLINE double em_limit_sign(const em_mixed *s, int i) {
     return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
 }
 
-/* What presses on row i. */
+/* The normal force of row i. */
 EM_NOINLINE double em_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
     for (int j = 0; j < s->k; ++j) {
@@ -101,7 +105,7 @@ EM_NOINLINE double em_normal_force(const em_mixed *s, int i) {
     return sum;
 }
 
-/* What of it is known, at the direction in which it presses. */
+/* The known part of it, at the direction of the norm. */
 EM_NOINLINE double em_pressed_beside(const em_mixed *s, int i) {
     double sum = 0.0;
     for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->beside[j];
@@ -113,7 +117,7 @@ EM_NOINLINE double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
     return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
 }
 
-/* p <- of the mode with limits as `toward` has them. 0, or -1: its rows depend on each other. */
+/* p <- of the mode with limits linearised by `toward`. 0, or -1: its rows are dependent. */
 EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
     const int k = s->k;
     int rows[EM_MIXED_ROWS], count = 0;
@@ -148,7 +152,7 @@ EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
 
 #include "contact/em_norm_friction.h"
 
-/* w <- q + G p, and the largest of the sums of sizes in it. */
+/* w <- q + G p. Returns the largest of the sums of magnitudes in it. */
 EM_NOINLINE double em_rates_of_mode(em_mixed *s) {
     double largest = 0.0;
     for (int i = 0; i < s->k; ++i) {
@@ -163,14 +167,14 @@ EM_NOINLINE double em_rates_of_mode(em_mixed *s) {
     return largest;
 }
 
-/* By how much a cone misses its conditions: more force than its limit, or a slip that does not go against the force. */
+/* By how much a cone violates its conditions: a force above its limit, or a slip that is not opposite to the force. */
 EM_NOINLINE double em_cone_violation(const em_mixed *s, int i) {
     const double *const d = s->side + i, *const w = s->w + i;
     if (s->choice[i] == EM_HOLDS_ROW) return hypot(s->p[i], s->p[i + 1]) - em_limit_of_row(s, i, 1);
     return fmax(-(d[0] * w[0] + d[1] * w[1]), fabs(d[0] * w[1] - d[1] * w[0]));
 }
 
-/* By how much row i misses the inequality of its mode. */
+/* By how much row i violates the inequality of its mode. */
 EM_NOINLINE double em_violation(const em_mixed *s, int i) {
     if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
@@ -181,13 +185,14 @@ EM_NOINLINE double em_violation(const em_mixed *s, int i) {
 
 #include "contact/em_cone_directions.h"
 
-/* Whether a cone slides with a slip, which has a direction; or begins to against its last force, as yet without. */
+/* Whether a cone slides with a slip that has a direction, or begins to slide opposite to its last force, still
+ * without slip. */
 EM_NOINLINE int em_has_direction(const em_mixed *s, int i, double terms) {
     if (s->kind[i] != EM_ROW_CONE || s->choice[i] != EM_FORWARD || em_is_unloaded(s, i)) return 1;
     return (s->by_last && em_has_last(s, i)) || hypot(s->w[i], s->w[i + 1]) > EM_MODE_VERIFIED * terms;
 }
 
-/* Whether the mode chosen has a solution that satisfies all conditions. */
+/* Whether the chosen mode has a solution that satisfies all conditions. */
 EM_NOINLINE int em_is_consistent_so(em_mixed *s) {
     if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
@@ -219,7 +224,7 @@ EM_NOINLINE int em_is_consistent(em_mixed *s) {
     return some && em_is_consistent_so(s);
 }
 
-/* Whether a mode is consistent that differs from the one given in `left` of the rows from `from` on. */
+/* Whether there is a consistent mode that differs from the one given in `left` of the rows from `from` on. */
 EM_NOINLINE int em_try_changes(em_mixed *s, int from, int left, int bars) {
     if (s->tried > EM_MOST_TRIED) return 0;
     if (left == 0) {
@@ -242,13 +247,15 @@ EM_NOINLINE int em_try_changes(em_mixed *s, int from, int left, int bars) {
     return 0;
 }
 
-/* Lengths one: p and w of all rows have one unit, that of the root of an energy. `back`: as they were. */
+/* Scales rows to length one, so that p and w of all rows have one unit, that of the root of an energy. `back`:
+ * undoes it. */
 EM_NOINLINE void em_scale_mixed(em_mixed *s, int back) {
     double by[EM_MIXED_ROWS];
     for (int i = 0; i < s->k; ++i) {
         const double square = s->G[i * s->k + i];
         if (!back) s->unit[i] = square > 0.0 && s->kind[i] != EM_ROW_OUT ? 1.0 / sqrt(square) : 1.0;
-        if (!back && s->kind[i] == EM_ROW_CONE_TOO) /* one unit for both, in which the length of a vector means something */
+        if (!back && s->kind[i] == EM_ROW_CONE_TOO) /* one unit for both, so that the length of the vector is
+                                                       meaningful */
             s->unit[i] = s->unit[i - 1] = sqrt(2.0) / hypot(1.0 / s->unit[i], 1.0 / s->unit[i - 1]);
     }
     for (int i = 0; i < s->k; ++i) {
@@ -271,7 +278,8 @@ EM_NOINLINE int em_enumerate_modes(em_mixed *s, int bars) {
     return 0;
 }
 
-/* Contacts that touch and are kept so by others share the load where cones stick: each holds, too, with which a mode is consistent. */
+/* Lets idle contacts share the load of sticking cones: each that touches because others hold is made to hold, too,
+ * if the mode stays consistent. */
 EM_NOINLINE void em_share_with_idle(em_mixed *s) {
     for (int i = 0; i < s->k && em_some_cone_sticks(s); ++i) {
         if (s->kind[i] != EM_ROW_CONTACT || s->choice[i] != EM_OPENS) continue;
@@ -283,7 +291,8 @@ EM_NOINLINE void em_share_with_idle(em_mixed *s) {
 
 #include "contact/em_lemke.h"
 
-/* The mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to try. */
+/* Finds the mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to
+ * try. */
 EM_NOINLINE int em_solve_mixed(em_mixed *s) {
     em_choice given[EM_MIXED_ROWS];
     int found = 0, choices = 0;

@@ -1,7 +1,7 @@
 /* em_cone_directions.h: the direction in which each friction cone begins to slide: w = beta d, by Newton's method on
  * the angles of d.
  *
- * The force -L d of a cone decides w, and w has to have the direction of d. */
+ * The force -L d of a cone determines w, and w must have the direction of d. */
 #ifndef EM_CONE_DIRECTIONS_H
 #define EM_CONE_DIRECTIONS_H
 
@@ -9,10 +9,10 @@
 
 enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40, EM_RELAXATIONS = 100 };
 
-/* Whether the force of a cone has come to its limit. */
+/* Whether the force of a cone has reached its limit. */
 EM_NOINLINE int em_has_last(const em_mixed *s, int i) { return s->last[i] != 0.0 || s->last[i + 1] != 0.0; }
 
-/* The cones that slide in this mode: their first rows. How many. */
+/* Lists the cones that slide in this mode by their first rows. Returns their number. */
 EM_NOINLINE int em_sliding_cones(const em_mixed *s, int *cones) {
     int count = 0;
     for (int i = 0; i < s->k; ++i)
@@ -20,7 +20,8 @@ EM_NOINLINE int em_sliding_cones(const em_mixed *s, int *cones) {
     return count;
 }
 
-/* off (count) <- angles from d to w where d has these angles; the largest, or -1: the mode's rows depend on each other. */
+/* off (count) <- the angles from d to w if d has these angles. Returns the largest, or -1: the mode's rows are
+ * dependent. */
 EM_NOINLINE double em_off_directions(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
     double largest = 0.0;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = cos(angle[c]), s->side[cones[c] + 1] = sin(angle[c]);
@@ -34,7 +35,7 @@ EM_NOINLINE double em_off_directions(em_mixed *s, int count, const int *cones, c
     return largest;
 }
 
-/* step (count) <- Newton's, with slopes by differences. 0, or -1. */
+/* step (count) <- Newton's step, with a Jacobian by finite differences. 0, or -1. */
 EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, const double *angle, const double *off, double *step) {
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], near[EM_MIXED_ROWS], there[EM_MIXED_ROWS];
     const double apart = 1e-7;
@@ -49,7 +50,7 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
     return em_solve_mode(count, A, step, &sign);
 }
 
-/* From these angles. Whether directions were found. */
+/* Newton's iteration from these angles. Returns whether it converged. */
 EM_NOINLINE int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
     double off[EM_MIXED_ROWS], step[EM_MIXED_ROWS], next[EM_MIXED_ROWS], then[EM_MIXED_ROWS];
     double size = em_off_directions(s, count, cones, angle, off);
@@ -69,7 +70,8 @@ EM_NOINLINE int em_iterate_directions(em_mixed *s, int count, const int *cones, 
     return size >= 0.0 && size < 1e-9;
 }
 
-/* The cones that slide, but for those whose direction is that of their last force, which is their side then. How many. */
+/* Lists the sliding cones whose direction is unknown; that of the others is opposite to their last force, and is set
+ * here. Returns their number. */
 EM_NOINLINE int em_unknown_directions(em_mixed *s, int *cones) {
     int all[EM_MIXED_ROWS], count = 0;
     const int slide = em_sliding_cones(s, all);
@@ -90,7 +92,7 @@ EM_NOINLINE int em_directions_without_friction(em_mixed *s, int count, const int
     return 0;
 }
 
-/* angle (count) <- by relaxation: forces follow the slip, and stay within their limits (after Moreau's proximal form). 0, or -1. */
+/* angle (count) <- by relaxation: forces follow the slip within their limits (Moreau's proximal form). 0, or -1. */
 EM_NOINLINE int em_relax_directions(em_mixed *s, int count, const int *cones, double *angle) {
     const double part = 0.5 / count;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = s->side[cones[c] + 1] = 0.0;
@@ -107,15 +109,16 @@ EM_NOINLINE int em_relax_directions(em_mixed *s, int count, const int *cones, do
     return 0;
 }
 
-/* angle (count) <- of a number of starts, which fill all angles evenly: steps by powers of an irrational number. */
+/* angle (count) <- initial guess number `start`; the guesses fill all angles evenly, by powers of an irrational
+ * number. */
 EM_NOINLINE void em_some_directions(int start, int count, const double *first, double *angle) {
     const double root = 1.0 / pow(2.0, 1.0 / (count + 1));
     double step = root;
     for (int c = 0; c < count; ++c, step *= root) angle[c] = first[c] + EM_TURN * fmod(start * step, 1.0);
 }
 
-/* side of the cones that slide <- their directions: by relaxation first, then from those without their friction, then from others
- * all around. 0, or -1: none were found. */
+/* side of the sliding cones <- their directions: by relaxation first, then from the directions without friction,
+ * then from guesses over all angles. 0, or -1: not found. */
 EM_NOINLINE int em_find_directions(em_mixed *s) {
     int cones[EM_MIXED_ROWS];
     double first[EM_MIXED_ROWS], angle[EM_MIXED_ROWS];

@@ -1,7 +1,8 @@
 /* em_event_actions.h: event actions: impacts, resets and changes of the active set.
  *
- * In this order: impacts, until nothing approaches what it touches: those of events one after the other as the model lists them,
- * then those of all contacts at once (em_impacts.h); resets; then the mode that the state calls for (em_mode_selection.h). */
+ * They act in this order: impacts, until no touching bodies approach: first those of events, in the order of the
+ * model, then those of all contacts at once (em_impacts.h); resets; then the mode that follows from the state
+ * (em_mode_selection.h). */
 #ifndef EM_EVENT_ACTIONS_H
 #define EM_EVENT_ACTIONS_H
 
@@ -9,9 +10,9 @@
 #include "contact/em_impacts.h"
 #include "contact/em_switch_partials.h"
 
-#define EM_AT_LIMIT 1e-9 /* the part of a limit by which a force may be below it that has come to it */
+#define EM_AT_LIMIT 1e-9 /* a force counts as at its limit if it is below it by at most this part */
 
-/* Events that pile up: each so soon after the one before that no time passes. 0, or -1 and *fault. */
+/* Detects events that accumulate: each follows the one before without time passing. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
     enum { MANY = 200 };
     const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
@@ -26,12 +27,13 @@ EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
 
 /* --- impacts --- */
 
-/* Whether an event that has fired is an impact, and no contact's. */
+/* Whether an event that has fired is an impact that does not belong to a contact. */
 EM_NOINLINE int em_hits(const em_acting *a, int event) {
     return a->fired[event] && event_actions[event].impact >= 0 && event_actions[event].held < 0;
 }
 
-/* One round of impacts: whether there was any, or -1 and *fault. side (n_events): the sign of approach, 0: not known */
+/* One round of impacts. Returns whether there was any, or -1 and *fault. side (n_events): the sign of the approach,
+ * 0: unknown */
 EM_NOINLINE int em_impact_round(em_acting *a, em_all_rows *r, double *side) {
     int any = 0;
     for (int i = 0; i < N_EVENTS; ++i) {
@@ -59,7 +61,7 @@ EM_NOINLINE int em_impact_all(em_acting *a, em_all_rows *r) {
 
 /* --- resets --- */
 
-/* What a reset leaves of the constraints. 0, or -1 and *fault. */
+/* Checks that a reset satisfies the constraints. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
     double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
     position(a->t, a->x, a->c, phi, terms);
@@ -78,7 +80,7 @@ EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
 EM_NOINLINE int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
     const int number = event_actions[event].reset;
-    if (N_RESETS == 0) return 0; /* that compilers see it, too */
+    if (N_RESETS == 0) return 0; /* so that compilers see it, too */
     resets(a->t, a->x, a->v, a->c, a->u, after);
     const double *const at = after + number * 2 * N;
     for (int k = 0; k < 2 * N; ++k)
@@ -97,8 +99,8 @@ EM_NOINLINE int em_reset(em_acting *a, int event) {
 
 /* --- the mode afterwards --- */
 
-/* The same of cones: of those that share a load all come to their bounds at once, but for rounding; and the way their forces push
- * against. */
+/* The same for cones: those that share a load reach their limits at once, but for rounding. Also finds the direction
+ * opposite to their forces. */
 EM_NOINLINE void em_find_released_cones(em_acting *a) {
     double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     em_fault fault;
@@ -113,7 +115,7 @@ EM_NOINLINE void em_find_released_cones(em_acting *a) {
     }
 }
 
-/* lets_go <- switches whose row held, and whose event has fired: their force has come to its bound. */
+/* lets_go <- switches whose row held and whose event has fired: their force has reached its limit. */
 EM_NOINLINE void em_find_released(em_acting *a) {
     int cones = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
@@ -123,7 +125,7 @@ EM_NOINLINE void em_find_released(em_acting *a) {
     if (cones) em_find_released_cones(a);
 }
 
-/* Whether anything may press on a friction: a contact at rest, a constraint, or what its limit is made of. */
+/* Whether a friction may have a normal force: from a contact at rest, a constraint, or the terms of its limit. */
 EM_NOINLINE int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
     const int norm = em_norm_of(friction);
     int switched[EM_SOME_ROWS] = {0};
@@ -137,8 +139,8 @@ EM_NOINLINE int em_may_rub(const em_acting *a, const em_all_rows *r, const em_sw
     return 0;
 }
 
-/* v <- with no speed along the rows at rest, but rounding; a friction on a contact that opens stops nothing. 0, or -1 and
- * *fault. */
+/* v <- without the speed, which is rounding, along the rows at rest; friction on a contact that opens stops nothing.
+ * 0, or -1 and *fault. */
 EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     double c[N_PREPARED + 1];
@@ -153,7 +155,7 @@ EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     return 0;
 }
 
-/* What rounding may leave of a gap or a slip: of a slip at rest what it still has, too; of a cone what its slip is shifted by. */
+/* The rounding of a gap or a slip; of a slip at rest also its remaining value; of a cone also its shift. */
 EM_NOINLINE void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
     a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
@@ -161,7 +163,7 @@ EM_NOINLINE void em_round(const em_acting *a, const em_all_rows *r, int k, int a
     else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
-/* The mode that follows from the state, which is put on its rows. 0, or -1 and *fault. */
+/* Finds the mode that follows from the state, and projects the state onto its rows. 0, or -1 and *fault. */
 EM_NOINLINE int em_settle_modes(em_acting *a) {
     em_state_of_switch before[EM_SOME_SWITCHES], after[EM_SOME_SWITCHES];
     int rests[EM_SOME_SWITCHES];
@@ -185,7 +187,8 @@ EM_NOINLINE int em_settle_modes(em_acting *a) {
     return 0;
 }
 
-/* Resets in the order of the model, each of the state that the one before left. Whether there was one, or -1 and *fault. */
+/* Resets in the order of the model, each applied to the state after the one before. Returns whether there was one,
+ * or -1 and *fault. */
 EM_NOINLINE int em_reset_all(em_acting *a) {
     int last = -1;
     double from[N];
@@ -205,7 +208,7 @@ EM_NOINLINE int em_first_inside(const em_all_rows *r) {
     return -1;
 }
 
-/* Whether the start is inside a contact: 1; 0; or -1 and *fault where that is by more than its tolerance. */
+/* Whether the start is inside a contact: 1; 0; or -1 and *fault if by more than its tolerance. */
 EM_NOINLINE int em_starts_inside(em_acting *a, const em_all_rows *r) {
     int inside = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
@@ -219,7 +222,8 @@ EM_NOINLINE int em_starts_inside(em_acting *a, const em_all_rows *r) {
     return inside;
 }
 
-/* At the start of a run: what is inside contacts by less than its tolerance is put on their surfaces. 0, or -1 and *fault. */
+/* At the start of a run: moves a state that is inside contacts by less than its tolerance onto their surfaces. 0, or
+ * -1 and *fault. */
 EM_NOINLINE int em_put_outside(em_acting *a, em_all_rows *r) {
     enum { STEPS = 20 };
     double before[EM_SOME_ROWS];
@@ -254,7 +258,7 @@ EM_NOINLINE int em_act_on_all(em_acting *a, em_pile *pile) {
         em_find_closed(a, &r);
         em_find_still(a, &r);
         em_find_landed(a, &r, before);
-        if (a->starts && em_approaches(a, &r)) return 0; /* the impact comes first, as an event */
+        if (a->starts && em_approaches(a, &r)) return 0; /* its impact happens first, as an event */
         if (!a->starts && em_impact_all(a, &r)) return -1;
     }
     if (em_reset_all(a) < 0) return -1;
@@ -267,8 +271,9 @@ EM_NOINLINE int em_none_fired(const int *fired) {
     return 1;
 }
 
-/* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
- * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
+/* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; if none fired: at
+ * the start of a run. Events whose function jumps are added to `fired`; pile (n_events) belongs to the run. 0, or -1
+ * and *fault. */
 EM_EXPORT int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
                      int *fired, em_pile *pile, em_fault *fault) {
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
@@ -281,7 +286,7 @@ EM_EXPORT int em_act(double t, double *x, double *v, double *c, const double *u,
     return failed;
 }
 
-/* em_model.act_along: the same, and what becomes of directions. */
+/* em_model.act_along: the same, with the map of directions across the events. */
 EM_EXPORT int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
                            em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
     const em_directions along = {columns, S, P};

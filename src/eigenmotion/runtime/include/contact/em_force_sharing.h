@@ -1,40 +1,42 @@
 /* em_force_sharing.h: forces of dependent rows where cones stick: shared so that the least reserve is as large as
  * possible.
  *
- * What holds by more rows than are independent, as a body on two rough feet, is held by forces p = p0 + Z y, all y alike to the
- * motion: Z are the combinations of rows that vanish. It goes on to hold while some y leaves every force within its bounds. Of
- * frictions along lines and contacts alone one is found among the basic solutions (em_complementarity.h); the bounds of cones are
- * round, and basic solutions may all be outside. Here it is found by the convex problem
+ * If more rows hold than are independent, as for a body on two rough feet, the forces are p = p0 + Z y, and the
+ * motion is the same for every y: Z are the vanishing combinations of rows. The rows hold as long as some y keeps
+ * every force within its bounds. For contacts and frictions along lines such a y is among the basic solutions
+ * (em_complementarity.h). The bounds of cones are round, and all basic solutions may lie outside. Then y is the
+ * solution of the convex problem
  *
  *     maximise t,  p_i >= t of contacts,  L_i - |p_i| >= t of frictions
  *
- * by a logarithmic barrier and Newton's method (Boyd and Vandenberghe 2004, chapter 11), rows at length one. Its solution depends
- * continuously on the state. The reserve t passes through zero where the forces come to their bounds, all at once that bound it:
- * what they bound begins to slide. */
+ * by a logarithmic barrier and Newton's method (Boyd and Vandenberghe 2004, chapter 11), rows at length one. Its
+ * solution depends continuously on the state. The reserve t passes through zero where the forces reach their bounds,
+ * all those at once that limit it: these rows begin to slide. */
 #ifndef EM_FORCE_SHARING_H
 #define EM_FORCE_SHARING_H
 
 #include "constraints/em_rank.h"
 
-#define EM_RESERVE_ERROR 1e-13 /* of the largest reserve: the part of the forces by which the barrier keeps off the bounds */
-#define EM_BARRIER_STEP 0.1    /* the next barrier beside the one before */
+#define EM_RESERVE_ERROR 1e-13 /* relative to the largest reserve: the part of the forces by which the barrier stays
+                                  off the bounds */
+#define EM_BARRIER_STEP 0.1    /* ratio of successive barrier weights */
 
 enum { EM_UNKNOWNS = EM_MIXED_ROWS + 1, EM_NEWTON_STEPS = 30 };
 
-/* One bound: u >= |(p1, p2)|, in numbers of the size of the forces; slopes by y and t. */
+/* One bound: u >= |(p1, p2)|, scaled by the size of the forces; gradients with respect to y and t. */
 typedef struct em_bound {
     double u, p[2];
     double slope[3][EM_UNKNOWNS];
 } em_bound;
 
 typedef struct em_shared {
-    int count, bounds;                 /* unknowns: of y, and t behind them */
-    double Z[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* (count - 1, k) combinations of the rows that hold, which vanish */
+    int count, bounds;                 /* unknowns: y, followed by t */
+    double Z[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* (count - 1, k) vanishing combinations of the rows that hold */
     em_bound bound[EM_MIXED_ROWS];
     double size;                       /* of the forces */
 } em_shared;
 
-/* Z <- the combinations of rows that hold which vanish; basic (k) <- 1 for independent ones. How many there are. */
+/* Z <- the vanishing combinations of rows that hold; basic (k) <- 1 for independent rows. Returns their number. */
 EM_NOINLINE int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
     double Delta[EM_MIXED_ROWS * EM_MIXED_ROWS], L[EM_MIXED_ROWS * EM_MIXED_ROWS], D[EM_MIXED_ROWS], z[EM_MIXED_ROWS];
     int rows[EM_MIXED_ROWS], order[EM_MIXED_ROWS], m = 0;
@@ -56,21 +58,21 @@ EM_NOINLINE int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
     return m - rank;
 }
 
-/* Whether Z has a part of row i. */
+/* Whether row i is in one of the combinations Z. */
 EM_NOINLINE int em_is_shared(const em_mixed *s, const em_shared *z, int i) {
     double largest = 0.0;
     for (int d = 0; d < z->count - 1; ++d) largest = fmax(largest, fabs(z->Z[d * s->k + i]));
     return largest > EM_TAKES_PART;
 }
 
-/* Whether what presses on row i is shared. */
+/* Whether the normal force of row i is shared. */
 EM_NOINLINE int em_is_pressed_by_shared(const em_mixed *s, const em_shared *z, int i) {
     int any = 0;
     for (int j = 0; j < s->k && s->kind[i] >= EM_ROW_FRICTION; ++j) any |= s->over[i * s->k + j] != 0.0 && em_is_shared(s, z, j);
     return any;
 }
 
-/* The bound of row i (a contact, or the first of a friction) at y = 0 and t = 0, and its slopes. */
+/* The bound of row i (a contact, or the first of a friction) at y = 0 and t = 0, and its gradient. */
 EM_NOINLINE void em_state_bound(const em_mixed *s, const em_shared *z, int i, em_bound *b) {
     const int contact = s->kind[i] == EM_ROW_CONTACT, last = z->count - 1;
     memset(b, 0, sizeof *b);
@@ -88,7 +90,7 @@ EM_NOINLINE void em_state_bound(const em_mixed *s, const em_shared *z, int i, em
     }
 }
 
-/* The bounds that depend on y. 0, or -1: what slides does, too, or a norm of forces. */
+/* Sets up the bounds that depend on y. 0, or -1: a sliding force does, too, or a norm of forces. */
 EM_NOINLINE int em_state_bounds(const em_mixed *s, em_shared *z) {
     z->bounds = 0, z->size = 0.0;
     for (int i = 0; i < s->k; ++i) {
@@ -112,8 +114,8 @@ EM_NOINLINE void em_bound_at(const em_shared *z, const em_bound *b, const double
         for (int d = 0; d < z->count; ++d) at[part] += b->slope[part][d] * y[d];
 }
 
-/* The barrier at y, t: INFINITY out of bounds. g, H: its slopes, lower triangle, or NULL. t is at most 1: what can hold any force
- * is pressed no more than it has to be. */
+/* The barrier at y, t: INFINITY outside the bounds. g, H: its gradient and Hessian, lower triangle, or NULL. t is at
+ * most 1: rows without an upper bound are then loaded no more than necessary. */
 EM_NOINLINE double em_barrier(const em_shared *z, double weight, const double *y, double *g, double *H) {
     const int n = z->count, last = n - 1;
     double value = -weight * y[last] - log(1.0 - y[last]), at[3];
@@ -143,7 +145,7 @@ EM_NOINLINE double em_barrier(const em_shared *z, double weight, const double *y
     return value;
 }
 
-/* y, t <- where the barrier of this weight is least, from inside the bounds. */
+/* y, t <- the minimum of the barrier of this weight, from inside the bounds. */
 EM_NOINLINE void em_to_centre(const em_shared *z, double weight, double *y) {
     const int n = z->count;
     double g[EM_UNKNOWNS], H[EM_UNKNOWNS * EM_UNKNOWNS], L[EM_UNKNOWNS * EM_UNKNOWNS], r[EM_UNKNOWNS], step[EM_UNKNOWNS];
@@ -167,7 +169,7 @@ EM_NOINLINE void em_to_centre(const em_shared *z, double weight, double *y) {
     }
 }
 
-/* p <- with the largest reserve of the rows that are shared. */
+/* p <- with the largest reserve of the shared rows. */
 EM_NOINLINE void em_raise_reserve(em_mixed *s, const em_shared *z) {
     const int last = z->count - 1;
     double y[EM_UNKNOWNS] = {0.0}, least = 0.0;
@@ -186,7 +188,8 @@ EM_NOINLINE int em_some_cone_sticks(const em_mixed *s) {
     return any;
 }
 
-/* p, of rows that hold and depend on each other, among them cones <- with the largest reserve. 0, or -1: they are not of that kind. */
+/* p <- with the largest reserve, of rows that hold and are dependent, some of them cones. 0, or -1: the problem is
+ * of another kind. */
 EM_NOINLINE int em_share(em_mixed *s) {
     em_shared z;
     int basic[EM_MIXED_ROWS];

@@ -1,27 +1,28 @@
 /* em_impacts.h: impacts of several contacts at once, with friction: complementarity of velocities and impulses.
  *
- * Moreau's form of Newton's law: of contacts that approach, with rates w- before and w+ after,
+ * Moreau's form of Newton's law: for contacts that approach, with rates w- before and w+ after,
  *
  *     P >= 0,  w+ + e w- >= 0,  P (w+ + e w-) = 0
  *
- * in one problem (em_complementarity.h) with those that touch (w- = 0), the constraints, and frictions on these contacts, whose
- * impulse is at most their coefficient times that of the contact, and less only where they do not slip afterwards.
- * Poisson's law, where the contacts say so, is of two such problems: in compression e = 0; in expansion the impulse of a contact
- * is at least e times that of its compression, and friction is bounded in each phase by the impulse of that phase (Glocker and
- * Pfeiffer 1995).
+ * in one problem (em_complementarity.h) with the contacts that touch (w- = 0), the constraints, and the frictions on
+ * these contacts. The impulse of a friction is at most its coefficient times that of the contact, and less only if
+ * it does not slip afterwards. Poisson's law, for contacts that use it, consists of two such problems: in
+ * compression e = 0; in expansion the impulse of a contact is at least e times that of its compression, and friction
+ * is bounded in each phase by the impulse of that phase (Glocker and Pfeiffer 1995).
  *
- * A rebound that is no faster than `rest` is none: e = 0. Where friction lets Newton's law raise the energy of what moves against
- * each other, all restitutions are lowered by one factor to where it does not: with none, energy never rises (Moreau 1988). */
+ * A rebound no faster than `rest` is suppressed: e = 0. If friction lets Newton's law raise the energy, all
+ * restitutions are lowered by one factor until it does not: with e = 0 energy never rises (Moreau 1988). */
 #ifndef EM_IMPACTS_H
 #define EM_IMPACTS_H
 
 #include "contact/em_mode_selection.h"
 
-#define EM_SEPARATING 1e-13 /* the part of the fastest speed there is below which nothing approaches again */
+#define EM_SEPARATING 1e-13 /* the part of the largest speed below which bodies count as separating */
 #define EM_RAISES 1e-12 /* the part of the work of impulses by which rounding may raise the energy */
 
-/* A blow: which rows strike, their restitutions (0 where they land), and impacts; rates before; what came of it. The last row
- * is that of an event's impact, of no contact, where one strikes: turned so that it approaches with w < 0. */
+/* The problem of one impact: which rows strike, their restitutions (0 if they land), and impacts; rates before; the
+ * results. The last row is that of an event's impact, without a contact, if there is one: oriented so that it
+ * approaches with w < 0. */
 typedef struct em_impact {
     int strikes[EM_IMPACT_ROWS], lands[EM_IMPACT_ROWS], impact[EM_IMPACT_ROWS];
     double e[EM_IMPACT_ROWS], rest[EM_IMPACT_ROWS], before[EM_IMPACT_ROWS], terms[EM_IMPACT_ROWS];
@@ -31,7 +32,8 @@ typedef struct em_impact {
     em_mixed s;
 } em_impact;
 
-/* Whether a blow may load what presses on a friction: a contact that strikes or holds, or rows of constraints. */
+/* Whether the normal force of a friction may have an impulse: that of a contact that strikes or holds, or of
+ * constraint rows. */
 EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
     int any = friction->over >= 0 && s->kind[switches[friction->over].row] == EM_ROW_CONTACT;
     for (int row = 0; row < N_ROWS && em_norm_of(friction) >= 0; ++row)
@@ -39,7 +41,7 @@ EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
     return any;
 }
 
-/* The rows of a blow: constraints, contacts that strike or touch, frictions on them; rates before. */
+/* The rows of an impact: constraints, contacts that strike or touch, frictions on them; rates before. */
 EM_NOINLINE void em_impact_rows(const em_acting *a, const em_all_rows *r, em_impact *b) {
     em_mixed *const s = &b->s;
     double level[EM_LEVELS * EM_SOME_SWITCHES];
@@ -50,7 +52,7 @@ EM_NOINLINE void em_impact_rows(const em_acting *a, const em_all_rows *r, em_imp
         b->before[row] = s->kind[row] == EM_ROW_FREE ? 0.0 : r->rate[row];
         b->terms[row] = r->rate_terms[row];
     }
-    for (int i = 0; i < 2 * N_SWITCHES; ++i) { /* contacts, then frictions, which may stand before them */
+    for (int i = 0; i < 2 * N_SWITCHES; ++i) { /* contacts first, then frictions, which may precede them in the model */
         const int contacts = i < N_SWITCHES, k = contacts ? i : i - N_SWITCHES;
         const em_switch *const one = &switches[k];
         const int row = one->row;
@@ -63,7 +65,7 @@ EM_NOINLINE void em_impact_rows(const em_acting *a, const em_all_rows *r, em_imp
     }
 }
 
-/* q = w-, of rows that strike (1 + e) w-. */
+/* q = w-; (1 + e) w- for rows that strike. */
 EM_NOINLINE void em_impact_rates(em_impact *b) {
     for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         const double e = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] : 0.0;
@@ -71,7 +73,7 @@ EM_NOINLINE void em_impact_rates(em_impact *b) {
     }
 }
 
-/* The work of the impulses on what moves against each other, over that of their sizes. */
+/* The work of the impulses on the relative velocities, divided by the sum of its magnitudes. */
 EM_NOINLINE double em_impact_work(const em_impact *b) {
     double work = 0.0, size = 0.0;
     for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
@@ -109,7 +111,7 @@ EM_NOINLINE int em_impact_expands(em_impact *b) {
     return found;
 }
 
-/* The blow with restitutions lowered by this factor: impulse and after. As em_solve_mixed. */
+/* Solves the impact with restitutions lowered by this factor: impulse and rates after. As em_solve_mixed. */
 EM_NOINLINE int em_impact_solve(em_impact *b, double lowered) {
     b->lowered = b->poisson ? 0.0 : lowered;
     em_impact_rates(b);
@@ -122,7 +124,7 @@ EM_NOINLINE int em_impact_solve(em_impact *b, double lowered) {
     return found;
 }
 
-/* The same with restitutions as high as energy allows. */
+/* The same with the largest factor at which the energy does not grow. */
 EM_NOINLINE int em_impact_within_energy(em_impact *b) {
     double low = 0.0, high = 1.0;
     const int found = em_impact_solve(b, high);
@@ -135,7 +137,8 @@ EM_NOINLINE int em_impact_within_energy(em_impact *b) {
     return em_impact_solve(b, low);
 }
 
-/* And without the restitution of what would rebound no faster than its `rest`: it lands. 1, or as em_solve_mixed. */
+/* The same without the restitution of contacts that would rebound no faster than their `rest`: these land. 1, or as
+ * em_solve_mixed. */
 EM_NOINLINE int em_impact_with_landings(em_impact *b) {
     for (int more = 1; more;) {
         const int found = em_impact_within_energy(b);
@@ -160,7 +163,7 @@ EM_NOINLINE void em_change_by_impact(const em_all_rows *r, const em_impact *b, d
 
 #include "contact/em_saltation.h"
 
-/* The blow that has been stated, of which `event` is named. 1, or -1 and *fault. */
+/* Applies the impact that has been set up; a fault names `event`. 1, or -1 and *fault. */
 EM_NOINLINE int em_apply_impact(em_acting *a, const em_all_rows *r, em_impact *b, int event) {
     double change[N];
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
@@ -174,7 +177,7 @@ EM_NOINLINE int em_apply_impact(em_acting *a, const em_all_rows *r, em_impact *b
     return 1;
 }
 
-/* One blow of all contacts that approach. Whether there was one, or -1 and *fault. */
+/* One impact of all contacts that approach. Returns whether there was one, or -1 and *fault. */
 EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
     em_impact b = {.lowered = 1.0};
     double impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE];
@@ -197,7 +200,8 @@ EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
     return em_apply_impact(a, r, &b, first);
 }
 
-/* The impact of an event, no contact's, from the side on which it is. Whether it approaches, or -1 and *fault. */
+/* The impact of an event without a contact, from the side on which it is. Returns whether it approaches, or -1 and
+ * *fault. */
 EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double *side) {
     em_impact b = {.lowered = 1.0};
     double impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE], *const own = b.B + N_ROWS * N;

@@ -30,7 +30,8 @@ EM_NOINLINE void em_lemke_pivot(em_lemke *l, int leaves, int enters) {
     l->basis[leaves] = enters;
 }
 
-/* Whether row i comes before row j: by the right side over the column, then by what was the identity. */
+/* Whether row i precedes row j in the ratio test: by the right side over the column, then lexicographically by the
+ * columns of the identity. */
 EM_NOINLINE int em_lemke_before(const em_lemke *l, int i, int j, int enters) {
     const int right = 2 * l->size + 1;
     const double a = l->row[i][enters], b = l->row[j][enters];
@@ -39,7 +40,7 @@ EM_NOINLINE int em_lemke_before(const em_lemke *l, int i, int j, int enters) {
     return apart < 0.0;
 }
 
-/* The variable that leaves where one enters, by its row; -1: a ray. The cover leaves wherever it may. */
+/* The row of the variable that leaves when `enters` enters; -1: a ray. The covering variable leaves whenever it may. */
 EM_NOINLINE int em_lemke_leaving(const em_lemke *l, int enters) {
     int best = -1;
     for (int i = 0; i < l->size; ++i) {
@@ -51,7 +52,7 @@ EM_NOINLINE int em_lemke_leaving(const em_lemke *l, int enters) {
     return best;
 }
 
-/* s = b + A z: whether it has been solved; the basis says how. */
+/* Solves s = b + A z. Returns whether it succeeded; the basis holds the solution. */
 EM_NOINLINE int em_lemke_solve(em_lemke *l, const double *A, const double *b) {
     const int n = l->size, cover = 2 * n, right = cover + 1;
     int lowest = 0;
@@ -74,7 +75,7 @@ EM_NOINLINE int em_lemke_solve(em_lemke *l, const double *A, const double *b) {
     return 0;
 }
 
-/* Reduced to rows without free ones: G, q <- G - G_f F^-1 G_f^T ... over the rows that are not free. 0, or -1. */
+/* Eliminates the free rows: G, q <- G - G_f F^-1 G_f^T ... over the rows that are not free. 0, or -1. */
 EM_NOINLINE int em_without_free(const em_mixed *s, double *G, double *q) {
     const int k = s->k;
     int free_row[EM_MIXED_ROWS], count = 0;
@@ -96,15 +97,15 @@ EM_NOINLINE int em_without_free(const em_mixed *s, double *G, double *q) {
     return 0;
 }
 
-/* s->choice <- by pivoting. Whether that came to an end. Choices that are barred are left out: contacts stay open, frictions
- * that let go are taken as sliding the way they are chosen to. */
+/* s->choice <- by pivoting. Returns whether that succeeded. Barred choices are excluded: such contacts stay open,
+ * and frictions that are released slide in the direction chosen for them. */
 EM_NOINLINE int em_pivot_modes(em_mixed *s, int bars) {
     const int k = s->k;
     int contact[EM_MIXED_ROWS], friction[EM_MIXED_ROWS], nc = 0, nf = 0;
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS], A[EM_PIVOTED * EM_PIVOTED] = {0.0}, b[EM_PIVOTED];
     double fixed[EM_MIXED_ROWS]; /* the sign of p / L where it is known */
     for (int i = 0; i < k; ++i)
-        if (s->kind[i] == EM_ROW_CONE) return 0; /* no linear problem */
+        if (s->kind[i] == EM_ROW_CONE) return 0; /* the problem is not linear */
     if (em_without_free(s, G, q)) return 0;
     for (int i = 0; i < k; ++i) {
         const int barred = bars && s->barred[i] == EM_HOLDS_ROW;
@@ -121,7 +122,7 @@ EM_NOINLINE int em_pivot_modes(em_mixed *s, int bars) {
         b[r] = q[row];
         for (int c = 0; c < nc; ++c) A[r * n + c] = G[row * k + contact[c]];
         for (int f = 0; f < nf; ++f) A[r * n + nc + f] = G[row * k + friction[f]];
-        for (int f = 0; f < k; ++f) { /* -L of frictions that may stick, the limit of those that slide */
+        for (int f = 0; f < k; ++f) { /* -L of frictions that may stick, the limit of sliding ones */
             const double sign = fixed[f] != 0.0 ? fixed[f] : s->kind[f] == EM_ROW_FRICTION ? -1.0 : 0.0;
             if (sign == 0.0) continue;
             b[r] += sign * s->level[f] * G[row * k + f];
@@ -144,7 +145,7 @@ EM_NOINLINE int em_pivot_modes(em_mixed *s, int bars) {
         if (s->kind[i] == EM_ROW_CONTACT) s->choice[i] = EM_OPENS;
     for (int c = 0; c < nc; ++c)
         if (basic[n + c]) s->choice[contact[c]] = EM_HOLDS_ROW;
-    for (int f = 0; f < nf; ++f) /* L + p is not basic: it is zero, and the row slides forward; L - p likewise */
+    for (int f = 0; f < nf; ++f) /* L + p is not basic: it is zero, and the row slides forward; likewise L - p */
         s->choice[friction[f]] = !basic[n + nc + f] ? EM_FORWARD : !basic[nc + nf + f] ? EM_BACK : EM_HOLDS_ROW;
     return 1;
 }

@@ -1,9 +1,9 @@
-/* em_mode_selection.h: the active set that a state calls for: complementarity of accelerations and forces of what is
- * at rest.
+/* em_mode_selection.h: the active set that a state determines: complementarity of accelerations and forces of the
+ * rows at rest.
  *
- * At gap = 0 and without speed a contact's acceleration w and force p satisfy w >= 0, p >= 0, w p = 0; a friction at rest takes
- * at most its limit, and less only where it does not start to slip. Together with the constraints, and with the frictions
- * that slide, that is the problem of em_complementarity.h with w = A a + gamma. */
+ * At gap = 0 and without speed a contact's acceleration w and force p satisfy w >= 0, p >= 0, w p = 0. The force of
+ * a friction at rest is at most its limit, and below it only if the friction does not begin to slip. With the
+ * constraints and the sliding frictions, this is the problem of em_complementarity.h with w = A a + gamma. */
 #ifndef EM_MODE_SELECTION_H
 #define EM_MODE_SELECTION_H
 
@@ -11,19 +11,20 @@
 #include "contact/em_reset.h"
 #include "constraints/em_start_tolerance.h"
 
-#define EM_AT_ONCE 4096.0        /* times the spacing of t: what follows sooner happens at the same time */
-#define EM_RESTS 1e-12           /* the part of the terms of a speed below which nothing moves */
-#define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it is closed */
-#define EM_MODE_AGREES 1e-8       /* the part of the terms by which the rate of a dependent row may be off */
-#define EM_ROUNDS (8.0 * DBL_EPSILON) /* the part of its terms that rounding may leave of a gap */
+#define EM_AT_ONCE 4096.0        /* spacings of t: events closer than that are simultaneous */
+#define EM_RESTS 1e-12           /* the part of the terms of a speed below which it counts as zero */
+#define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it counts as closed */
+#define EM_MODE_AGREES 1e-8       /* the allowed part of the terms in the rate of a dependent row */
+#define EM_ROUNDS (8.0 * DBL_EPSILON) /* the rounding of a gap, as a part of its terms */
 #define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
-#define EM_CONE_STOPS 4.0        /* times a tolerance: a slip that errors turn around, as dopri5 does at 3 */
-#define EM_CONE_BEGINS 8.0        /* times that slip: what the slip of a cone that begins to slide is shifted by */
-#define EM_ELSEWHERE 3e-4            /* the part of what turns a row over by which a place is another one nearby */
-#define EM_IDLE 1e-3             /* the part of a tolerance by which idle rows may be off */
+#define EM_CONE_STOPS 4.0        /* times a tolerance: slips that errors reverse, as dopri5 does at 3 */
+#define EM_CONE_BEGINS 8.0        /* times that slip: the shift of the slip of a cone that begins to slide */
+#define EM_ELSEWHERE 3e-4            /* distance of a neighbouring position, as a part of the displacement that
+                                        changes a row entirely */
+#define EM_IDLE 1e-3             /* the tolerance of idle rows, as a part of the run's */
 
-/* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL.
- * rtol, atol (n): of the run, or NULL; starts: whether it starts here. */
+/* The event actions at one time, with the state and the mode that they act on; `along`: directions mapped along, or
+ * NULL. rtol, atol (n): of the run, or NULL; starts: whether the run starts here. */
 typedef struct em_acting {
     double t, *x, *v, *c;
     const double *u;
@@ -33,27 +34,27 @@ typedef struct em_acting {
     double rtol;
     const double *atol;
     int starts;
-    double deep;                       /* how far inside contacts it has started, rows at length one */
-    double stirred[EM_SOME_ROWS];      /* what putting it outside has made of rates */
-    double *rounding;                  /* (n_events) <- what rounding may leave of gaps and slips, or NULL */
-    int moved;                         /* whether velocities have jumped, or places */
+    double deep;                       /* depth inside contacts at the start, rows at length one */
+    double stirred[EM_SOME_ROWS];      /* change of rates made by moving the start outside */
+    double *rounding;                  /* (n_events) <- rounding of gaps and slips, or NULL */
+    int moved;                         /* whether velocities, or positions, have jumped */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
-    int lets_go[EM_SOME_SWITCHES];     /* what held, and has fired */
-    double last[2 * EM_SOME_SWITCHES]; /* of cones that let go: the way their forces push against */
+    int lets_go[EM_SOME_SWITCHES];     /* switches that held and have fired */
+    double last[2 * EM_SOME_SWITCHES]; /* of released cones: the direction opposite to their forces */
     double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
-    double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not part, where no blow has parted them */
+    double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not separate, if no impact has separated them */
 } em_acting;
 
-/* What a change of x (or of v: the same units apart) within tolerances makes of a row. */
+/* The change of a row that a change of x (or of v, with the same scale) within tolerances makes. */
 EM_NOINLINE double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
     double sum = 0.0;
     for (int k = 0; k < N; ++k) sum += fabs(row[k]) * (times * a->atol[k] + rtol * fabs(z[k]));
     return sum;
 }
 
-/* still <- what counts as no speed: rounding of the terms of the rates, now or before; what rows that hold have, as long as
- * nothing has moved them; what putting it outside has left; at the start of a run a part of its tolerances, too, within which
- * it is meant. */
+/* still <- the rates that count as zero: the rounding of their terms, now or before; the rates of rows that hold,
+ * unless an action has changed velocities; the change that moving the start outside has made; and at the start of a
+ * run a part of its tolerances. */
 EM_NOINLINE void em_find_still(em_acting *a, const em_all_rows *r) {
     for (int row = 0; row < N_ROWS; ++row) {
         a->still[row] = fmax(a->still[row], fmax(EM_RESTS * r->rate_terms[row], 2.0 * a->stirred[row]));
@@ -67,7 +68,7 @@ EM_NOINLINE void em_find_still(em_acting *a, const em_all_rows *r) {
     }
 }
 
-/* closed <- contacts that touch: those that held, whose gap has just closed, or closes at the same time. */
+/* closed <- contacts that touch: those that held, and those whose gap has just closed or closes at the same time. */
 EM_NOINLINE void em_find_closed(em_acting *a, const em_all_rows *r) {
     const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
     for (int k = 0; k < N_SWITCHES; ++k) {
@@ -81,7 +82,7 @@ EM_NOINLINE void em_find_closed(em_acting *a, const em_all_rows *r) {
     }
 }
 
-/* x (n) <- with no gap negative and phi = 0, by the least change in the mass metric. 0, or -1: there is none. */
+/* x (n) <- with no negative gap and phi = 0, by the least change in the mass metric. 0, or -1: there is none. */
 EM_NOINLINE int em_push_out(const em_all_rows *r, double *x) {
     em_mixed s;
     double change[N] = {0.0};
@@ -98,15 +99,15 @@ EM_NOINLINE int em_push_out(const em_all_rows *r, double *x) {
     return 0;
 }
 
-/* Whether what idled has gone its own way by as much as it may be off: no row keeps it any more. */
+/* Whether an idle row has moved by its tolerance: no other row holds it any more. */
 EM_NOINLINE int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     if (em_is_cone(s) || !em_is_idle(s, a->c) || !a->fired[s->event]) return 0;
     return (em_is_contact(s) ? r->gap[s->row] : fabs(r->rate[s->row])) >= 0.5 * a->c[s->idles];
 }
 
-/* parts <- `rest` of contacts on their way: what opens no faster, and still touches as something happens, stays in contact.
- * Else what comes down ever sooner does so by less than rounding tells. */
+/* parts <- `rest` of contacts in flight: a contact that opens no faster and still touches at an event stays closed.
+ * Otherwise bounces that follow each other ever faster become smaller than rounding can resolve. */
 EM_NOINLINE void em_find_parts(em_acting *a) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts || a->moved) return;
@@ -114,8 +115,9 @@ EM_NOINLINE void em_find_parts(em_acting *a) {
     for (int k = 0; k < N_SWITCHES; ++k) a->parts[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
 }
 
-/* What comes down no faster than `rest`, and has not left what rounding leaves of its gap since it fired last, is at rest: what
- * comes down ever sooner ends so. A flight that ends with this rate is a quarter of it, times how long it was, high. */
+/* A contact that comes down no faster than `rest`, and whose gap has stayed within rounding since it last fired, is
+ * at rest: this ends a sequence of ever faster bounces. The height of a flight that ends with this rate is a quarter
+ * of the rate times its duration. */
 EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts) return;
@@ -130,8 +132,8 @@ EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pil
     }
 }
 
-/* Whether a row has no speed: it held and nothing has moved it, its slip has just stopped or its gap closed (where a rate opens
- * it all the same, the motion is back within what is rounded), or what there is is rounding. */
+/* Whether a row is at rest: it held and no action has changed its speed; or its slip has just stopped or its gap
+ * just closed (if it opens nevertheless, the motion returns within rounding); or its speed is rounding. */
 EM_NOINLINE int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
@@ -139,7 +141,7 @@ EM_NOINLINE int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     return (came && !a->moved) || em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->still), a->parts[k]);
 }
 
-/* The problem of what may hold at rest. 0, or -1 and *fault. */
+/* Sets up the problem of the rows at rest. 0, or -1 and *fault. */
 EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
     double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     const int shared = em_shared_normal(r);
@@ -175,7 +177,8 @@ EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mix
     return 0;
 }
 
-/* Q (count, n) <- row at length one without its part along those before; the count with it, if anything is left of it. */
+/* Q (count, n) <- row at length one without its component along those before. Returns the count including it, if it
+ * does not vanish. */
 EM_NOINLINE int em_add_direction(int count, double *Q, const double *row) {
     double rest[N];
     memcpy(rest, row, sizeof rest);
@@ -186,7 +189,7 @@ EM_NOINLINE int em_add_direction(int count, double *Q, const double *row) {
     return count + 1;
 }
 
-/* Q (n, n) <- orthonormal, of the rows of B that hold in the mode. How many. */
+/* Q (n, n) <- an orthonormal basis of the rows of B that hold in the mode. Returns its size. */
 EM_NOINLINE int em_held_directions(const em_all_rows *r, const em_mixed *s, double *Q) {
     int count = 0;
     for (int i = 0; i < N_ROWS && count < N; ++i)
@@ -194,7 +197,7 @@ EM_NOINLINE int em_held_directions(const em_all_rows *r, const em_mixed *s, doub
     return count;
 }
 
-/* em_mixed.lasts: whether as many rows of the mode are independent beside here, wherever they let the mechanism go. */
+/* em_mixed.lasts: whether the mode has the same number of independent rows at neighbouring positions that it allows. */
 typedef struct em_here {
     const em_acting *a;
     const em_all_rows *r;
@@ -233,7 +236,7 @@ EM_NOINLINE int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int 
     return left * left <= EM_DEPENDENT * length * length;
 }
 
-/* How far an idle row may be off; 0: it is not idle. */
+/* The tolerance of an idle row; 0: it is not idle. */
 EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
     double terms = s->size[row];
     for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
@@ -243,8 +246,8 @@ EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const
     return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
 }
 
-/* The slip below which a cone has stopped: what tolerances do not tell from none, beyond rounding. Of one that is the difference
- * of speeds errors are parts of these: steps would go to and fro over none. */
+/* The slip below which a cone has stopped: the tolerances cannot distinguish it from zero. If the slip is a
+ * difference of speeds, its errors are parts of these speeds: steps would alternate around zero. */
 EM_NOINLINE double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
     double slip = 1e-150;
     for (int row = s->row; row <= s->row + 1; ++row) {
@@ -254,8 +257,9 @@ EM_NOINLINE double em_cone_stops(const em_acting *a, const em_all_rows *r, const
     return slip;
 }
 
-/* A cone that slides: idle where both its rows depend on what holds; else down to which slip. Where it begins to, the slip is
- * shifted along the direction in which it begins; where it goes on, by what it was. */
+/* The state of a sliding cone: idle if both its rows depend on rows that hold; else the slip at which it stops. If
+ * it begins to slide, the slip is shifted along the direction in which it begins; if it continues, by the earlier
+ * shift. */
 EM_NOINLINE void em_cone_slides(const em_acting *a, const em_all_rows *r, const em_mixed *s, const em_switch *one,
                             em_state_of_switch *after) {
     const int row = one->row, begins = s->kind[row] == EM_ROW_CONE, slid = !begins && a->c[one->slides] != 0.0;
@@ -269,7 +273,7 @@ EM_NOINLINE void em_cone_slides(const em_acting *a, const em_all_rows *r, const 
     after->idles = other > 0.0 ? fmax(one_slack, other) : -fmin(stops, 0.25 * slip);
 }
 
-/* What the solution makes of a switch. */
+/* The state of a switch that follows from the solution. */
 EM_NOINLINE em_state_of_switch em_switch_after(const em_acting *a, const em_all_rows *r, const em_mixed *s, int k) {
     const em_switch *const one = &switches[k];
     const int row = one->row, contact = em_is_contact(one);
@@ -288,7 +292,7 @@ EM_NOINLINE int em_event_of_row(int row) {
     return -1;
 }
 
-/* c <- the mode that the state calls for. 0, or -1 and *fault: there is none. */
+/* c <- the mode that follows from the state. 0, or -1 and *fault: there is none. */
 EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     em_mixed s;

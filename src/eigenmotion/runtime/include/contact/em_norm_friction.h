@@ -1,14 +1,16 @@
-/* em_norm_friction.h: friction limits in proportion to norms of multipliers, within the complementarity problem.
+/* em_norm_friction.h: friction limits proportional to norms of multipliers, within the complementarity problem.
  *
- * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at the direction known
- * (em_norm_multipliers.h). It begins without these frictions: a function of the state alone. */
+ * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at the known direction
+ * (em_norm_multipliers.h). The iteration begins without these frictions, so that its result is a function of the
+ * state alone. */
 #ifndef EM_NORM_FRICTION_H
 #define EM_NORM_FRICTION_H
 
-/* Norms are numbered, and em_switch.over is -2 less the number. The one that presses on a friction; -1: none does. */
+/* The norm that is the normal force of a friction; -1: none. Norms are numbered, and em_switch.over is -2 less the
+ * number. */
 EM_NOINLINE int em_norm_of(const em_switch *s) { return s->over < -1 ? -2 - s->over : -1; }
 
-/* Whether a row is among those of a norm. */
+/* Whether a row belongs to a norm. */
 EM_NOINLINE int em_is_among(int norm, int row) {
 #ifdef EM_NORMALS
     return normals[norm][row];
@@ -24,7 +26,8 @@ EM_NOINLINE double em_norm_of_multipliers(int norm, const double *lambda) {
     return sum;
 }
 
-/* The derivative of a norm along dlambda, of which rows are `width` apart; that of one side where it vanishes. */
+/* The derivative of a norm along dlambda, whose rows are `width` apart; the one-sided derivative where the norm
+ * vanishes. */
 EM_NOINLINE double em_norm_along(int norm, const double *lambda, const double *dlambda, int width) {
     const double whole = em_norm_of_multipliers(norm, lambda);
     double sum = 0.0;
@@ -35,7 +38,7 @@ EM_NOINLINE double em_norm_along(int norm, const double *lambda, const double *d
     return sum;
 }
 
-#define EM_NORM_TOLERANCE 1e-9 /* by how much a direction may have changed: its square is what is left of the error */
+#define EM_NORM_TOLERANCE 1e-9 /* bound on the change of a direction: its square is the remaining error */
 
 EM_NOINLINE int em_some_rooted(const em_mixed *s) {
     int some = 0;
@@ -43,7 +46,7 @@ EM_NOINLINE int em_some_rooted(const em_mixed *s) {
     return some;
 }
 
-/* toward <- of p. Returns the largest change of those of rooted rows that are at their limit. */
+/* toward <- at p. Returns the largest change, over rooted rows at their limit. */
 EM_NOINLINE double em_turn_to_forces(em_mixed *s) {
     const int k = s->k;
     double change = 0.0;
@@ -59,7 +62,7 @@ EM_NOINLINE double em_turn_to_forces(em_mixed *s) {
     return change;
 }
 
-/* p <- of the mode, but for rows that rest. 0, or -1: its rows depend on each other, or friction jams. */
+/* p <- of the mode without resting rows. 0, or -1: its rows are dependent, or friction jams. */
 EM_NOINLINE int em_forces_of_independent(em_mixed *s) {
     enum { STEPS = 50 };
     for (int i = 0; i < s->k * s->k; ++i) s->toward[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
@@ -72,7 +75,7 @@ EM_NOINLINE int em_forces_of_independent(em_mixed *s) {
     return -1;
 }
 
-/* The same of all rows; where some depend on each other, and cones stick, of independent ones, while the others rest. */
+/* The same for all rows; if some are dependent and cones stick, for independent rows, while the others rest. */
 EM_NOINLINE int em_forces_of_mode(em_mixed *s) {
     double Z[EM_MIXED_ROWS * EM_MIXED_ROWS];
     int basic[EM_MIXED_ROWS];
@@ -89,7 +92,7 @@ EM_NOINLINE int em_some_rest(const em_mixed *s) {
     return some;
 }
 
-/* Whether rows that rest hold all the same, here and nearby; then p <- shared with them. */
+/* Whether resting rows hold nevertheless, here and nearby; if so, p <- shared with them. */
 EM_NOINLINE int em_share_with_resting(em_mixed *s, double terms) {
     for (int i = 0; i < s->k; ++i)
         if (s->rests[i] && !(fabs(s->w[i]) <= EM_MODE_VERIFIED * terms)) return 0;

@@ -4,7 +4,7 @@
 
 #include "contact/em_active_set.h"
 
-#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
+#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may violate a constraint */
 
 enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
 
@@ -25,7 +25,7 @@ EM_NOINLINE void em_along(const em_directions *d, int rows, const double *D, dou
 }
 
 #ifdef EM_QUASI
-/* v (n) <- P^-1 v by elimination, the largest pivot of each column first. 0, or -1: P (n, n) is singular. */
+/* v (n) <- P^-1 v by elimination with partial pivoting. 0, or -1: P (n, n) is singular. */
 EM_NOINLINE int em_eliminate(double *P, double *v) {
     for (int k = 0; k < N; ++k) {
         int best = k;
@@ -53,7 +53,7 @@ EM_NOINLINE int em_eliminate(double *P, double *v) {
 }
 #endif
 
-/* v (n) <- with P(x, t) v = y (3). 0, or -1: P is singular. */
+/* v (n) <- the solution of P(x, t) v = y (3). 0, or -1: P is singular. */
 EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, const double *c, double *v) {
 #ifdef EM_QUASI
     double P[N * N], unit[N] = {0.0}, column[N];
@@ -72,7 +72,7 @@ EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, co
 }
 
 #ifdef EM_QUASI
-/* Of v where the reset has set the quasi-velocities y = P v: P dv = dy - dP v. S holds dy in place of dv. */
+/* Directions of v after a reset has set the quasi-velocities y = P v: P dv = dy - dP v. S holds dy in place of dv. */
 EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x, const double *v, const double *c) {
     double by[N * N_ARGUMENTS], P[N * N], W[N * d->columns];
     quasi_partials(t, x, v, c, by);
@@ -92,8 +92,8 @@ EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x
 }
 #endif
 
-/* Whether resets, `event`'s the last, have put x to where an impact never lets it come, further than it was at `from`, and
- * beyond rounding: -1 and *fault. */
+/* Whether resets, the last of `event`, have moved x beyond an impact's surface, further than at `from` and by more
+ * than rounding: -1 and *fault. */
 EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
                            const double *u, int event, em_fault *fault) {
     double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
@@ -113,7 +113,7 @@ EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, co
     return 0;
 }
 
-/* Directions after reset `number` of x, v; those of rates are of the quasi-velocities where these are set. */
+/* Directions after reset `number` of x, v; those of rates are directions of the quasi-velocities if these are set. */
 EM_NOINLINE void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
                             const double *u, int number) {
     double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];

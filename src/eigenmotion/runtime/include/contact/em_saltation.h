@@ -1,12 +1,12 @@
 /* em_saltation.h: the saltation matrix of an impact, which maps directions before it to directions after it.
  *
- * With the mode of the impulses as it is, M (v+ - v) + A^T lambda = 0 and A v+ + b = -e (A v + b) of the rows that hold in it,
- * and friction that slips is in proportion to its contact. What directions become solves the same system, for the derivatives
- * of these terms. */
+ * With the mode of the impulses fixed, M (v+ - v) + A^T lambda = 0 and A v+ + b = -e (A v + b) of the rows that hold
+ * in it, and sliding friction is proportional to the impulse of its contact. Directions after the impact solve the
+ * same system with the derivatives of these terms. */
 #ifndef EM_SALTATION_H
 #define EM_SALTATION_H
 
-/* The derivatives along the directions of what a blow is made of. */
+/* Derivatives, along the directions, of the terms of an impact. */
 typedef struct em_impact_partials {
     double *balance, *rates, *levels, *impacts; /* (n + m), (h + m), levels, impacts: each by columns */
 } em_impact_partials;
@@ -41,7 +41,8 @@ EM_NOINLINE int em_solve_impact_along(const em_all_rows *r, const em_impact *b, 
     return 0;
 }
 
-/* G (columns) <- what A (v+ - v) of a row becomes by: its own change, that of the rate before, of the restitution. */
+/* G (columns) <- the change of A (v+ - v) of a row through its own derivative, that of the rate before, and that of
+ * the restitution. */
 EM_NOINLINE void em_impact_rate_along(const em_acting *a, const em_impact *b, const em_impact_partials *of,
                                 const double *change, int row, double *G) {
     const int columns = a->along->columns, lands = !b->strikes[row] || b->lands[row];
@@ -59,7 +60,7 @@ EM_NOINLINE void em_impact_rate_along(const em_acting *a, const em_impact *b, co
     }
 }
 
-/* Directions after a blow that changes v by `change`. 0, or -1 and *fault. */
+/* Directions after an impact that changes v by `change`. 0, or -1 and *fault. */
 EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_impact *b, const double *change, int event) {
     const em_directions *const d = a->along;
     const int columns = d->columns;

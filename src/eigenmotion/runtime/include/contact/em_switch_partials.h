@@ -1,10 +1,10 @@
-/* em_switch_partials.h: derivatives of the conditions that an active set watches: of multipliers and of limits. */
+/* em_switch_partials.h: derivatives of the conditions of an active set: of multipliers and of limits. */
 #ifndef EM_SWITCH_PARTIALS_H
 #define EM_SWITCH_PARTIALS_H
 
 #include "contact/em_reset.h"
 
-/* Row of D (n_events, n_arguments): the derivatives of the number of a switch, of those of the multipliers. */
+/* Row of D (n_events, n_arguments): the derivatives of the condition of a switch, from those of the multipliers. */
 EM_NOINLINE void em_switch_partials(const em_switch *s, const double *lambda, const double *dlambda, double level,
                                 const double *dlevel, double *row) {
     const double *const own = dlambda + s->row * N_ARGUMENTS;

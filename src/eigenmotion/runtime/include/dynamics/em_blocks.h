@@ -7,9 +7,9 @@
 #include "dynamics/em_close_eigenvalues.h"
 #include "mass/em_root_switching.h"
 
-/* Where the root of a block is. L stands for L and 1 / diag L. */
+/* The location of the root of a block. L stands for L and 1 / diag L. */
 typedef enum em_home {
-    EM_IN_STATE,         /* C and s; in mode 1 L in the memory of the run */
+    EM_IN_STATE,         /* C and s; in mode 1 L in the run's memory */
     EM_IN_MEMORY,        /* L */
     EM_PREPARED_FACTORS, /* C and s, constant */
     EM_PREPARED_ROOT     /* L, constant */
@@ -18,17 +18,17 @@ typedef enum em_home {
 typedef struct em_block {
     int n, size;
     const int *coordinate; /* (size), of n */
-    const double *scales;  /* (n): units in which it is factored; NULL: its own */
+    const double *scales;  /* (n): units in which it is factored; NULL: none */
     em_home home;
-    int C, s, L, r; /* places there */
+    int C, s, L, r; /* offsets there */
 } em_block;
 
 /* Rows that Delta couples, whose eigenfactors are in the state (47). */
 typedef struct em_group {
     int size;
     const int *rows; /* (size) */
-    int C, s;        /* places in the state */
-    int kept;        /* in the memory, of Omega_D and its rate */
+    int C, s;        /* offsets in the state */
+    int kept;        /* offset in memory of Omega_D and its rate */
 } em_group;
 
 EM_INLINE double em_scale(const em_block *b, int i) { return b->scales ? b->scales[b->coordinate[i]] : 1.0; }
@@ -84,7 +84,7 @@ EM_NOINLINE int em_velocity_of_root(const em_block *b, const double *M, double *
     return 0;
 }
 
-/* eta (size) <- the velocities, by a root that is found without M(x); mode 1, memory: see em_home */
+/* eta (size) <- the velocities, by a root that is available without M(x); mode 1, memory: see em_home */
 EM_INLINE void em_velocity_in_run(const em_block *b, int mode, const double *y, const double *c, const double *memory,
                                   double *eta) {
     if (b->home == EM_PREPARED_FACTORS) em_velocity_of_eta(b->size, c + b->C, c + b->s, eta);
@@ -93,7 +93,7 @@ EM_INLINE void em_velocity_in_run(const em_block *b, int mode, const double *y, 
     else em_velocity_of_eta(b->size, y + b->C, y + b->s, eta);
 }
 
-/* v (n) <- xdot of this block, or what an error `eta` (n) makes of it */
+/* v (n) <- xdot of this block, or the error of xdot that follows from an error `eta` (n) */
 EM_INLINE void em_velocity_kept(const em_block *b, int mode, const double *eta, const double *y, const double *c,
                                 const double *memory, double *v) {
     double part[b->size];
@@ -102,7 +102,7 @@ EM_INLINE void em_velocity_kept(const em_block *b, int mode, const double *eta, 
     em_put_velocity(b, part, v);
 }
 
-/* v (n) <- xdot of this block, from a state alone; M (n, n) where L is in the memory of a run. 0, or -1 and *fault */
+/* v (n) <- xdot of this block, from a state alone; M (n, n) if L is in a run's memory. 0, or -1 and *fault */
 EM_INLINE int em_velocity_at(const em_block *b, int mode, const double *M, const double *y, const double *c, double *v,
                              em_fault *fault) {
     double part[b->size];
@@ -136,8 +136,8 @@ EM_INLINE int em_keep_root(const em_block *b, const double *M, double *memory, e
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
 
-/* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 it is of the root that the memory gets.
- * Where Omega was `continued`, not C^T S^-1 eta is known, but C^T S eta. */
+/* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 eta belongs to the root that is
+ * stored in memory. If Omega was extrapolated (`continued`), C^T S eta is continuous, and not C^T S^-1 eta. */
 EM_INLINE int em_settle_factors(const em_block *b, int mode, int continued, const double *M, double *y, double *memory,
                                 em_fault *fault) {
     double eta[b->size];
@@ -157,7 +157,7 @@ EM_INLINE double em_time_of_block(const em_block *b, const double *Mdot, const d
     return em_time_to_crossing(b->size, y + b->s, mu);
 }
 
-/* y <- with the quasi-velocities of the other root of M (size, size), which is that of `mode`. 0, or -1 and *fault */
+/* y <- with the quasi-velocities of the other root of M (size, size), that of `mode`. 0, or -1 and *fault */
 EM_COLD_PATH EM_NOINLINE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
     double eta[b->size];
     if (mode && em_keep_root(b, M, memory, fault)) return -1;
@@ -167,7 +167,7 @@ EM_COLD_PATH EM_NOINLINE int em_change_mode(const em_block *b, int mode, const d
     return 0;
 }
 
-/* B (m, size) <- the rows A (m, size) on eta (28) */
+/* B (m, size) <- the rows A (m, size) in terms of eta (28) */
 EM_INLINE void em_rows_of_block(const em_block *b, int mode, int m, const double *y, const double *c,
                                 const double *memory, const double *A, double *B) {
     if (b->home == EM_PREPARED_FACTORS) em_rows_of_factors(m, b->size, c + b->C, c + b->s, A, B);

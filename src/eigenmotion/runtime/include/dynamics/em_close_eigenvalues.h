@@ -6,22 +6,22 @@
 #include "constraints/em_multipliers.h"
 
 #ifdef EM_ON_LANES
-/* What has no memory of a run goes by (32), (53) as published. */
+/* Without the memory of a run, (32), (53) are evaluated as published. */
 EM_INLINE int em_omega(int n, const real *restrict s, const real *restrict mu, const double *kept, double since,
                        real *restrict Omega) {
     return (void)kept, (void)since, em_omega_apart(n, s, mu, Omega), 0;
 }
 #else
 
-/* Whether two eigenvalues are as close as (32) leaves to extrapolation; gap = s_j^2 - s_i^2. */
+/* Whether two eigenvalues are so close that (32) is replaced by extrapolation; gap = s_j^2 - s_i^2. */
 #define EM_EPSILON 1e-6
 EM_INLINE int em_is_close(double gap, double s_i, double s_j) {
     const double larger = fmax(s_i, s_j);
     return fabs(gap) < EM_EPSILON * larger * larger;
 }
 
-/* Omega (n, n) <- (32), (53). Where two eigenvalues are close and `kept` is given, (2, n, n) of the last accepted step,
- * Omega(t_0) + Omegadot(t_0) since. Returns whether that was so anywhere. */
+/* Omega (n, n) <- (32), (53). If two eigenvalues are close and `kept` is given, (2, n, n) of the last accepted step,
+ * Omega(t_0) + Omegadot(t_0) since. Returns whether that was the case. */
 EM_INLINE int em_omega(int n, const double *restrict s, const double *restrict mu, const double *kept, double since,
                        double *restrict Omega) {
     int continued = 0;

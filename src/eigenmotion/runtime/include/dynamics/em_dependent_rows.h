@@ -1,18 +1,22 @@
 /* em_dependent_rows.h: constraint rows that follow from others, at a state and along any motion from it.
  *
- * At a singular position, as a dead centre, rows depend on each other too, but there only: beside it, on all that the
- * independent ones allow, the others are not met. */
+ * At a singular position, such as a dead centre, rows are dependent, too, but only there: at neighbouring positions
+ * that the independent rows allow, the others are violated. */
 #ifndef EM_DEPENDENT_ROWS_H
 #define EM_DEPENDENT_ROWS_H
 
 #include "dynamics/em_projection.h"
 
-#define EM_SURELY 1e-3   /* rows of length one that add more than this, squared, to the others nearby do so on the constraints */
-#define EM_FOLLOWS 1e-10 /* the part of its terms by which a row that follows from others is off, where these are met; */
-#define EM_PROBE_DISTANCE 1e-2   /* looked at beside a state, by this part of what turns a row over, */
-#define EM_CLOSEST 1e-4  /* or less where that is too far, down to this: a row that does not follow is off by its square */
+#define EM_SURELY 1e-3   /* rows of length one whose added part, squared, exceeds this nearby are independent on the
+                            constraints */
+#define EM_FOLLOWS 1e-10 /* the allowed residual, relative to its terms, of a row that follows from others where
+                            these are satisfied */
+#define EM_PROBE_DISTANCE 1e-2   /* distance of a neighbouring position, as a part of the displacement that changes a
+                                    row entirely */
+#define EM_CLOSEST 1e-4  /* the smallest such distance, if the first is too large: the residual of a row that does
+                            not follow is its square */
 
-/* Delta of the rows that always hold; those of contacts and frictions stand in it as if they acted on nothing else. */
+/* Delta of the rows that hold in every mode; rows of contacts and frictions are in it as if they were decoupled. */
 EM_NOINLINE void em_lasting_rows(const em_root *root, double *Delta) {
     memcpy(Delta, root->Delta, sizeof root->Delta);
 #ifdef EM_SWITCHED_ROWS
@@ -22,14 +26,15 @@ EM_NOINLINE void em_lasting_rows(const em_root *root, double *Delta) {
 #endif
 }
 
-/* The root at x, and what its lasting rows are. 0, or -1. */
+/* The root at x, and Delta of its permanent rows. 0, or -1. */
 EM_NOINLINE int em_lasting_at(double t, const double *x, const double *c, em_root *root, double *Delta) {
     em_fault fault;
     if (em_root_at(t, x, c, root, &fault)) return -1;
     return em_lasting_rows(root, Delta), 0;
 }
 
-/* unit (n) <- the change of each coordinate that makes up for the terms of a row; its own size, or 1, where none holds it. */
+/* unit (n) <- the change of each coordinate that balances the terms of a row; its own size, or 1, if no row contains
+ * it. */
 EM_NOINLINE void em_turns_over(double t, const double *x, const double *c, double *unit) {
     double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS];
     pfaffian(t, x, c, A, b);
@@ -44,8 +49,8 @@ EM_NOINLINE void em_turns_over(double t, const double *x, const double *c, doubl
     }
 }
 
-/* x <- where the rows kept are met, whatever the others are; terms (h) <- what phi was the sum of on the way, at most: where
- * all terms vanish there, rounding is of these. Whether it got there. */
+/* x <- a point that satisfies the kept rows, whatever the others; terms (h) <- the largest terms of phi on the way:
+ * where all terms vanish, rounding is of these. Returns whether it converged. */
 EM_NOINLINE int em_meet_kept(double t, double *x, const double *c, int kept, double *terms) {
     enum { STEPS = 30, ROUNDINGS = 1000 };
     double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS];
@@ -66,7 +71,8 @@ EM_NOINLINE int em_meet_kept(double t, double *x, const double *c, int kept, dou
     return 0;
 }
 
-/* Whether the rows that are not kept follow from those that are at x, which these allow, and are as many there. */
+/* Whether the rows that are not kept follow from the kept ones at x, which satisfies the latter, and whether the
+ * rank is the same there. */
 EM_NOINLINE int em_follow_at(double t, const double *x, const double *c, int kept, int rank, const double *terms) {
     double residual[EM_SOME_ROWS], here[EM_SOME_POSITIONS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
     int there;
@@ -78,7 +84,7 @@ EM_NOINLINE int em_follow_at(double t, const double *x, const double *c, int kep
     return em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &there) <= rank;
 }
 
-/* x moved by a part of `unit` (n), each coordinate by another, one way or the other. */
+/* x moved by a part of `unit` (n), by a different multiple for each coordinate, in one direction or the other. */
 EM_NOINLINE void em_move(const double *x, const double *unit, double part, double *beside) {
     for (int k = 0; k < N; ++k) {
         const double some = 1.0 + k * 5 % 7 / 7.0, sign = k % 3 == 1 ? -1.0 : 1.0;
@@ -86,7 +92,7 @@ EM_NOINLINE void em_move(const double *x, const double *unit, double part, doubl
     }
 }
 
-/* The same beside x, on either side of it. */
+/* The same at positions on either side of x. */
 EM_NOINLINE int em_follow_beside(double t, const double *x, const double *c, int kept, int rank) {
     double unit[N], beside[N], terms[EM_SOME_POSITIONS];
     em_turns_over(t, x, c, unit);

@@ -12,7 +12,7 @@
 
 #include "dynamics/em_mechanics.h"
 
-/* The factors of the system at a place: L, B = A L^-T, and D = L_D L_D^T of B B^T. rows: flags of those that count. */
+/* The factors of the system at a state: L, B = A L^-T, and D = L_D L_D^T of B B^T. rows: flags of the rows used. */
 typedef struct em_factors {
     em_root root;
     double L[EM_SOME_ROWS * EM_SOME_ROWS], r[EM_SOME_ROWS];
@@ -37,7 +37,7 @@ EM_NOINLINE int em_factors_at(double t, const double *x, const double *c, int le
     return row < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
 }
 
-/* Of W (n + m, columns): rows k += factor row i. */
+/* Of W (n + m, columns): row k += factor times row i. */
 EM_INLINE void em_add_row(int columns, double factor, const double *restrict from, double *restrict to) {
     EM_ALONG
     for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
@@ -63,10 +63,10 @@ EM_INLINE void em_backward_rows(int n, int columns, const double *L, const doubl
     }
 }
 
-/* X (m, columns) <- Delta^-1 X; where multipliers push by rows of their own, pushed^-1 X. */
+/* X (m, columns) <- Delta^-1 X; if multipliers act along rows of their own, pushed^-1 X. */
 EM_INLINE void em_solve_multipliers(const em_factors *f, int columns, double *X) {
 #ifdef EM_PUSHES
-    em_fault none; /* a and lambda follow from the same matrix: it has been solved with */
+    em_fault none; /* a and lambda have been solved from the same matrix */
     for (int j = 0; j < columns; ++j) {
         double column[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) column[row] = X[row * columns + j];
@@ -79,7 +79,7 @@ EM_INLINE void em_solve_multipliers(const em_factors *f, int columns, double *X)
 #endif
 }
 
-/* W (n + m, columns): partial derivatives of r, s -> derivatives of a, lambda. Multipliers of rows that do not count
+/* W (n + m, columns): partial derivatives of r, s -> derivatives of a, lambda. Multipliers of rows that are not used
  * are zero. */
 EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
     double *const a = W, *const lambda = W + N * columns;
@@ -98,8 +98,8 @@ EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
 
 EM_NOINLINE EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
 
-/* Partial derivatives by state (n + m, 2 n) and by what is given (n + m, n_given) -> da (n, n_arguments), dlambda (m,
- * n_arguments). Rows are as long as vectors fill them, which the compiler knows. */
+/* Partial derivatives with respect to the state (n + m, 2 n) and to the other arguments (n + m, n_given) -> da (n,
+ * n_arguments), dlambda (m, n_arguments). Rows are padded to full vectors, a length that the compiler knows. */
 EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
                                        double *dlambda) {
     enum { WIDTH = (N_ARGUMENTS + 3) / 4 * 4 };
@@ -116,7 +116,7 @@ EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by
         memcpy(dlambda + row * N_ARGUMENTS, W + (N + row) * WIDTH, N_ARGUMENTS * sizeof *dlambda);
 }
 
-/* a (n), lambda (m) of the rows that count, and the factors there. */
+/* a (n), lambda (m) of the rows that are used, and the factors there. */
 EM_NOINLINE int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                          em_factors *f, double *a, double *lambda, em_fault *fault) {
     if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
@@ -137,7 +137,7 @@ EM_EXPORT int em_motion_jacobian(double t, const double *z, const double *c, con
     return 0;
 }
 
-/* da (n, n_arguments), dlambda (m, n_arguments): by x, v, inputs, parameters, time; a (n), lambda (m). */
+/* da (n, n_arguments), dlambda (m, n_arguments): with respect to x, v, inputs, parameters, time; a (n), lambda (m). */
 EM_EXPORT int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, double *da, double *dlambda,
                                     em_fault *fault) {

@@ -15,9 +15,9 @@ enum { EM_PUSHED = N_ROWS };
 #endif
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
 
-/* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. Where multipliers push by
- * other rows than A, Q = P L^-T (m, n) and pushed = B Q^T; where norms of multipliers do, rows of Q are those at the direction
- * that multipliers have, behind them those of the norms. */
+/* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. If multipliers act
+ * along other rows than A, Q = P L^-T (m, n) and pushed = B Q^T; if norms of multipliers act, the rows of Q are at
+ * the direction of the multipliers, followed by those of the norms. */
 typedef struct em_root {
     double L[N * N], r[N];
     double B[EM_SOME_ROWS * N], b[EM_SOME_ROWS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
@@ -57,7 +57,7 @@ EM_NOINLINE int em_rows_at(double t, const double *x, const double *c, double *B
 /* em_dynamics.worst_factors */
 EM_NOINLINE double em_worst_factors_of(const double *M, const double *y, int *first) { return em_worst_factors(blocks, M, y, first); }
 
-/* Flags of a solution with Delta; least_norm: em_dependent, or flags that say which rows are kept. */
+/* Flags for a solution with Delta; least_norm: em_dependent, or flags that say which rows are kept. */
 EM_NOINLINE int em_flags_at(const em_root *root, int least_norm) {
     if (least_norm == EM_SHARED_FROM_START) return em_rank(EM_SOME_ROWS, root->Delta) < N_ROWS ? EM_LEAST_NORM : 0;
     return least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;

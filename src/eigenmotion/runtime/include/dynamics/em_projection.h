@@ -4,13 +4,13 @@
 
 #include "dynamics/em_mechanics.h"
 
-/* |phi| in units of its rounding, infinite where it is not known. No number below DBL_MIN has digits to round. */
+/* |phi| in units of its rounding, infinite if that is unknown. A number below DBL_MIN has no digits to round. */
 static double em_in_roundings(double phi, double terms) {
     if (phi == 0.0) return 0.0;
     return isfinite(phi) && isfinite(terms) ? fabs(phi) / fmax(terms * DBL_EPSILON, DBL_MIN) : INFINITY;
 }
 
-/* residual (m) <- phi, 0 in the rows of velocities; terms (h): what phi is the sum of. */
+/* residual (m) <- phi, 0 in the rows of velocities; terms (h): the magnitudes of the terms of phi. */
 EM_NOINLINE void em_position_residual(double t, const double *x, const double *c, double *residual, double *terms) {
     double phi[EM_SOME_POSITIONS];
     memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
@@ -29,8 +29,8 @@ EM_NOINLINE double em_largest_residual(const double *residual, const double *ter
     return largest;
 }
 
-/* A row that depends on others is met as well as they are: what rounding leaves of those that are kept, in units of
- * their lengths, it leaves of all. */
+/* A row that depends on others is satisfied as well as they are: the rounding of the kept rows, in units of their
+ * lengths, is allowed for all. */
 EM_NOINLINE void em_share_rounding(const em_root *root, int rows, double *terms) {
     double most = 0.0;
     for (int row = 0; row < N_POSITIONS; ++row)
@@ -39,8 +39,8 @@ EM_NOINLINE void em_share_rounding(const em_root *root, int rows, double *terms)
         terms[row] = fmax(terms[row], most * sqrt(root->Delta[row * N_ROWS + row]));
 }
 
-/* terms <- the larger of those here and before the last step, which become those here: where all terms vanish with phi,
- * what is left is rounding of what they were. */
+/* terms <- the larger of the terms here and before the last step; before <- the terms here. Where all terms vanish
+ * with phi, the residual is the rounding of the former terms. */
 EM_NOINLINE void em_widen_terms(double *terms, double *before) {
     for (int row = 0; row < N_POSITIONS; ++row) {
         const double here = terms[row];
@@ -49,8 +49,9 @@ EM_NOINLINE void em_widen_terms(double *terms, double *before) {
     }
 }
 
-/* terms += what cancels in each row of Delta lambda, the change of phi that a correction made: of a coordinate that is 0
- * but for the corrections of others, phi's own terms know nothing. lengths (m): the roots of Delta's diagonal. */
+/* terms += the terms that cancel in each row of Delta lambda, the change of phi by a correction: if a coordinate is
+ * 0 but for the corrections of others, phi's own terms do not contain that rounding. lengths (m): the roots of
+ * Delta's diagonal. */
 EM_NOINLINE void em_add_correction(const double *lengths, const double *lambda, double *terms) {
     double whole = 0.0;
     for (int row = 0; row < N_ROWS; ++row) whole += lengths[row] * fabs(lambda[row]);
@@ -61,8 +62,8 @@ EM_NOINLINE void em_row_lengths(const em_root *root, double *lengths) {
     for (int row = 0; row < N_ROWS; ++row) lengths[row] = sqrt(root->Delta[row * N_ROWS + row]);
 }
 
-/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
- * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
+/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` iterations at most. If rows may be
+ * dependent and none are said to be kept, each iteration keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
 EM_NOINLINE int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
@@ -94,8 +95,8 @@ EM_NOINLINE int em_newton(double t, double *x, const double *c, int steps, int l
     return em_newton_of(t, x, c, steps, least_norm, EM_DEPENDENT, fault);
 }
 
-/* The same from afar. Off the constraints, rows that depend on each other on them differ, by little: first only rows
- * that clearly add to others count, which is right unless phi = 0 is not reached so. */
+/* The same from far away. Rows that are dependent on the constraints differ slightly off them. So only clearly
+ * independent rows are used first, which is right unless phi = 0 is not reached with them. */
 EM_COLD_PATH EM_NOINLINE int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
     enum { STEPS = 50 };
     static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};

@@ -1,7 +1,7 @@
-/* em_rate_jacobian.h: exact derivatives of the right-hand side in its own states, C and s included.
+/* em_rate_jacobian.h: exact derivatives of the right-hand side with respect to its own states, C and s included.
  *
- * NAME.c compiled with EM_ON_LANES and EM_ON_DUALS: its right-hand side on numbers that carry a derivative each, once for
- * every number of the state. It is compiled where somebody asks (docs/architecture.md). */
+ * NAME.c compiled with EM_ON_LANES and EM_ON_DUALS: its right-hand side on dual numbers, evaluated once for every
+ * number of the state. It is compiled on demand (docs/architecture.md). */
 #ifndef EM_RATE_JACOBIAN_H
 #define EM_RATE_JACOBIAN_H
 

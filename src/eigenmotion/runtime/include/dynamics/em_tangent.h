@@ -5,7 +5,8 @@
 
 #include "dynamics/em_derivatives.h"
 
-/* X (n, columns) <- X - M^-1 A^T Delta^-1 E, of the first `rows` constraint rows, of which E (rows, columns) is off. */
+/* X (n, columns) <- X - M^-1 A^T Delta^-1 E, of the first `rows` constraint rows, of which E (rows, columns) is the
+ * residual. */
 EM_NOINLINE void em_correct_along(const em_factors *f, int rows, int columns, double *E, double *X) {
     double L[EM_SOME_ROWS * EM_SOME_ROWS];
     for (int i = 0; i < rows; ++i)
