@@ -1,11 +1,11 @@
 /* em_gauss_radau.h: ra15, a collocation step of order 15: a polynomial through the rates at eight left Radau nodes,
  * which are all evaluated side by side.
  *
- * The method is of order 15 (Everhart 1985; Rein & Spiegel, MNRAS 446 (2015)). The rates at the nodes are found by fixed
- * point iteration, which begins with the polynomial of the step before, extrapolated. Where the state is (x, v), x is
- * the double integral of the rates of v. Two errors are watched: that of the iteration, by how fast its changes fall off;
- * and that of the polynomial, by how fast its Legendre coefficients fall off and by how far it misses the rate at the
- * end of the step (em_nodes_judge). */
+ * The method is of order 15 (Everhart 1985; Rein & Spiegel, MNRAS 446 (2015)). The rates at the nodes are found by
+ * fixed point iteration, starting from the extrapolated polynomial of the step before. If the state is (x, v), x is
+ * the double integral of the rates of v. Two errors are monitored: that of the iteration, by the decay of its
+ * changes; and that of the polynomial, by the decay of its Legendre coefficients and by its difference from the rate
+ * at the end of the step (em_nodes_judge). */
 #ifndef EM_GAUSS_RADAU_H
 #define EM_GAUSS_RADAU_H
 
@@ -16,26 +16,29 @@
 #include "gauss_radau/em_node_predictor.h"
 
 enum {
-    EM_LAST_LOOK = 4,    /* the iteration after which a step that is too long is no longer given up */
+    EM_LAST_LOOK = 4,    /* after this iteration, a step that is too long is completed all the same */
     EM_SIZES_ORDER = 13  /* after em_aimed the error falls with the power 1 + 8 + 5 of the step's size, at least */
 };
 
-#define EM_BLIND 0.01 /* the least error that the size of a step follows where nothing was known of the one before */
-#define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding: */
-#define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
-#define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
-#define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
+#define EM_BLIND 0.01 /* the smallest error that controls the size if the step before was unknown */
+#define EM_ITERATED (16.0 * DBL_EPSILON) /* relative change of a rate that is rounding */
+#define EM_ROUNDED 0.1 /* the error norm then, which cannot become smaller */
+#define EM_SMOOTH 1e3 /* in tolerances: a first change below this means a good predictor, */
+#define EM_SLOW 0.25  /* after which the iteration should contract by more than this factor */
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
 
-/* Iterations that a step is made for: more where they cost less beside it. One less tells whether it converges slowly. */
+/* The number of iterations that a step is designed for: more if they are cheaper. One fewer shows whether the
+ * iteration converges slowly. */
 EM_INLINE int em_aimed(const em_run_state *w) { return w->second_order ? 6 : 5; }
 
-/* Of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere. */
+/* The part of the tolerances left to the iteration: one more iteration costs less than the shorter steps that it
+ * saves. */
 EM_INLINE double em_may_be_left(const em_run_state *w) { return w->second_order ? 0.01 : 0.03; }
 
 /* --- the iteration --- */
 
-/* What a rate of each number of the state counts: x by its tolerance, eta by what it makes of v and, within the step, of x. */
+/* The weights of the rates of the state: x by its tolerance, eta by the v and, within the step, the x that follow
+ * from it. */
 static void em_weigh_rates(em_run_state *w) {
     const double *const y = w->y;
     double *const weight = w->nodes.weight;
@@ -63,7 +66,7 @@ static void em_weigh_rates(em_run_state *w) {
     for (int k = 2 * w->n; k < w->n_state; ++k) weight[k] = counts ? w->weight[k] : 0.0;
 }
 
-/* What rests, within the step. */
+/* Numbers of the state that are constant within the step. */
 static void em_rest(em_run_state *w) {
     em_nodes *q = &w->nodes;
     for (int b = 0; b < EM_NODE_VECTORS; ++b)
@@ -73,7 +76,7 @@ static void em_rest(em_run_state *w) {
         }
 }
 
-/* Y's x and v, of rows k on, <- by the integral of the rates of v and the integral of that. */
+/* x and v of Y, of rows from k on, <- by the integral of the rates of v and the integral of that. */
 EM_INLINE void em_motion_states(em_run_state *w, int rows, int k) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
@@ -87,11 +90,11 @@ EM_INLINE void em_motion_states(em_run_state *w, int rows, int k) {
         }
 }
 
-/* Y <- the states that the rates make. */
+/* Y <- the integrals of the rates. */
 static void em_node_states(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!w->second_order) {
-        const int first = q->drifted ? w->n : 0; /* places are where the velocities of the last iteration led */
+        const int first = q->drifted ? w->n : 0; /* positions are already those of the last iteration's velocities */
         em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, w->h, q->Y, first);
         return;
     }
@@ -100,7 +103,7 @@ static void em_node_states(em_run_state *w) {
     if (k < w->n) em_motion_states(w, 1, k);
 }
 
-/* The size in tolerances of something at the nodes, in whose terms the rates are weighed. */
+/* The norm, in tolerances, of a quantity at the nodes, with the weights of the rates. */
 EM_INLINE double em_over_nodes(em_run_state *w, em_term *term) {
     const em_tables at = em_tables_of(w);
     const int first = w->first_rate, end = em_rates_end(w);
@@ -112,7 +115,7 @@ EM_INLINE double em_over_nodes(em_run_state *w, em_term *term) {
     return fabs(w->h) * sqrt(em_mean(sum, em_rates_count(w)));
 }
 
-/* a <- F. By how much they differed. */
+/* a <- F. Returns the difference. */
 EM_INLINE em_node_vector em_take_rate(const em_tables *at, int b, int k) {
     const em_node_vector rate = at->F[b][k], change = rate - at->a[b][k];
     at->a[b][k] = rate;
@@ -123,10 +126,10 @@ EM_INLINE em_node_vector em_weighed_rate(const em_tables *at, int b, int k) { re
 
 EM_INLINE double em_take_rates(em_run_state *w) { return em_over_nodes(w, em_take_rate); }
 
-/* How large they are. */
+/* The norm of the rates. */
 EM_NOINLINE double em_rates_size(em_run_state *w) { return em_over_nodes(w, em_weighed_rate); }
 
-/* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
+/* -1 and w->reason: rates are not finite; the reason names the first coordinate at the first node. */
 EM_COLD_PATH EM_NOINLINE int em_fail_nodes(em_run_state *w) {
     double y[w->width], dy[w->width];
     memset(y, 0, sizeof y), memset(dy, 0, sizeof dy);
@@ -134,17 +137,17 @@ EM_COLD_PATH EM_NOINLINE int em_fail_nodes(em_run_state *w) {
         for (int k = 0; k < w->n_state; ++k) y[k] = em_number_at(w->nodes.Y, k, i), dy[k] = em_number_at(w->nodes.F, k, i);
         if (!em_all_finite(w, y) || !em_all_finite(w, dy)) return em_not_finite(w, y, dy);
     }
-    return em_not_finite(w, w->y, w->K[0]); /* none is, but their squares overflow */
+    return em_not_finite(w, w->y, w->K[0]); /* all are finite, but their squares overflow */
 }
 
-/* One iteration: its change in tolerances, NaN where there are no rates and w->reason says why. */
+/* One iteration. Returns its change in tolerances, or NaN if it failed, and w->reason. */
 static double em_iterate(em_run_state *w) {
     em_node_states(w);
     em_velocities_at_nodes(w);
     if (em_rates_at_nodes(w)) return NAN;
     double change = em_take_rates(w);
     if (isfinite(change)) return change;
-    if (w->nodes.on_lanes) { /* some lane knows no rate: numbers say why */
+    if (w->nodes.on_lanes) { /* a lane failed: the scalar code finds out why */
         if (em_rates_one_by_one(w)) return NAN;
         change = em_take_rates(w);
     }
@@ -158,14 +161,16 @@ static double em_power(double base, int times) {
     return power;
 }
 
-/* What is left after an iteration that changed the rates by so much, where that before it changed them by `before`. */
+/* The estimated remaining error after an iteration with this change, if the one before changed the rates by
+ * `before`. */
 static double em_left(double change, double before) {
     return change < 0.9 * before ? change * change / (before - change) : change > 0.0 ? EM_DIVERGES : 0.0;
 }
 
-/* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
- * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates; what is foreseen where the step
- * turns out to be too long for its polynomial, which is kept for a shorter one to begin with. */
+/* Iterates until the remaining error is small. *aimed <- the error after the number of iterations that a step is
+ * designed for. Returns the remaining error; EM_DIVERGES if it does not converge; NaN if it failed; or the predicted
+ * error, if the step turns out to be too long for its polynomial, which is then kept as the predictor of a shorter
+ * one. */
 static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     const int aimed_for = em_aimed(w);
@@ -188,7 +193,7 @@ static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
         }
         if (k == aimed_for) rounding = EM_ITERATED * em_rates_size(w);
         if (k >= aimed_for && change <= rounding) return EM_ROUNDED;
-        if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change in turns */
+        if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change alternately */
         earlier = before, before = change;
     }
     return EM_DIVERGES;
@@ -196,18 +201,18 @@ static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
 
 /* --- the step --- */
 
-/* What sizes are chosen by. */
+/* The norm that controls the step size. */
 static double em_size_of_nodes(const em_run_state *w, double truncation) {
     return em_max(w->nodes.blind ? EM_BLIND : w->nodes.aimed, em_size_by_truncation(truncation));
 }
 
-/* y_new, the series of the rates, and by what the next size is chosen unless the end of the step says otherwise. */
+/* y_new, the series of the rates, and the norm that controls the next size unless the end of the step changes it. */
 static void em_finish_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
     em_find_series(w);
     for (int k = w->first_rate; k < em_rates_end(w); ++k)
-        w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the others' integrals vanish */
+        w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the integrals of the other terms vanish */
     for (int k = 0; w->second_order && k < w->n; ++k) {
         const double twice = em_number_at(q->series, w->n + k, 0) / 2.0 - em_number_at(q->series, w->n + k, 1) / 6.0;
         w->y_new[k] = w->y[k] + h * (w->y[w->n + k] + h * twice);
@@ -216,7 +221,7 @@ static void em_finish_nodes(em_run_state *w) {
     w->size_norm = em_size_of_nodes(w, em_error_of_series(w, em_usually_missed(w)));
 }
 
-/* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
+/* w->error <- the change of the rates in a step that does not converge: the largest names the coordinate. */
 EM_COLD_PATH EM_NOINLINE void em_note_changes(em_run_state *w) {
     double ev[w->n];
     memset(w->error, 0, (size_t)w->width * sizeof *w->error);
@@ -228,7 +233,7 @@ EM_COLD_PATH EM_NOINLINE void em_note_changes(em_run_state *w) {
 static int em_nodes_step(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const int most = em_predict(w);
-    q->blind = most == EM_MOST_AT_START; /* how long that took says nothing of the next step */
+    q->blind = most == EM_MOST_AT_START; /* the number of iterations says nothing about the next step */
     q->converged = 0;
     em_weigh_rates(w);
     em_rest(w);

@@ -7,14 +7,16 @@
 #include "gauss_radau/em_node_predictor.h"
 #include "stepper/em_error_norm.h"
 
-#define EM_INTEGRAL_SHARE 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
-#define EM_TURNS 20.0 /* in what its last coefficients count: a change that may still turn a polynomial into another */
+#define EM_INTEGRAL_SHARE 0.03 /* ratio of the first missing term of a polynomial of rates to its integral within the
+                                  step */
+#define EM_TURNS 20.0 /* in weights of its last coefficients: a change that may still alter the polynomial
+                         considerably */
 
 static int em_rates_count(const em_run_state *w) { return w->second_order ? w->n : em_count(w); }
 
 EM_INLINE em_node_vector em_weighed_series(const em_tables *at, int b, int k) { return at->series[b][k] * at->weight[k]; }
 
-/* series, and the size of each term. */
+/* Computes the series, and the size of each term. */
 static void em_find_series(em_run_state *w) {
     em_nodes *const q = &w->nodes;
     em_node_vector squares[EM_NODE_VECTORS];
@@ -26,7 +28,7 @@ static void em_find_series(em_run_state *w) {
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
 }
 
-/* The step that `series` is of: from here on there is one. */
+/* Marks the series as that of this step. */
 static void em_keep_series(em_run_state *w) {
     em_nodes *const q = &w->nodes;
     q->t = w->t;
@@ -36,8 +38,8 @@ static void em_keep_series(em_run_state *w) {
     q->converged = 1;
 }
 
-/* The error of the polynomial, by the sizes of its last two coefficients and of the two `before`, and how fast these fall
- * off. By pairs, for one of them may vanish by chance, or for symmetry. */
+/* The error of the polynomial, by the sizes of its last two coefficients and of the two `before`, and their decay.
+ * Pairs are used because a single coefficient may vanish by chance or by symmetry. */
 static double em_truncation(em_run_state *w, double before, double last) {
     const double falls = em_min(1.0, last / (before + DBL_MIN));
     const double next = fabs(w->h) * last * falls / sqrt(em_rates_count(w));
@@ -45,15 +47,15 @@ static double em_truncation(em_run_state *w, double before, double last) {
     return next * falls * falls * sqrt(falls);
 }
 
-/* What sizes are chosen by: the error to the power 12 / 16, with care. */
+/* The norm that controls step sizes: the error to the power 12 / 16, with a safety factor. */
 static double em_size_by_truncation(double truncation) {
     const double root = sqrt(truncation);
     return root * sqrt(root);
 }
 
-enum { EM_UPPER = EM_NODE_VECTORS / 2 }; /* the first bundle of the upper four of eight */
+enum { EM_UPPER = EM_NODE_VECTORS / 2 }; /* the first node vector of the upper four of eight */
 
-/* Coefficients of a row of the series, as far as the iteration has found it. */
+/* Coefficients of a row of the series, at the current iterate. */
 EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
     em_node_vector term = {0.0};
     EM_UNROLL
@@ -62,8 +64,8 @@ EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
     return term * at->weight[k];
 }
 
-/* The error of the polynomial that the iteration is about to find, as far as its coefficients tell, where the last change
- * no longer turns it into another; else 0. Where that is too large the rest of the iteration need not be waited for. */
+/* The error of the polynomial that the iteration is converging to, as predicted by its coefficients, if the last
+ * change no longer alters it considerably; else 0. If that is too large the iteration is stopped. */
 static double em_foreseen(em_run_state *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
     const em_tables at = em_tables_of(w);
@@ -73,7 +75,7 @@ static double em_foreseen(em_run_state *w, double change) {
     return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }
 
-/* By how much the polynomial misses the rate at the end of the step, f. */
+/* The difference between the polynomial and the rate f at the end of the step. */
 static double em_missed(em_run_state *w, const double *f) {
     em_nodes *const q = &w->nodes;
     double missed = 0.0;
@@ -87,15 +89,16 @@ static double em_missed(em_run_state *w, const double *f) {
     return sqrt(missed);
 }
 
-/* The error of a polynomial that misses the rate at the end of the step by so much. A kink behind the last node shows there
- * alone; one at 0.64 of the step hardly shows in either of what is last, so that they are added. */
+/* The error of a polynomial with this difference at the end of the step. A kink after the last node shows only
+ * there; one at 0.64 of the step shows weakly in both estimates, which are therefore added. */
 static double em_error_of_series(em_run_state *w, double missed) {
     const double *const size = w->nodes.size;
     const double before = sqrt(size[4] * size[4] + size[5] * size[5]), last = sqrt(size[6] * size[6] + size[7] * size[7]);
     return em_truncation(w, before, last + missed);
 }
 
-/* As much as its last coefficients count a smooth polynomial hardly misses: for that sizes are chosen before it is known. */
+/* An estimate of that difference by the last coefficients, which a smooth polynomial hardly exceeds: it controls the
+ * size before the difference is known. */
 static double em_usually_missed(const em_run_state *w) {
     const double *const size = w->nodes.size;
     return sqrt(size[6] * size[6] + size[7] * size[7]);

@@ -1,7 +1,7 @@
 /* em_node_interpolant.h: dense output of ra15: the integral of the polynomial through the rates at the nodes and at
- * the end of the step. The step itself does without the rate at its end, which is not known before. That rate adds
- * miss (P_7 + P_8) / 2 to the polynomial, which is zero at the nodes and has no integral over the step, so the end
- * stays where it was. */
+ * the end of the step. The step itself does not use the rate at its end, which is computed afterwards. That rate
+ * adds miss (P_7 + P_8) / 2 to the polynomial, which is zero at the nodes and has no integral over the step, so that
+ * the end does not change. */
 #ifndef EM_NODE_INTERPOLANT_H
 #define EM_NODE_INTERPOLANT_H
 
@@ -23,14 +23,15 @@ static int em_nodes_interpolate(em_run_state *w) {
             w->F[l][k] -= part;
         }
     }
-    for (int k = w->first_rate; k < em_rates_end(w); ++k) { /* places that are integrals of integrals err by less */
+    for (int k = w->first_rate; k < em_rates_end(w); ++k) { /* positions that are double integrals have smaller
+                                                               errors */
         w->F[EM_NODE_COUNT][k] += 0.5 * h * w->nodes.miss[k];
         w->F[EM_NODE_COUNT + 1][k] = 0.5 * h * w->nodes.miss[k];
     }
     return 0;
 }
 
-/* Where a state within the step is asked for, the step is to be short enough for that, too: to order 10. */
+/* If a state within the step is requested, the step must be short enough for that, too: to order 10. */
 static void em_nodes_within(em_run_state *w) {
     w->error_norm = em_max(w->error_norm, w->nodes.within);
     w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.error_order + 1) / 10.0));
@@ -43,7 +44,7 @@ static void em_nodes_evaluate(int n_state, const double *F, int terms, double th
     double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
     const double x = 2.0 * theta - 1.0;
     P[0] = 1.0, P[1] = x;
-    EM_UNROLL /* quotients are constants then, and nothing divides */
+    EM_UNROLL /* the quotients are then constants, without divisions */
     for (int l = 2; l < EM_NODE_COUNT + 2; ++l) {
         const double before = (l - 1.0) / l, here = (2.0 * l - 1.0) / l;
         P[l] = here * (x * P[l - 1]) - before * P[l - 2];

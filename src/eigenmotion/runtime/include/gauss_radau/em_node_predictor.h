@@ -7,10 +7,10 @@
 
 enum {
     EM_MOST = 9,          /* iterations that a step may take, */
-    EM_MOST_AT_START = 14 /* and where nothing is known of the rates */
+    EM_MOST_AT_START = 14 /* the same if no predictor is known */
 };
 
-/* Behind the last number whose rate is found: with the triangular root eigenfactors rest. */
+/* The end of the numbers whose rates are computed: with the triangular root the eigenfactors are constant. */
 EM_INLINE int em_rates_end(const em_run_state *w) { return w->mode == 1 ? 2 * w->n : w->n_state; }
 
 /* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
@@ -27,11 +27,12 @@ EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT
     }
 }
 
-#define EM_GROWN 10.0 /* beside the least of them, what the last term is where a polynomial is not to be gone on with */
+#define EM_GROWN 10.0 /* relative to the smallest term, a last term with which a series must not be extrapolated */
 
-/* The terms of the series with which to go on behind the step before, P_l(end) there: all, but where they grow, as behind
- * steps that left as much of an error as they might, those up to the least, as of any series that does not converge. Where
- * stability keeps steps short they are all wanted: how slowly an iteration converges that begins close tells so. */
+/* The number of terms of the series that are extrapolated beyond the step before, with P_l(end) there. All of them,
+ * unless they grow, as after steps with the largest allowed error; then those up to the smallest, as in any
+ * asymptotic series. If stability limits the steps all terms are used: a slow convergence despite a good start then
+ * shows it. */
 static int em_terms_to_continue(const em_run_state *w, double (*P)[EM_NODE_COUNT]) {
     if (w->nodes.slow) return EM_NODE_COUNT;
     double least = INFINITY, last = 0.0;
@@ -43,7 +44,8 @@ static int em_terms_to_continue(const em_run_state *w, double (*P)[EM_NODE_COUNT
     return last > EM_GROWN * least ? terms : EM_NODE_COUNT;
 }
 
-/* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
+/* a <- the polynomial of `series` at start + ratio nodes, in units of its step, shifted to begin with the current
+ * rate. */
 static void em_continue(em_run_state *w, em_node_vector *const *series, double start, double ratio) {
     double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[w->n_state];
     const int end = em_rates_end(w);
@@ -58,7 +60,7 @@ static void em_continue(em_run_state *w, em_node_vector *const *series, double s
            w->nodes.a, w->first_rate);
 }
 
-/* What is known of the step before, once it has been accepted. */
+/* Keeps the series of the step before, once it has been accepted. */
 static void em_remember(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
@@ -71,7 +73,7 @@ static void em_remember(em_run_state *w) {
     q->converged = 0;
 }
 
-/* Returns how many iterations there may be. */
+/* Predicts the rates. Returns the maximal number of iterations. */
 static int em_predict(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_remember(w);

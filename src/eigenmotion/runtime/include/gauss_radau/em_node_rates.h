@@ -17,14 +17,14 @@ EM_NOINLINE int em_rates_one_by_one(em_run_state *w) {
     return 0;
 }
 
-/* Whether the model can be asked on lanes: it is linked for the same machine, stages are not settled, and no multipliers
- * of least norm are wanted. */
+/* Whether the model's lanes can be used: they are linked for the same machine, stages are not settled, and no
+ * multipliers of least norm are needed. */
 static int em_lanes_serve(const em_run_state *w) {
     const int flags = em_constraint_flags(w->run), least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
     return w->lanes->width == EM_LANES && !least_norm && !(w->n_positions > 0 && w->near);
 }
 
-/* What does not change while a step is iterated: times, signals, parameters. */
+/* Data that are constant during the iteration of a step: times, signals, parameters. */
 static void em_begin_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     q->on_lanes = em_lanes_serve(w);
@@ -40,7 +40,7 @@ static void em_begin_nodes(em_run_state *w) {
     w->c_is_known = 1;
 }
 
-/* F <- f at the nodes; NaN at those that have none. 0, or -1 and w->reason. */
+/* F <- f at the nodes; NaN at those that fail. 0, or -1 and w->reason. */
 static int em_rates_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes) return em_rates_one_by_one(w);
@@ -51,14 +51,15 @@ static int em_rates_at_nodes(em_run_state *w) {
     return 0;
 }
 
-/* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
+/* x of Y <- the integral of Y's velocities, before the forces are evaluated; velocities that depend on x use the
+ * former x. */
 static void em_drift(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_map(w->n, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
     q->drifted = 1;
 }
 
-/* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */
+/* a <- the velocities at the nodes, and the positions that follow from them, if these are cheap. */
 static void em_velocities_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes || w->mode != 0 || w->lanes->velocity == NULL) return;

@@ -17,7 +17,7 @@ EM_INLINE void em_put_at(em_node_vector *const *at, int k, int j, double number)
     ((double *)&at[j / EM_LANES][k])[j % EM_LANES] = number;
 }
 
-/* By name: a loop would go through memory, and wait. */
+/* Written out: a loop would go through memory, and wait. */
 EM_INLINE double em_sum_of(em_node_vector a) {
 #if EM_LANES == 8
     return ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]));
@@ -30,9 +30,10 @@ EM_INLINE double em_sum_of(em_node_vector a) {
 #endif
 }
 
-enum { EM_SUMS = 4 }; /* partial sums, which do not wait for each other */
+enum { EM_SUMS = 4 }; /* independent partial sums */
 
-/* The tables of a step by nodes, by hand: what is written to one of them then leaves the others' places known. */
+/* The tables of a collocation step, as locals: the compiler then knows that a store to one does not change the
+ * addresses of the others. */
 typedef struct em_tables {
     em_node_vector *F[EM_NODE_VECTORS], *a[EM_NODE_VECTORS], *series[EM_NODE_VECTORS];
     const double *weight;
@@ -45,7 +46,7 @@ EM_INLINE em_tables em_tables_of(const em_run_state *w) {
     return at;
 }
 
-/* A number at each of the nodes of bundle b, of row k. */
+/* A number at each of the nodes of vector b, of row k. */
 typedef em_node_vector em_term(const em_tables *at, int b, int k);
 
 /* The sum of the squares of terms of rows first ... end. */
@@ -64,7 +65,8 @@ EM_INLINE em_node_vector em_sum_of_squares(const em_tables *at, int b, int first
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-/* Rows of a linear map's images that are made together: they share its numbers, which come from memory. */
+/* Rows of the images of a linear map that are computed together: they share its coefficients, which come from
+ * memory. */
 enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 
 /* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
@@ -92,7 +94,7 @@ EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_node_v
     if (r < rows) em_map_rows(1, column, in, from + r, base ? base + r : NULL, factor, image, to + r);
 }
 
-/* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
+/* sum_r (2) += both maps of a_(from + r), whose numbers are read once; otherwise compilers keep them on the stack. */
 EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
                             em_node_vector *const *a, int from, em_node_vector (*sum)[2][EM_NODE_VECTORS]) {
     EM_UNROLL

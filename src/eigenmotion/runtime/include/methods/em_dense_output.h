@@ -1,14 +1,13 @@
 /* em_dense_output.h: dense output: the state inside a step, settled as accepted states are.
  *
- * The interpolant belongs to the unsettled step: it joins y and y_raw with the right-hand sides there, in the mode of
- * the step's start. Settling what it gives makes the trajectory continuous with the accepted states.
- */
+ * The interpolant belongs to the unsettled step: it joins y and y_raw with the right-hand sides there, in the mode
+ * of the step's start. Settling its values makes the trajectory continuous with the accepted states. */
 #ifndef EM_DENSE_OUTPUT_H
 #define EM_DENSE_OUTPUT_H
 
 #include "methods/em_methods.h"
 
-/* y, memory <- the settled state at t inside the step under way, in the mode of its start. */
+/* y, memory <- the settled state at t inside the current step, in the mode of its start. */
 static int em_inside(em_run_state *w, double t, double *y, double *memory) {
     int mode = w->mode;
     w->scheme.evaluate(w->n_state, w->F[0], w->scheme.terms, (t - w->t) / w->h, y);

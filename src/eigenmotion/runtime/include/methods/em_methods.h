@@ -1,9 +1,8 @@
 /* em_methods.h: the table of methods: how each makes a step and evaluates the states within it (em_scheme of
  * em_run_state.h).
  *
- * Here a method of another kind finds its place: a header beside em_runge_kutta.h with its four functions, a number in
- * em_method of em_run.h and a line below; arguments/methods.py is the table for Python.
- */
+ * A new kind of method is a header beside em_runge_kutta.h with its four functions, a number in em_method of
+ * em_run.h, and a line below; running/methods.py is the table for Python. */
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
@@ -12,7 +11,7 @@
 #include "gauss_radau/em_gauss_radau.h"
 #include "methods/em_runge_kutta.h"
 
-/* rk34 has no second state at the end of a step. */
+/* rk34 has no second state at the end of a step, so that it has no such function. */
 static int em_dopri5_judge(em_run_state *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, EM_DOPRI5_STABLE, w); }
 static int em_dop853_judge(em_run_state *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
 
@@ -32,7 +31,7 @@ static em_scheme em_collocation(const em_radau_iia *rk) {
                        em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL};
 }
 
-/* The table; without a step: there is no such method. */
+/* The table; an entry without a step: there is no such method. */
 static em_scheme em_scheme_of(em_method method) {
     switch (method) {
         case EM_RK34: return em_rk34();

@@ -1,17 +1,16 @@
 /* em_runge_kutta.h: explicit Runge-Kutta methods: a step, its error and its interpolant.
  *
- * What is EM_INLINE here is inlined once for each method, with its tableau a constant: the loops over stages and
- * coefficients unroll, zero coefficients vanish, and what stays are vector loops over the states.
- */
+ * EM_INLINE functions are inlined once for each method, with its tableau a constant. The loops over stages and
+ * coefficients then unroll, zero coefficients vanish, and vector loops over the states remain. */
 #ifndef EM_RUNGE_KUTTA_H
 #define EM_RUNGE_KUTTA_H
 
 #include "stepper/em_error_norm.h"
 #include "tableaux/em_butcher.h"
 
-/* out <- y, or 0, + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
- * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
- * which volatile sees to. */
+/* out <- y, or 0, + h sum_j a_j K_j over j < n, with a constant. If the rates of K_(n - 1) are `fresh`, just written
+ * one by one, a vector load would wait until all of them have reached the cache (store forwarding). They are then
+ * read one by one, which volatile enforces. */
 EM_INLINE void em_combine(const em_run_state *w, const double *restrict a, int n, int fresh, double h,
                           int from_zero, const double *restrict y, double *restrict out) {
     const int width = w->width;
@@ -30,7 +29,7 @@ EM_INLINE void em_combine(const em_run_state *w, const double *restrict a, int n
     }
 }
 
-/* one <- sum_j a_j K_j and two <- sum_j b_j K_j over j < n: what is read is read once. */
+/* one <- sum_j a_j K_j and two <- sum_j b_j K_j over j < n, reading each number once. */
 EM_INLINE void em_combine_both(const em_run_state *w, const double *restrict a, const double *restrict b, int n,
                                double *restrict one, double *restrict two) {
     const int width = w->width;
@@ -47,7 +46,7 @@ EM_INLINE void em_combine_both(const em_run_state *w, const double *restrict a, 
     }
 }
 
-/* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
+/* K_first .. K_last; if stage `solution` is among them its argument is y_new. */
 EM_INLINE int em_stages(const em_tableau *rk, em_run_state *w, int first, int last) {
     const int plain = em_is_plain(w);
     EM_UNROLL
@@ -67,7 +66,7 @@ EM_INLINE double em_error_norm(const em_tableau *rk, em_run_state *w) {
         em_combine(w, rk->e[0], rk->stages, 0, 1.0, 1, w->y, w->error);
         return fabs(w->h) * sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
     }
-    double *const first = w->y_raw; /* where nothing is yet */
+    double *const first = w->y_raw; /* not used yet at this point */
     em_combine_both(w, rk->e[0], rk->e[1], rk->stages, first, w->error);
     const double square = em_squares_of_error(w, first), denominator = square + 0.01 * em_squares_of_error(w, w->error);
     return denominator == 0.0 ? 0.0 : fabs(w->h) * square / sqrt(denominator * em_count(w));
@@ -84,9 +83,9 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_run_state *w) {
     return 0;
 }
 
-/* Whether stability keeps steps short (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): at the end of
- * the step the last stage's state and the step's own say how fast neighbours drive apart or together; `stable` is up to
- * where the method bears that. */
+/* Whether stability limits the step size (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): the
+ * last stage's state and the state at the end of the step give an estimate of the dominant eigenvalue; `stable`
+ * bounds the stability region of the method. */
 EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_run_state *w) {
     if (w->run->n_steps % EM_STIFF_EVERY || w->mode_new != w->mode) return 0;
     const int last = em_is_fsal(rk) ? rk->solution - 1 : rk->stages - 1;
@@ -123,7 +122,7 @@ static void em_hermite(em_run_state *w, const double *y_end, const double *f_end
     }
 }
 
-/* f at the unsettled end of the step: the last stage, f_new, or one more evaluation. NULL and w->reason: there is none. */
+/* f at the unsettled end of the step: the last stage, f_new, or one more evaluation. NULL and w->reason: it failed. */
 EM_INLINE const double *em_raw_end(const em_tableau *rk, em_run_state *w) {
     double *const f_raw = w->K[rk->solution];
     if (em_is_fsal(rk)) return f_raw;
@@ -140,7 +139,7 @@ EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_run_state *w) {
     return 0;
 }
 
-/* y <- the interpolant F (., n_state) at theta, by the first of its terms: 3 are the cubic. */
+/* y <- the interpolant F (., n_state) at theta, by its first terms: 3 give the cubic. */
 static void em_rk_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
     memset(y, 0, (size_t)n_state * sizeof *y);
     for (int j = terms - 1; j >= 0; --j) {
@@ -150,7 +149,8 @@ static void em_rk_evaluate(int n_state, const double *F, int terms, double theta
     for (int k = 0; k < n_state; ++k) y[k] += F[k];
 }
 
-/* The interpolant without further stages: with the rate at the end, and with one within where the whole would take more. */
+/* The interpolant without further stages: with the rate at the end, and with one within the step if the full one
+ * would need more. */
 EM_INLINE int em_rk_sketch(const em_tableau *rk, em_run_state *w) {
     const int stage = rk->last_extra > 0 ? rk->stages - 2 : 0;
     if (!em_is_fsal(rk) && w->mode_new != w->mode) return -1;

@@ -1,16 +1,15 @@
 /* em_step_size.h: step-size control: the first step, and the factor to the next.
  *
- * Errors are measured in x and v. The first step is a matter of the tolerances and of how rates change, never of how
- * large coordinates are: those of another origin are others.
- */
+ * Errors are measured in x and v. The first step depends on the tolerances and on how rates change, never on the
+ * size of coordinates, which depends on the choice of origin. */
 #ifndef EM_STEP_SIZE_H
 #define EM_STEP_SIZE_H
 
 #include "stepper/em_error_norm.h"
 
-/* By which the size of the next step differs: after an accepted step for its error and that of the one before
- * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
- * A step that failed otherwise is quartered. */
+/* The ratio of the next step size to this one: after an accepted step from its error and that of the one before
+ * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one from its error
+ * alone. A step that failed otherwise is quartered. */
 static double em_size_factor(em_run_state *w, int failed) {
     const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
     if (failed) return 0.25;
@@ -19,28 +18,28 @@ static double em_size_factor(em_run_state *w, int failed) {
     return em_min(w->scheme.growth, em_max(least, safety * exp(wanted / order)));
 }
 
-#define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */
+#define EM_LEAST_ERROR -9.2 /* log 1e-4: a smaller error is accidental */
 
 /* --- the first step --- */
 
-#define EM_TOO_NEAR 1e-4 /* of the time in which a motion varies: second differences over less are rounding, */
-#define EM_TOO_FAR 0.5   /* and those over more another motion's */
+#define EM_TOO_NEAR 1e-4 /* of the time scale of the motion: second differences over less are rounding */
+#define EM_TOO_FAR 0.5   /* and those over more belong to a different part of the motion */
 
-/* How a motion sets out, looked at over a time h: d1, d2, sizes in tolerances of the state's first two derivatives; V, A, sums
- * of squares of xdot and its rate, both in tolerances of x; and the rate [1 / time] at which the motion goes through them, 0
- * where it shows none. */
+/* The start of a motion, probed over a time h: d1, d2, norms of the first two derivatives of the state in
+ * tolerances; V, A, sums of squares of xdot and its rate, both in tolerances of x; and the rate [1 / time] at which
+ * the motion changes them, 0 if none is found. */
 typedef struct em_outset {
     double h, d1, d2, V, A, rate;
 } em_outset;
 
-/* Root mean square, in tolerances, of a vector (n_state) that is a state's rate. */
+/* Root mean square, in tolerances, of a rate of the state (n_state). */
 static double em_rate_norm(em_run_state *w, const double *rate) {
     em_copy_state(w, w->error, rate);
     return sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
 }
 
-/* places, speeds <- sums of squares of what a rate of the state makes of x (and of factors that count) and of v; both in
- * tolerances of x, so that their ratio is a time squared. */
+/* places, speeds <- sums of squares of the rates of x (and of eigenfactors that contribute) and of v, as they follow
+ * from a rate of the state; both in tolerances of x, so that their ratio is a time squared. */
 static void em_split_rate(em_run_state *w, const double *rate, double *places, double *speeds) {
     em_copy_state(w, w->error, rate);
     em_velocity_error(w, rate + w->n, w->error + w->n);
@@ -63,16 +62,17 @@ static int em_probe_ahead(em_run_state *w, double h) {
     return em_all_finite(w, w->K[1]) && em_all_finite(w, w->K[2]) ? 0 : -1;
 }
 
-/* z with z^2 (a z + b) = c z + d, none of them negative; not a finite positive number where there is none. */
+/* The solution z of z^2 (a z + b) = c z + d, with no negative coefficient; if there is none, not a finite positive
+ * number. */
 static double em_balance(double a, double b, double c, double d) {
     double z = 1.0;
     for (int i = 0; i < 10; ++i) z = sqrt((c * z + d) / (a * z + b)); /* at least halves the error of log z */
     return z;
 }
 
-/* d2 and rate over `at->h`: with the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J, S /
- * rate) to (V, A / rate). At rest that is S / A, where the motion passes its middle J / V, and at any phase of an
- * oscillation its frequency squared: without |x|, which another origin makes another number. 0, or -1. */
+/* d2 and rate over `at->h`. With the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J,
+ * S / rate) to (V, A / rate). At rest that is S / A, at the middle of an oscillation J / V, and at any phase of it
+ * the square of its frequency. It does not contain |x|, which depends on the origin. 0, or -1. */
 static int em_measure(em_run_state *w, em_outset *at) {
     double J, S;
     const double h = at->h;
@@ -91,14 +91,14 @@ static int em_measure(em_run_state *w, em_outset *at) {
     return 0;
 }
 
-/* How far to look first: as long as it takes to move by far more than a tolerance and far less than by what rtol is a
- * part of, at the speed there is or from rest. */
+/* The first probing time: long enough to move by far more than a tolerance, and by far less than the scale to which
+ * rtol refers, at the given speed or from rest. */
 static double em_first_probe(const em_run_state *w, const em_outset *at, double span) {
     const double far = 1.0 / sqrt(w->rtol), h = em_min(far / sqrt(at->V), sqrt(far / sqrt(at->A)));
     return h < span ? h : 0.01 * span;
 }
 
-/* How far to look next, after a look over at->h that showed at->rate, or failed. */
+/* The next probing time, after one of at->h that gave at->rate, or failed. */
 static double em_next_probe(const em_outset *at, int failed, double span) {
     const double part = at->h * at->rate;
     if (failed) return 0.01 * at->h;
@@ -107,8 +107,8 @@ static double em_next_probe(const em_outset *at, int failed, double span) {
     return at->h;
 }
 
-/* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every look is too far:
- * what changes is beyond all parts of what there is, and the motion shows no rate. */
+/* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every probing time
+ * is too long: the change is not small relative to the rates, and the motion shows no rate. */
 static em_outset em_estimate_first_rates(em_run_state *w, double span) {
     em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
     em_split_rate(w, w->K[0], &at.V, &at.A);
@@ -122,15 +122,15 @@ static em_outset em_estimate_first_rates(em_run_state *w, double span) {
     return at;
 }
 
-/* Where a motion shows no rate, as in a fall, what has not set in may do so later. After an impact it may be soon: a step
- * far longer than what slows down takes for that is too coarse for the flight. */
+/* The size if a motion shows no rate, as in a fall: an effect that has not set in may do so later. After an impact
+ * it may be soon: a step much longer than the time scale of damping would be too coarse for the flight. */
 static double em_size_without_rate(const em_run_state *w, const em_outset *at, double span) {
     const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
     return w->fresh == EM_NEXT_SEGMENT ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
 }
 
-/* The first step's size, as Hairer, Norsett & Wanner's (II.4) in whatever unit the time is: a motion that goes at a `rate`
- * through what is `size` tolerances is off by about size (rate h)^(order + 1) after a step h. */
+/* The size of the first step, as in Hairer, Norsett & Wanner (II.4), but independent of the unit of time: a motion
+ * of `size` tolerances that changes at a `rate` has an error of about size (rate h)^(order + 1) after a step h. */
 static double em_first_size(em_run_state *w) {
     const double span = fabs(w->t_goal - w->t), longest = em_min(span, w->run->max_step);
     const em_outset at = em_estimate_first_rates(w, span);

@@ -6,17 +6,18 @@
 #include "stepper/em_failure_location.h"
 #include "monitors/em_kept_rows.h"
 
-/* Settling removes the part of a step's error that leaves the constraints: it moves x and v by about the error that
- * the step was allowed, 1 in units of the tolerances. Farther than this it does not correct an error but makes one,
- * as near a singular position, where the rows of A lose their directions to rounding. */
+/* Settling removes the component of a step's error that violates the constraints. It moves x and v by about the
+ * allowed error of the step, 1 in units of the tolerances. A move beyond this limit does not correct an error but
+ * makes one, as near a singular position, where rounding dominates the directions of the rows of A. */
 #define EM_FARTHEST 10.0
 
-#define EM_DRIFTED 0.3 /* where nothing is settled, x and v are off by no more than this part of the largest */
-#define EM_SETTLES_STAGES 0.1 /* the part of the largest pivot below which a singular position is near */
-#define EM_NEARBY 100.0 /* how near to a singular position it is near, in tolerances, */
-#define EM_SHORT 0.2     /* and how short is short, beside the longest step */
+#define EM_DRIFTED 0.3 /* if nothing is settled, x and v are off by no more than this part of the largest */
+#define EM_SETTLES_STAGES 0.1 /* a singular position is near below this part of the largest pivot */
+#define EM_NEARBY 100.0 /* a singular position is near within this many tolerances, */
+#define EM_SHORT 0.2     /* and a step is short below this part of the longest step */
 
-/* Delta (m, m) <- of the rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
+/* Delta (m, m) <- of the rows at the end of a step, in the mass metric; updates the largest length of each row. 0,
+ * or -1 and w->reason. */
 static int em_measure_constraints(em_run_state *w, double *Delta) {
     double B[w->n_rows * w->n];
     if (w->of->rows(w->t_new, w->y_new, w->run->prepared, B, Delta, &w->reason)) return -1;
@@ -25,8 +26,8 @@ static int em_measure_constraints(em_run_state *w, double *Delta) {
     return 0;
 }
 
-/* The row that adds least to the others, of those that are independent, each in units of its longest; *pivot <- the
- * square of what it adds. -1 where nothing is known of the rows. */
+/* The row that adds least to the other independent ones, each in units of its largest length; *pivot <- the square
+ * of the part that it adds. -1 if the rows are unknown. */
 static int em_weakest_constraint(em_run_state *w, const double *Delta, double *pivot) {
     const int m = w->n_rows;
     double scaled[m * m], pivots[m];
@@ -51,23 +52,24 @@ EM_COLD_PATH EM_NOINLINE int em_fail_weakest(em_run_state *w, double size) {
     return em_locate_failure(w, w->t_new, w->y_new);
 }
 
-/* Rows that are not kept must follow from those that are. 0, or -1 and w->reason, which names one that does not. */
+/* Checks that the rows that are not kept follow from the kept ones. 0, or -1 and w->reason, which names a row that
+ * does not. */
 static int em_check_dependent(em_run_state *w) {
     double a[w->n], lambda[em_some(w->n_rows)];
     if (w->n_inputs > 0) em_signals(w, w->t_new);
     return w->of->acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
 }
 
-/* How far q (n) is from `other` in units of the tolerances. */
+/* The distance of q (n) from `other` in tolerances. */
 static double em_apart(int n, const double *q, const double *other, const double *weight) {
     double difference[n];
     for (int k = 0; k < n; ++k) difference[k] = q[k] - other[k];
     return sqrt(em_weighted_squares(n, difference, weight));
 }
 
-/* Where nothing is settled, the constraints are met up to drift by the x and v (n) that are integrated. A consistent state
- * nearby differs by as little, in x and in v, except where A turns within the drift: there a motion on the drifted
- * constraints leaves for another branch than that on the constraints. 0, or -1 and w->reason. */
+/* Without settling, the integrated x and v (n) satisfy the constraints up to drift. A consistent state is then
+ * equally close, in x and in v, unless A turns within the drift: there a motion on the drifted constraints takes
+ * another branch than one on the constraints. 0, or -1 and w->reason. */
 static int em_check_drift(em_run_state *w, const double *x, const double *v) {
     const int n = w->n;
     const double *const weight = w->weight;
@@ -84,9 +86,9 @@ static int em_check_drift(em_run_state *w, const double *x, const double *v) {
     return em_fail_weakest(w, lost ? distance : change);
 }
 
-/* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
- * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
- * 0, or -1 and w->reason. */
+/* Positions on the constraints are known to the rounding c of phi. Where a row becomes shorter than about sqrt(c)
+ * relative to its earlier length, phi = 0 and phi = c have motions on different branches of a singular position,
+ * which cannot be distinguished. 0, or -1 and w->reason. */
 static int em_check_lengths(em_run_state *w, const double *Delta) {
     for (int row = 0; row < w->n_positions; ++row) {
         const double square = Delta[row * w->n_rows + row], longest = w->longest[row];
@@ -96,9 +98,9 @@ static int em_check_lengths(em_run_state *w, const double *Delta) {
     return 0;
 }
 
-/* A tolerance on x is one on phi, and where B is shorter than its root beside what it was, motions on phi = 0 and on
- * phi = rtol leave a singular position on different branches: short steps follow now one, now another. Steps that are
- * not short pass it as the smooth motion does. 0, or -1 and w->reason. */
+/* A tolerance on x is one on phi. Where B is shorter than the root of that tolerance relative to its earlier length,
+ * motions on phi = 0 and on phi = rtol leave a singular position on different branches: short steps follow one or
+ * the other. Steps that are not short pass it as the smooth motion does. 0, or -1 and w->reason. */
 static int em_check_branch(em_run_state *w, const double *Delta) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
@@ -112,10 +114,10 @@ static int em_check_branch(em_run_state *w, const double *Delta) {
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
 }
 
-/* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
- * which may become small later. 0, or -1 and w->reason. */
+/* Without settling, errors of C and s accumulate. They are measured relative to an eigenvalue of M, which may become
+ * small later in the motion. 0, or -1 and w->reason. */
 static int em_check_factors(em_run_state *w) {
-    enum { DRIFTED = 1000 }; /* tolerances */
+    enum { DRIFTED = 1000 }; /* in tolerances */
     if (w->of->worst_factors == NULL || w->run->stabilise) return 0;
     double M[w->n * w->n];
     int first = -1;
@@ -125,7 +127,7 @@ static int em_check_factors(em_run_state *w) {
     return 0;
 }
 
-/* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */
+/* Whether the position constraints determine the motion uniquely here. 0, or -1 and w->reason. */
 static int em_check_positions(em_run_state *w) {
     double Delta[w->n_rows * w->n_rows];
     if (em_measure_constraints(w, Delta)) return -1;

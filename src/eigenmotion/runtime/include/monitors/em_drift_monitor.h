@@ -7,17 +7,19 @@
 
 #include "stepper/em_error_norm.h"
 
-/* By how many of its tolerances a run may change a row, and every step: measured are up to 0.06 a step. */
+/* The allowed change of a row, in its tolerances, for a run and for each step; changes up to 0.06 a step were
+ * measured. */
 #define EM_ROW_MAY 100.0
 #define EM_STEP_ADDS 0.3
 
-/* Whether there are such rows. Those that depend on others follow on the constraints alone (em_check_dependent). */
+/* Whether there are such rows. Rows that depend on others follow from them on the constraints only
+ * (em_check_dependent). */
 static int em_drifts(const em_run_state *w) {
     const em_run *run = w->run;
     return w->n_rows > 0 && !run->stabilise && run->model != NULL && (!run->least_norm || w->rank == w->n_rows);
 }
 
-/* rate (m) <- A v + b; terms (m), which may be NULL: the sum of the sizes of what is added */
+/* rate (m) <- A v + b; terms (m), which may be NULL: the sum of the magnitudes of the terms */
 static void em_rates_of_rows(const em_run_state *w, double t, const double *x, const double *v, double *rate, double *terms) {
     double A[em_some(w->n_rows) * w->n];
     w->run->model->pfaffian(t, x, w->run->prepared, A, rate);
@@ -31,8 +33,8 @@ static void em_rates_of_rows(const em_run_state *w, double t, const double *x, c
     }
 }
 
-/* row_tolerance <- the largest so far of what A v + b changes by with x and v, one after the other, by their tolerances,
- * and by rounding of its terms */
+/* row_tolerance <- the largest so far of the change of A v + b when x and v, one after the other, change by their
+ * tolerances, plus the rounding of its terms */
 EM_NOINLINE void em_allow_drift(em_run_state *w, double t, const double *x, const double *v) {
     double z[2 * w->n], here[em_some(w->n_rows)], there[em_some(w->n_rows)], sum[em_some(w->n_rows)];
     memcpy(z, x, (size_t)w->n * sizeof *z);

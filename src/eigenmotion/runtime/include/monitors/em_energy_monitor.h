@@ -1,19 +1,19 @@
-/* em_energy_monitor.h: the energy monitor. Where T2 - T0 + V is a constant of the motion, it is compared with what
- * the tolerances promise, every so many steps and at the end: a run that has lost it has left the motion. */
+/* em_energy_monitor.h: the energy monitor. If T2 - T0 + V is a constant of the motion, its change is compared with
+ * the tolerances at regular intervals and at the end: a run that violates it does not follow the motion. */
 #ifndef EM_ENERGY_MONITOR_H
 #define EM_ENERGY_MONITOR_H
 
 #include "monitors/em_drift_monitor.h"
 
-/* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
+/* In right-hand sides: the energy is evaluated so rarely that its cost is negligible. */
 #define EM_ENERGY_EVERY 256
 
-/* By how much more than its tolerances every step, settling included, may change the energy; and a run as a whole. */
+/* The allowed change of the energy, in its tolerances, for every step including settling, and for a run as a whole. */
 #define EM_STEP_MAY 10.0
 #define EM_RUN_MAY 100.0
-#define EM_DRIFT_MAY 1000.0 /* where C and s may drift by as much */
+#define EM_DRIFT_MAY 1000.0 /* if C and s may drift as much */
 
-/* Whether there is an energy to look at: what drifts off constraints does work against them. */
+/* Whether the energy can be monitored: a motion that drifts off constraints does work against them. */
 static int em_has_energy_monitor(const em_run_state *w) {
     const em_run *const run = w->run;
     const int drifts = w->n_rows > 0 && !run->stabilise;
@@ -26,7 +26,8 @@ static double em_jacobi_integral(const em_run_state *w, double t, const double *
     return e[0] - e[2] + e[3];
 }
 
-/* What the energy changes by with x and v, one after the other, by their tolerances, and by rounding of its terms. */
+/* The change of the energy when x and v, one after the other, change by their tolerances, plus the rounding of its
+ * terms. */
 EM_NOINLINE double em_energy_tolerance(const em_run_state *w, double t, const double *x, const double *v) {
     double z[2 * w->n], e[4], sum = 0.0;
     memcpy(z, x, (size_t)w->n * sizeof *z);
@@ -43,7 +44,7 @@ EM_NOINLINE double em_energy_tolerance(const em_run_state *w, double t, const do
     return sum + DBL_EPSILON * (fabs(e[0]) + fabs(e[2]) + fabs(e[3]));
 }
 
-/* Energy and constraints at the start. 0, or -1 and w->reason: the energy is not finite. */
+/* Evaluates energy and constraints at the start. 0, or -1 and w->reason: the energy is not finite. */
 static int em_begin_energy_monitor(em_run_state *w) {
     em_begin_drift(w);
     if (!em_has_energy_monitor(w)) return 0;
@@ -62,7 +63,7 @@ EM_NOINLINE int em_measure_energy(em_run_state *w) {
     return drift <= steps * w->energy_tolerance ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, drift);
 }
 
-/* Whether energy and constraints at t_new are what they may be. 0, or -1 and w->reason. */
+/* Checks energy and constraints at t_new. 0, or -1 and w->reason. */
 EM_INLINE int em_check_energy(em_run_state *w) {
     if (w->run->n_rhs < w->next_energy_check && w->t_new != w->run->t_end) return 0;
     w->next_energy_check = w->run->n_rhs + EM_ENERGY_EVERY;

@@ -4,16 +4,18 @@
 
 #include "stepper/em_model_calls.h"
 
-#define EM_SAME_ROW 3e-12 /* the part of a row that may be left beside others: rounding, and of positions on the constraints */
+#define EM_SAME_ROW 3e-12 /* the remainder of a row after projection onto the others: rounding, and that of positions
+                             on the constraints */
 
-/* A row of B that is not kept is one of the others' to rounding. What is a little different states another motion, which
- * squares, of which Delta is made, do not show. 0, or -1 and w->reason, which names it. */
+/* Checks that the rows of B that are not kept are combinations of the others to rounding. A row that differs
+ * slightly defines another motion, and Delta, made of squares, does not show it. 0, or -1 and w->reason, which names
+ * the row. */
 static int em_check_dropped(em_run_state *w, const double *B, int kept) {
     double Q[w->n_rows * w->n], r[w->n];
     int count = 0;
     for (int number = 0; number < 2 * w->n_rows; ++number) {
         const int row = number % w->n_rows, keeps = (kept & EM_FIRST_KEPT << row) != 0;
-        if (keeps == (number >= w->n_rows)) continue; /* those that are kept first */
+        if (keeps == (number >= w->n_rows)) continue; /* kept rows first */
         memcpy(r, B + row * w->n, sizeof r);
         const double length = em_length(w->n, r);
         em_remove_rows(w->n, count, Q, r);
@@ -26,7 +28,7 @@ static int em_check_dropped(em_run_state *w, const double *B, int kept) {
     return 0;
 }
 
-/* What becomes of dependent rows in a run at its start: em_run.least_norm. */
+/* Decides how a run treats dependent rows at its start: em_run.least_norm. */
 static int em_shares(em_run_state *w) {
     int rows[em_some(w->n_rows)];
     if (w->bare || w->n_rows == 0) return w->asked == EM_SHARED ? EM_SHARED : EM_REFUSED;
@@ -34,15 +36,15 @@ static int em_shares(em_run_state *w) {
     return w->model->redundant(w->run->t_start, w->run->y_start, w->run->prepared, rows) ? w->asked : EM_REFUSED;
 }
 
-/* A row that was kept, and follows from the others here. */
+/* Fails with a row that was kept and follows from the others here. */
 static int em_fail_dependent_here(em_run_state *w, int kept) {
     int row = 0;
     while (row + 1 < w->n_rows && !(w->run->kept & ~kept & EM_FIRST_KEPT << row)) ++row;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
 }
 
-/* run->kept <- rows that are independent at x, of which there are as many as at the start. -1 and w->reason where there
- * are more, on the constraints: it was a singular position, and the rows kept do not hold what starts there. */
+/* run->kept <- rows that are independent at x, as many as at the start. -1 and w->reason if there are more, on the
+ * constraints: the start was a singular position, and the kept rows do not hold the motion that begins there. */
 static int em_keep_constraints(em_run_state *w, double t, const double *x) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
@@ -61,7 +63,8 @@ static int em_keep_constraints(em_run_state *w, double t, const double *x) {
     return 0;
 }
 
-/* The same at the nearest point on the constraints: off them rows are independent that are not on them. */
+/* The same at the nearest point on the constraints: rows that are dependent there may be independent off the
+ * constraints. */
 static int em_keep_constraints_at_start(em_run_state *w) {
     double x[w->n];
     if (w->bare) return 0;

@@ -6,7 +6,7 @@
 #include "monitors/em_constraint_monitor.h"
 #include "monitors/em_energy_monitor.h"
 
-/* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */
+/* Checks that settling moved y_raw to y_new, with f_new there, no further than allowed. 0, or -1 and w->reason. */
 static int em_check_settled(em_run_state *w) {
     const int n = w->n;
     double *const v = w->spare, *const moved = w->argument;
@@ -18,8 +18,8 @@ static int em_check_settled(em_run_state *w) {
     return em_fail_weakest(w, distance);
 }
 
-/* Whether the step under way, settled, is one of the motion asked for; of what is bare there are no terms to hold it
- * against. 0, or -1 and w->reason. */
+/* Checks that the current step, settled, follows the motion; a bare model has no terms to check it against. 0, or -1
+ * and w->reason. */
 static int em_check_step(em_run_state *w) {
     if (!w->bare && em_check_singularity(w)) return -1;
     if (!w->bare && w->n_positions > 0 && em_check_positions(w)) return -1;

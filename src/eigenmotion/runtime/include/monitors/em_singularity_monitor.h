@@ -8,13 +8,13 @@
 #include "monitors/em_singularity_limits.h"
 #include "stepper/em_error_norm.h"
 
-#define EM_NEAR_START 300.0 /* so many tolerances from the start M is to be resolved, or every step is looked at */
-#define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; implicit
-                              ones, which need no short ones there, always; */
-#define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
-#define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
+#define EM_NEAR_START 300.0 /* within this many tolerances of the start, M must be resolved, or every step is checked */
+#define EM_LOOSE 1e-5      /* rtol above which long steps are checked, too, because their error may be small by
+                              chance; implicit steps, which need not be short there, always are */
+#define EM_PARTS 8         /* if a half of the step is not resolved, the number of parts that are examined */
+#define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 or more within one of the parts next to a */
 
-/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No root is asked for. */
+/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No square roots. */
 EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) {
     for (int k = 0; k < n; ++k) diagonal[k] = M[k * n + k], pivots[k] = 0.0;
     for (int k = 0; k < n && M[k * n + k] > 0.0; ++k) {
@@ -26,7 +26,7 @@ EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) 
     }
 }
 
-/* The same of M at x; where it is small, as most are, by loops that unroll. */
+/* The same of M at x; for small M by loops that unroll. */
 static void em_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
     double M[w->n * w->n];
     w->of->factored(t, x, w->run->prepared, M);
@@ -39,7 +39,7 @@ static void em_pivots(const em_run_state *w, double t, const double *x, double *
     }
 }
 
-/* The same at the start of the step under way, where the step before has ended as a rule. */
+/* The same at the start of the current step, usually known from the end of the step before. */
 static void em_pivots_at_start(const em_run_state *w, double *pivots) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     double diagonal[w->n];
@@ -47,7 +47,7 @@ static void em_pivots_at_start(const em_run_state *w, double *pivots) {
     else em_pivots(w, w->t, w->y, pivots, diagonal);
 }
 
-/* and at its end. */
+/* The same at its end. */
 static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
@@ -57,15 +57,16 @@ static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) 
     memcpy(w->seen_pivots, pivots, size);
 }
 
-/* The first coordinate whose pivot changes by more than it may from `before` to `after`, or -1. */
+/* The first coordinate whose pivot changes by more than allowed from `before` to `after`, or -1. */
 static int em_first_unresolved(int n, const double *before, const double *after, double most) {
     for (int k = 0; k < n; ++k)
         if (!(after[k] * most >= before[k] && before[k] * most >= after[k] && after[k] > 0.0)) return k;
     return -1;
 }
 
-/* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1; pivots and
- * diagonal (n) <- at x_new. No passage through 0 between two of three points is so small in all of them. */
+/* The first coordinate whose pivot changes by more than allowed from x to the midpoint or from there to x_new, or
+ * -1; pivots and diagonal (n) <- at x_new. A passage through 0 between two of three points is visible in one of
+ * them. */
 static int em_unresolved(const em_run_state *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
                          double *diagonal) {
     double middle[w->n], before[2][w->n];
@@ -77,7 +78,7 @@ static int em_unresolved(const em_run_state *w, double t, const double *x, doubl
     return first >= 0 ? first : em_first_unresolved(w->n, before[1], pivots, EM_RESOLVED);
 }
 
-/* x (n) at the part s of the step under way, by the cubic through both ends. */
+/* x (n) at the fraction s of the current step, by the cubic through both ends. */
 static void em_within(const em_run_state *w, double s, double *x) {
     const double r = 1.0 - s, h = w->h;
     for (int k = 0; k < w->n; ++k)
@@ -85,7 +86,7 @@ static void em_within(const em_run_state *w, double s, double *x) {
                s * s * ((1.0 + 2.0 * r) * w->y_new[k] - r * h * w->f_new[k]);
 }
 
-/* The first coordinate whose pivot changes by more than `most` within one of so many equal parts of the step, or -1. */
+/* The first coordinate whose pivot changes by more than `most` within one of the equal parts of the step, or -1. */
 static int em_unresolved_within(em_run_state *w, int parts, double most) {
     double x[w->n], pivots[2][w->n], diagonal[w->n];
     em_pivots_at_start(w, pivots[0]);
@@ -99,7 +100,7 @@ static int em_unresolved_within(em_run_state *w, int parts, double most) {
     return em_first_unresolved(w->n, pivots[(parts + 1) % 2], pivots[parts % 2], most);
 }
 
-/* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
+/* The first coordinate whose pivot has fewer correct digits, after rounding, than rtol requires, or -1. */
 static int em_rounded(const em_run_state *w, const double *pivots, const double *diagonal) {
     for (int k = 0; k < w->n; ++k)
         if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
@@ -119,7 +120,7 @@ EM_NOINLINE int em_measure_pivots_across(em_run_state *w) {
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
-/* Beside the first step from near a singularity no other is long. */
+/* At a start near a singularity the first step sets the scale for short steps. */
 static void em_begin_singularity_monitor(em_run_state *w) {
     const double rate = sqrt(em_weighted_squares(w->n, w->K[0], w->weight));
     double ahead[w->n], behind[w->n], pivots[w->n], diagonal[w->n];
@@ -131,7 +132,7 @@ static void em_begin_singularity_monitor(em_run_state *w) {
     w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead, pivots, diagonal) >= 0;
 }
 
-/* Whether the step under way sees the motion. 0, or -1 and w->reason. */
+/* Checks that the current step resolves the motion. 0, or -1 and w->reason. */
 EM_INLINE int em_check_singularity(em_run_state *w) {
     if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
         return em_measure_pivots(w);

@@ -4,7 +4,7 @@
 
 #include "stepper/em_failure_location.h"
 
-/* A model written by hand states no derivatives: differences, which an iteration needs no better. */
+/* A model written by hand has no derivatives: finite differences are good enough for the iteration. */
 static int em_bare_rate(em_run_state *w, double t, const double *z, double *rate) {
     const int n = w->n;
     double y[w->width], dy[w->width], memory[em_padded(w->n_memory)];
@@ -18,7 +18,7 @@ static int em_bare_rate(em_run_state *w, double t, const double *z, double *rate
     return 0;
 }
 
-/* Column k: over both sides, or the one on which there are rates. */
+/* Column k: by central differences, or one-sided ones if only one side can be evaluated. */
 static int em_bare_slope(em_run_state *w, double t, double *at, int k, const double *here, double *J) {
     double up[2 * w->n], down[2 * w->n], z = at[k], high = z + 1e-3 * fmax(1.0, fabs(z)), low = z - (high - z);
     at[k] = high;
@@ -39,7 +39,7 @@ static int em_bare_slopes(em_run_state *w, double t, const double *z, double *J)
     return 0;
 }
 
-/* Of the model that the caller names, which may have derivatives that the stepper's own is without. */
+/* By the model that the caller names, which may have derivatives that the stepper's own does not have. */
 static int em_slopes_at(em_run_state *w, double t, const double *z, double *J) {
     const em_run *const run = w->run;
     const em_model *const model = run->model ? run->model : w->model;

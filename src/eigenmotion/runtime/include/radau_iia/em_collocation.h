@@ -1,24 +1,25 @@
 /* em_collocation.h: Radau IIA steps of the motion (x, v): stages, error, next step size and dense output.
  *
- * As in Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8: the error is that of a solution of order s,
- * multiplied by (1 - h J / mu_0)^-1, so that stiff parts do not count where they have died out; slopes are kept as long as
- * the iteration converges well, and its factors as long as the step would grow by little; sizes follow from two errors
- * (Gustafsson 1994). The states within are those of the collocation polynomial, off by as much as the error says. */
+ * As in Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8. The error is that of a solution of order
+ * s, multiplied by (1 - h J / mu_0)^-1, so that stiff components that have decayed do not contribute. The Jacobian
+ * is kept as long as the iteration converges well, and its factors as long as the step would grow only little; sizes
+ * follow from two errors (Gustafsson 1994). States within the step are those of the collocation polynomial, which
+ * have the same error. */
 #ifndef EM_COLLOCATION_H
 #define EM_COLLOCATION_H
 
 #include "radau_iia/em_signal_averages.h"
 #include "radau_iia/em_stages.h"
 
-#define EM_WELL 1e-3       /* a contraction from which on slopes are taken anew */
-#define EM_STEADY 1.2      /* a step that would be longer by less is as long as the one before */
-#define EM_NOT_SO_LONG 0.5 /* the size of the next attempt where an iteration does not converge */
-#define EM_SAFE 0.9        /* em_size_factor's safety */
-#define EM_LEAST_SEEN 1e-2 /* an error that is smaller by chance says nothing of the next */
+#define EM_WELL 1e-3       /* a contraction above which the Jacobian is recomputed */
+#define EM_STEADY 1.2      /* a step that would grow by less keeps its size */
+#define EM_NOT_SO_LONG 0.5 /* factor of the step size if the iteration does not converge */
+#define EM_SAFE 0.9        /* safety factor of em_size_factor */
+#define EM_LEAST_SEEN 1e-2 /* a smaller error is accidental */
 
-enum { EM_STEPS_ALONE = 16 }; /* with slopes of each stage, before others are tried again */
+enum { EM_STEPS_ALONE = 16 }; /* steps with a Jacobian for each stage, before a shared one is tried again */
 
-/* --- the accelerations a step begins with --- */
+/* --- the initial guess of the accelerations --- */
 
 /* a <- the polynomial through the last accelerations at start + ratio c_i, in units of their step. */
 static void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start, double ratio) {
@@ -38,7 +39,7 @@ static void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start
         }
 }
 
-/* The stages as the last step continues, or a rejected attempt has them; or with the acceleration at the start. */
+/* The stages by extrapolation of the last step or of a rejected attempt; or with the acceleration at the start. */
 static void em_guess_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->known && w->t == q->t) em_extend_last(rk, w, 0.0, w->h / q->h);
@@ -51,7 +52,7 @@ static void em_guess_stages(const em_radau_iia *rk, em_run_state *w) {
 
 /* --- their solution --- */
 
-/* With slopes that stages share, taken anew where old ones do not serve. EM_SOLVED and so on. */
+/* With a Jacobian shared by the stages, recomputed if the old one does not suffice. EM_SOLVED and so on. */
 static int em_solve_shared(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     for (int old = q->sloped && !q->outdated;; old = 0) {
@@ -70,7 +71,7 @@ static int em_solve_coupled(const em_radau_iia *rk, em_run_state *w) {
     return singular ? EM_NOT_SOLVED : em_iterate_stages(rk, w);
 }
 
-/* What converges, in the order of the cost; what converged before, first. */
+/* Tries the iterations in the order of their cost, but first the one that converged before. */
 static int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->own > 0) return em_solve_coupled(rk, w);
@@ -99,8 +100,8 @@ static void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const dou
     for (int k = 0; k < w->n; ++k) error[w->n + k] = sigma * (error[k] - raw[k]);
 }
 
-/* 0, or -1 and w->reason. A large error at the start of a motion, or of an attempt after another, is looked at again:
- * it may be of parts that die out. */
+/* 0, or -1 and w->reason. A large error at the start of a motion, or of a further attempt, is filtered again: it may
+ * be of components that decay. */
 static int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double rate[w->width], shifted[2 * w->n + EM_PACK];
@@ -116,8 +117,8 @@ static int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
     return 0;
 }
 
-/* What the next step is chosen by: this error, also beside the one before; more where the iteration took long; and what
- * leaves the size as it is where slopes and factors still serve. */
+/* The norm that controls the next step: this error, also relative to the one before; a larger one if the iteration
+ * took long; and one that keeps the size as long as Jacobian and factors can be reused. */
 static double em_size_by(const em_radau_iia *rk, const em_run_state *w, double error) {
     const em_implicit *q = &w->stages;
     const double order = rk->stages + 1, most = em_most_iterations(rk);
@@ -130,7 +131,7 @@ static double em_size_by(const em_radau_iia *rk, const em_run_state *w, double e
 
 /* --- the step --- */
 
-/* The step before, once it has been accepted. */
+/* Keeps the step before, once it has been accepted. */
 static void em_remember_stages(em_run_state *w) {
     em_implicit *q = &w->stages;
     if (!q->known || q->t_new != w->t || w->retries) return;
@@ -140,14 +141,14 @@ static void em_remember_stages(em_run_state *w) {
     q->own -= q->own > 0;
 }
 
-/* An attempt whose stages are not found: the next one is shorter. */
+/* Ends an attempt whose stages were not found: the next one is shorter. */
 static int em_give_up(const em_radau_iia *rk, em_run_state *w) {
     em_copy_state(w, w->y_new, w->y);
     w->error_norm = w->size_norm = pow(EM_SAFE / EM_NOT_SO_LONG, rk->stages + 1);
     return 0;
 }
 
-/* y_new, the error and what the next size follows from. 0, or -1 and w->reason */
+/* y_new, the error and the norm for the next size. 0, or -1 and w->reason */
 static int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     em_copy_state(w, w->y_new, w->y);

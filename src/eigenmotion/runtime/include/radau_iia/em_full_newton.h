@@ -1,14 +1,15 @@
 /* em_full_newton.h: Newton's method for all stages together, with a Jacobian for each stage: s n unknowns.
  *
- * With slopes that stages share the iteration converges only where stiff directions turn by less than about
- * 1 / (h sqrt(k)) in a step, k the stiffness per mass: steps of a stiff link that swings would be no longer than
- * k^(-1/4), whatever the error (Lubich, BIT 33 (1993)). Slopes at the stages' own states know how they turn. */
+ * With a Jacobian shared by the stages the iteration converges only if stiff directions turn by less than about 1 /
+ * (h sqrt(k)) in a step, k the stiffness per mass: steps of a stiff link that swings would be no longer than
+ * k^(-1/4), whatever the error (Lubich, BIT 33 (1993)). Jacobians at the stages' own states account for that
+ * rotation. */
 #ifndef EM_FULL_NEWTON_H
 #define EM_FULL_NEWTON_H
 
 #include "radau_iia/em_simplified_newton.h"
 
-/* Rows of the matrix: of stage i, with its slopes in K and D. */
+/* Rows of the matrix for stage i, whose Jacobian is in K and D. */
 static void em_put_rows(const em_radau_iia *rk, em_run_state *w, int i) {
     em_implicit *q = &w->stages;
     const int s = rk->stages;
@@ -24,8 +25,8 @@ static void em_put_rows(const em_radau_iia *rk, em_run_state *w, int i) {
     }
 }
 
-/* The matrix with slopes at the states that stages have at present, and its factors; K, D and G[0] <- of the last stage.
- * 0, or -1 and w->reason; *singular <- whether there are no factors */
+/* The matrix with Jacobians at the current states of the stages, and its factors; K, D and G[0] <- of the last
+ * stage. 0, or -1 and w->reason; *singular <- whether there are no factors */
 static int em_couple_stages(const em_radau_iia *rk, em_run_state *w, int *singular) {
     em_implicit *q = &w->stages;
     double unit[EM_MOST_NODES * w->n];
@@ -48,7 +49,7 @@ static int em_couple_stages(const em_radau_iia *rk, em_run_state *w, int *singul
 /* change (stages, n) of the accelerations that removes the residuals r */
 static void em_coupled_changes(const em_radau_iia *rk, em_run_state *w, double *change) {
     const int n = w->n, stages = rk->stages;
-    double all[stages * n]; /* without what pads rows */
+    double all[stages * n]; /* without the padding of rows */
     for (int i = 0; i < stages * n; ++i) all[i] = w->stages.r[i / n * w->stride + i % n];
     em_lu_solve(stages * n, w->stages.coupled, w->stages.coupled_pivot, all);
     memset(change, 0, (size_t)(stages * w->stride) * sizeof *change);

@@ -1,22 +1,22 @@
 /* em_signal_averages.h: steps across samples of linear signals. Inside such a step each signal is a polynomial with
- * the value of the signal at the end, and with its integrals against all of Legendre's polynomials but the last. So
- * the step takes in all that the samples say, and no stage sees a kink. The error inside the step is estimated; where
- * it is too large the step ends at a sample. */
+ * the value of the signal at the end, and with its integrals against all Legendre polynomials but the last. So the
+ * step uses all samples, and no stage sees a kink. The error inside the step is estimated; if it is too large the
+ * step ends at a sample. */
 #ifndef EM_SIGNAL_AVERAGES_H
 #define EM_SIGNAL_AVERAGES_H
 
 #include "stepper/em_error_norm.h"
 
-#define EM_SIGNAL_ERROR 0.5 /* of the tolerances, to what the motion may be off inside a step */
+#define EM_SIGNAL_ERROR 0.5 /* the part of the tolerances allowed for this error */
 
 /* The samples of a signal inside the step, in the order of the run, and its value between them. */
 typedef struct em_inside_step {
     const em_signal *u;
     long first, count, stride;
-    double t, h, start, end; /* of the step; the values there */
+    double t, h, start, end; /* of the step; the values at its ends */
 } em_inside_step;
 
-/* Where sample k is, as a part of the step; before the first is its start, after the last its end. */
+/* The position of sample k, as a fraction of the step; before the first it is the start, after the last the end. */
 static double em_part_at(const em_inside_step *in, long k) {
     if (k < 0) return 0.0;
     return k < in->count ? (in->u->times[in->first + k * in->stride] - in->t) / in->h : 1.0;
@@ -51,7 +51,8 @@ static double em_series_at(int count, const double *series, double theta) {
     return sum;
 }
 
-/* sum (count) <- with the integrals of u P_l over the piece after sample k, by Gauss's formula: exact up to l = 4. */
+/* sum (count) <- with the integrals of u P_l over the interval after sample k, by Gauss quadrature: exact up to l =
+ * 4. */
 static void em_add_interval(const em_inside_step *in, long k, int count, double *sum) {
     static const double place[] = {0.1127016653792583, 0.5, 0.8872983346207417}, share[] = {5.0 / 18, 4.0 / 9, 5.0 / 18};
     const double from = em_part_at(in, k), to = em_part_at(in, k + 1);
@@ -64,7 +65,7 @@ static void em_add_interval(const em_inside_step *in, long k, int count, double 
     }
 }
 
-/* series (count) <- the polynomial's coefficients of Legendre's */
+/* series (count) <- the Legendre coefficients of the polynomial */
 static void em_average(const em_inside_step *in, int count, double *series) {
     memset(series, 0, (size_t)count * sizeof *series);
     for (long k = -1; k < in->count; ++k) em_add_interval(in, k, count - 1, series);
@@ -75,7 +76,8 @@ static void em_average(const em_inside_step *in, int count, double *series) {
     }
 }
 
-/* The largest integral, from the start of the step on and in units of it, of what u is beside the polynomial. */
+/* The largest integral, from the start of the step and relative to its length, of the difference of u and the
+ * polynomial. */
 static double em_left_out(const em_inside_step *in, int count, const double *series) {
     double sum = 0.0, most = 0.0;
     for (long k = -1; k < in->count; ++k) {
@@ -88,7 +90,8 @@ static double em_left_out(const em_inside_step *in, int count, const double *ser
     return most;
 }
 
-/* How far v may be off inside the step where signal i is so, in tolerances. 0 where that has no rate. */
+/* The error of v inside the step that follows from this error of signal i, in tolerances. 0 if the rate does not
+ * exist. */
 static double em_off_inside(em_run_state *w, int i, double left_out) {
     double dy[w->width], off[w->n];
     em_signals(w, w->t);
@@ -98,7 +101,7 @@ static double em_off_inside(em_run_state *w, int i, double left_out) {
     return sqrt(em_weighted_squares(w->n, off, w->weight + w->n) / (2 * w->n));
 }
 
-/* The values of signal i at the start and the stages; how far that is off. */
+/* The values of signal i at the start and the stages. Returns their error. */
 static double em_average_signal(const em_radau_iia *rk, em_run_state *w, int i) {
     double series[EM_MOST_NODES];
     const em_inside_step in = em_samples_inside(w, &w->run->inputs[i]);
@@ -116,7 +119,7 @@ static double em_average_signal(const em_radau_iia *rk, em_run_state *w, int i) 
     return em_off_inside(w, i, em_left_out(&in, rk->stages, series));
 }
 
-/* The step ends at a sample: the middle one of those of the signal that has most. */
+/* Ends the step at a sample: the middle one of the signal that has most. */
 static void em_end_at_sample(em_run_state *w) {
     em_inside_step most = {NULL, 0, 0, 1, 0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < w->n_inputs; ++i) {
@@ -127,7 +130,7 @@ static void em_end_at_sample(em_run_state *w) {
     w->h = w->t_new - w->t;
 }
 
-/* Signals for the stages; the step gets shorter where they are too rough. */
+/* Computes the signals for the stages; shortens the step if they are too rough. */
 static void em_average_signals(const em_radau_iia *rk, em_run_state *w) {
     for (double off = 1.0; w->n_inputs > 0 && off > EM_SIGNAL_ERROR;) {
         w->stages.averaged = 0;

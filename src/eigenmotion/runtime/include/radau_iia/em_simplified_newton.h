@@ -27,7 +27,7 @@ static void em_by_stages(const em_radau_iia *rk, double h, int stride, const dou
     else em_by_so_many_stages(5, rk, h, stride, start, in, out);
 }
 
-/* unit (count of n) <- what rows of the systems count in */
+/* unit (count of n) <- units of the rows of the systems */
 static void em_stage_units(const em_run_state *w, int count, double *unit) {
     for (int k = 0; k < count * w->n; ++k) unit[k] = em_min(w->weight[w->n + k % w->n], 1e100);
 }
@@ -56,7 +56,7 @@ static void em_stage_matrix(const em_run_state *w, double re, double im, double 
     for (int k = 0; H != NULL && k < n * n; k += n + 1) H[k] += 2.0 * re * im;
 }
 
-/* The real one's factors. 0, or -1: it is singular */
+/* The factors of the real matrix. 0, or -1: it is singular */
 static int em_factor_real(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double unit[w->n];

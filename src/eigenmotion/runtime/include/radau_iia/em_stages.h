@@ -1,9 +1,9 @@
 /* em_stages.h: the stage equations of an implicit step, and the iteration that solves them.
  *
- * Unknown are the accelerations a_i at the stages; from them follow V = v + h A a and X = x + h A V. With slopes
- * K = da/dx and D = da/dv that all stages share, an eigenvalue mu of A^-1 and sigma = mu / h, the equations fall apart
- * into systems with sigma^2 - sigma D - K, n numbers square: one real, the others complex (em_simplified_newton.h). With slopes of
- * their own they are one system of s n numbers (em_full_newton.h). */
+ * The unknowns are the accelerations a_i at the stages; from them follow V = v + h A a and X = x + h A V. With a
+ * Jacobian K = da/dx, D = da/dv shared by all stages, an eigenvalue mu of A^-1 and sigma = mu / h, the equations
+ * decouple into systems with the matrix sigma^2 - sigma D - K of size n: one real, the others complex
+ * (em_simplified_newton.h). With a Jacobian for each stage they are one system of s n equations (em_full_newton.h). */
 #ifndef EM_STAGES_H
 #define EM_STAGES_H
 
@@ -12,13 +12,13 @@
 #include "radau_iia/em_simplified_newton.h"
 
 #ifndef EM_NEAR_ENOUGH
-#define EM_NEAR_ENOUGH 0.01 /* of the tolerances, to the iteration; tests of the order ask for less */
+#define EM_NEAR_ENOUGH 0.01 /* the part of the tolerances left to the iteration; tests of the order use less */
 #endif
-#define EM_STAGNANT 0.5     /* the factor from which on changes no longer fall off */
+#define EM_STAGNANT 0.5     /* contraction above which the iteration stagnates */
 #define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
-#define EM_SHAKEN (1000.0 * DBL_EPSILON) /* the part of a motion that its rounding may be */
+#define EM_SHAKEN (1000.0 * DBL_EPSILON) /* the rounding of a motion, as a part of it */
 
-enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* no rate: somewhere; w->reason says why */
+enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* a stage failed; w->reason says why */
 
 /* With three stages seven iterations; two and a half more for each further one (Hairer & Wanner, IV.8). */
 static int em_most_iterations(const em_radau_iia *rk) { return 7 + 5 * (rk->stages - 3) / 2; }
@@ -37,8 +37,8 @@ static double em_square_of_motion(int n, const double *M, const double *v) {
     return em_max(sum, 0.0);
 }
 
-/* What counts in x and v, from the start of the step to its end. Where there is no absolute tolerance it is one of the
- * rounding of the motion as a whole, in the mass metric: a solution of equations mixes what others leave of rounding into a
+/* Weights of x and v, from the start of the step to its end. Without an absolute tolerance the rounding of the
+ * motion as a whole, in the mass metric, takes its place: the solution of linear equations spreads rounding to a
  * coordinate that does not move. */
 static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     const em_implicit *q = &w->stages;
@@ -59,19 +59,19 @@ static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
         else if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
 }
 
-/* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h where the step
- * crosses samples. 0, or -1 and w->reason */
+/* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h if the
+ * step crosses samples. 0, or -1 and w->reason */
 static int em_rate_of_stage(em_run_state *w, int i, double t, const double *x, const double *v, double *dy) {
     em_implicit *q = &w->stages;
     em_copy_packs(w->n, w->argument, x);
-    em_copy_packs(w->n, w->argument + w->n, v); /* over what the last pack has left there */
+    em_copy_packs(w->n, w->argument + w->n, v); /* over what the last pack has overwritten */
     if (w->n_positions > 0 && w->near && !q->averaged) return em_settled_rhs(w, t, w->argument, dy);
     if (q->averaged) memcpy(w->u, q->u + (1 + i) * w->n_inputs, (size_t)w->n_inputs * sizeof *w->u);
     else if (w->n_inputs > 0) em_signals(w, t);
     return em_motion_rate_here(w, t, w->argument, dy);
 }
 
-/* r (n) of every stage <- its rate less its acceleration. 0, or -1 and w->reason */
+/* r (n) of every stage <- its rate minus its acceleration. 0, or -1 and w->reason */
 static int em_stage_residuals(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double dy[w->width];
@@ -82,8 +82,8 @@ static int em_stage_residuals(const em_radau_iia *rk, em_run_state *w) {
     return 0;
 }
 
-/* Takes over changes of the accelerations; X and V anew, for what a bad guess would leave in them of rounding. Returns how
- * large the changes of x and v are, in tolerances. */
+/* Adds the changes of the accelerations; X and V are recomputed, because updates of a poor guess would leave
+ * rounding in them. Returns the norm of the changes of x and v, in tolerances. */
 static double em_take_changes(const em_radau_iia *rk, em_run_state *w, const double *change) {
     em_implicit *q = &w->stages;
     const int n = w->n, stride = w->stride, last = (rk->stages - 1) * stride;
@@ -101,7 +101,7 @@ static double em_take_changes(const em_radau_iia *rk, em_run_state *w, const dou
     return sqrt(em_mean(sum, 2 * n * rk->stages));
 }
 
-/* What rounding of x and v may move the stages by, in tolerances. */
+/* The change of the stages by rounding of x and v, in tolerances. */
 static double em_stage_noise(const em_run_state *w) {
     double sum = em_weighted_squares(2 * w->n, w->y, w->weight);
     for (int k = 0; k < w->n; ++k) {
@@ -111,19 +111,20 @@ static double em_stage_noise(const em_run_state *w) {
     return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * w->n)));
 }
 
-/* What the residuals would make of the velocities if nothing were stiff, in tolerances. */
+/* The change of the velocities by the residuals if the system were not stiff, in tolerances. */
 static double em_size_of_residuals(const em_radau_iia *rk, const em_run_state *w) {
     double sum = 0.0;
     for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n);
     return fabs(w->h) * sqrt(em_mean(sum, 2 * w->n * rk->stages));
 }
 
-/* Whether slopes of an earlier state may be all that makes changes small: too stiff ones leave residuals as they are. */
+/* Whether changes may be small only because the Jacobian of an earlier state is too stiff: then residuals do not
+ * decrease. */
 static int em_trusts_slopes(const em_run_state *w, double residual, double before) {
     return em_slopes_are_fresh(w) || residual <= EM_NEAR_ENOUGH || residual <= EM_STAGNANT * before;
 }
 
-/* Iterates until little is left; q->contraction <- how fast. */
+/* Iterates to convergence; q->contraction <- the rate of convergence. */
 static int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);

@@ -17,7 +17,7 @@ enum { EM_STAGES = 16, EM_CORRECTIONS = 4 };
 
 typedef struct em_tableau {
     int stages;         /* K_0 ... of a step; dense output may need further rows of a */
-    int solution;       /* the row b; below `stages` where it is a stage too (first same as last) */
+    int solution;       /* the row b; below `stages` if it is a stage too (first same as last) */
     int velocity_stage; /* the last stage with c = 1 that the error is computed from */
     int error_order;    /* the error is O(h^(error_order + 1)) */
     int errors;         /* rows of e */
@@ -146,13 +146,14 @@ static const em_tableau EM_DOP853_TABLEAU = {
     },
 };
 
-/* Somewhat less than where stability ends on the negative real axis, since steps that it holds back go to and fro; it is
- * looked at in one step of some. */
+/* Slightly less than the end of the stability interval on the negative real axis, because steps limited by stability
+ * oscillate around it; judged only at intervals. */
 #define EM_DOPRI5_STABLE 2.6
 #define EM_DOP853_STABLE 4.0
 #define EM_STIFF_EVERY 16
 
-/* For steps of fixed length: no errors. Kutta's fourth-order method, and Runge's midpoint rule (Hairer, Norsett & Wanner, II.1). */
+/* For steps of fixed size, without error estimates. Kutta's fourth-order method, and Runge's midpoint rule (Hairer,
+ * Norsett & Wanner, II.1). */
 static const em_tableau EM_RK4_TABLEAU = {
     .stages = 4, .solution = 4, .velocity_stage = 3, .error_order = 4,
     .c = {0.0, 1.0 / 2, 1.0 / 2, 1.0},
