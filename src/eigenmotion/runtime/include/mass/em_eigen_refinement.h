@@ -6,9 +6,9 @@
 #include "numeric/em_linear.h"
 
 /* Sizes of E are squares of its Frobenius norm. */
-#define EM_REFINABLE 0.1  /* above, C is not near enough */
-#define EM_REFINED 1e-16  /* below, what a pass leaves is rounding */
-#define EM_CONTRACTS 0.1  /* what a pass leaves of it at most, or two eigenvalues are too close for it */
+#define EM_REFINABLE 0.1  /* above, C is not close enough */
+#define EM_REFINED 1e-16  /* below, the remaining error of a pass is rounding */
+#define EM_CONTRACTS 0.1  /* largest contraction of a pass; else two eigenvalues are too close for it */
 
 #ifdef EM_BY_TILES
 /* em_correction of four rows from i on, but for the diagonal. */
@@ -44,9 +44,9 @@ EM_INLINE void em_correction_of_rows(int n, int i, const double *restrict R, con
 }
 #endif
 
-/* E (n, n) <- what C lacks, C <- (1 + E) C, from R = C C^T and Lambda = C M C^T by their lower triangles; lambda (n) <-
- * the eigenvalues. Returns the size of E; *rough: whether what is off the diagonal still matters to an eigenvalue.
- * Of two eigenvalues that only rounding couples, which may be as close as they like, the rows are left as they are. */
+/* E (n, n) <- the correction of C, C <- (1 + E) C, from R = C C^T and Lambda = C M C^T by their lower triangles;
+ * lambda (n) <- the eigenvalues. Returns the size of E; *rough: whether off-diagonal entries still affect an
+ * eigenvalue. If two eigenvalues are coupled by rounding only, however close, their rows are not changed. */
 EM_INLINE real em_correction(int n, const real *restrict R, const real *restrict Lambda, real *restrict E,
                              real *restrict lambda, em_truth *rough) {
     real size = em_real(0.0);
@@ -81,8 +81,8 @@ EM_INLINE real em_correction(int n, const real *restrict R, const real *restrict
 
 #ifdef EM_ON_LANES
 
-/* C, lambda <- those of M (n, n) in lanes, of those `going`, where C is near enough and eigenvalues are apart: -1 there.
- * Each lane makes as many passes as it would alone. */
+/* C, lambda <- those of M (n, n) in the lanes `going` where C is close enough and eigenvalues are separated: -1
+ * there. Each lane makes as many passes as it would alone. */
 EM_NOINLINE em_truth em_refine(int n, em_truth going, const real *restrict M, real *restrict C, real *restrict lambda) {
     real limit = em_real(EM_REFINABLE);
     em_truth done = {0};
@@ -107,7 +107,8 @@ EM_NOINLINE em_truth em_refine(int n, em_truth going, const real *restrict M, re
 
 #else
 
-/* C, lambda <- those of M (n, n), where C is near enough and eigenvalues are apart; otherwise 0, and C is still near. */
+/* C, lambda <- those of M (n, n), if C is close enough and eigenvalues are separated; otherwise 0, and C is still
+ * close. */
 EM_NOINLINE int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double limit = EM_REFINABLE;
     for (;;) {

@@ -6,8 +6,8 @@
 #include "mass/em_eigen_refinement.h"
 #include "mass/em_jacobi_rotations.h"
 
-/* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
- * it takes. */
+/* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, repeated
+ * until it vanishes. */
 EM_INLINE void em_orthonormalise(int n, double *restrict C) {
     double K[n * n], D[n * n], deviation = 1.0;
     for (int pass = 0; pass < 8 && deviation > 1e-8; ++pass) {
@@ -29,8 +29,8 @@ EM_INLINE void em_orthonormalise(int n, double *restrict C) {
     }
 }
 
-/* Cyclic Jacobi sweeps on Lambda = C M C^T until what is off the diagonal is at rounding (Golub & Van Loan, 8.5).
- * Small rotations only where Lambda is nearly diagonal: rows of C keep their order and sign. */
+/* Cyclic Jacobi sweeps on Lambda = C M C^T until off-diagonal entries are rounding (Golub & Van Loan, 8.5). If
+ * Lambda is nearly diagonal all rotations are small: rows of C keep their order and sign. */
 EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
     for (int sweep = 0, rotated = 1; rotated && sweep < 40; ++sweep) {
         rotated = 0;
@@ -43,19 +43,19 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
     }
 }
 
-/* Index of the first pivot of M (n, n) that leaves fewer than three right digits, -1 where all are sound. */
+/* Index of the first pivot of M (n, n) with fewer than three correct digits, -1 if there is none. */
 EM_COLD_PATH EM_NOINLINE int em_measure_pivots_beside(int n, const double *M) {
     double L[n * n], r[n];
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
 }
 
-/* The same; least and largest: its eigenvalues. None is above M_ii, nor below the least: pivots are only looked at where
- * that is small. */
+/* The same; least and largest: its eigenvalues. A pivot is at most M_ii and at least the least eigenvalue: pivots
+ * are only computed if that is small. */
 EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
     return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_measure_pivots_beside(n, M);
 }
 
-/* C, lambda <- those of M (n, n), near the C given, whatever it is. */
+/* C, lambda <- those of M (n, n), near the C given, which may be far off. */
 EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double Lambda[n * n];
     em_orthonormalise(n, C);
@@ -64,13 +64,14 @@ EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, do
     for (int i = 0; i < n; ++i) lambda[i] = Lambda[i * n + i];
 }
 
-/* The same in a run, */
+/* The same in a run; */
 EM_NOINLINE void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
-/* and beside runs, where n is known at run time only, and a second copy for speed would take compilers long. */
+/* and outside runs, where n is known at run time only, and a second copy optimised for speed would take compilers
+ * long. */
 EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
-/* s <- its roots, in which eigenvalues of M (n, n) are given. Returns -1, or an index where M is singular. */
+/* s <- the roots of the eigenvalues of M (n, n), which s holds. Returns -1, or an index where M is singular. */
 EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
     double least = s[0], largest = s[0];
     for (int i = 0; i < n; ++i) {
@@ -97,7 +98,7 @@ EM_NOINLINE int em_refresh_any(int n, const double *M, double *C, double *s) {
     return em_roots(n, M, s);
 }
 
-/* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
+/* Eigenfactors of M from scratch: s ascending; in each row of C the entry of largest magnitude is positive. */
 EM_COLD_PATH EM_NOINLINE int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
@@ -129,7 +130,7 @@ EM_COLD_PATH EM_NOINLINE int em_prepare_block(int n, const double *M, double *C,
     return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
 }
 
-/* The largest |S^-1 C M C^T S^-1 - 1|: how far C, s are from the eigenfactors of M, relative to each eigenvalue. */
+/* The largest |S^-1 C M C^T S^-1 - 1|: the error of C, s as eigenfactors of M, relative to each eigenvalue. */
 EM_NOINLINE double em_factor_error(int n, const double *M, const double *C, const double *s) {
     double Lambda[n * n], worst = 0.0;
     em_congruence(n, C, M, Lambda);

@@ -1,17 +1,17 @@
-/* em_jacobi_rotations.h: Jacobi rotations of C, by which Lambda = C M C^T becomes diagonal (Golub & Van Loan, 8.5): of numbers as
- * well as of lanes. */
+/* em_jacobi_rotations.h: Jacobi rotations of C, by which Lambda = C M C^T becomes diagonal (Golub & Van Loan, 8.5),
+ * for doubles and for lanes. */
 #ifndef EM_JACOBI_ROTATIONS_H
 #define EM_JACOBI_ROTATIONS_H
 
 #include "numeric/em_linear.h"
 
-/* Whether Lambda_pq is more than rounding. */
+/* Whether Lambda_pq is above rounding. */
 EM_INLINE em_truth em_rotates(int n, int p, int q, const real *restrict Lambda) {
     const real off = Lambda[p * n + q];
     return off * off > DBL_EPSILON * DBL_EPSILON * fabs(Lambda[p * n + p] * Lambda[q * n + q]);
 }
 
-/* One rotation that makes Lambda_pq zero, where it is wanted; C turns with it. */
+/* One rotation that makes Lambda_pq zero, in lanes where it is wanted; C turns with it. */
 EM_INLINE void em_rotate(int n, int p, int q, em_truth wanted, real *restrict Lambda, real *restrict C) {
     const real none = em_real(0.0), off = em_where(wanted, Lambda[p * n + q], none);
     const real theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / em_where(wanted, off, em_real(1.0));

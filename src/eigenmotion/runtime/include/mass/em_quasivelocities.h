@@ -19,7 +19,7 @@ EM_INLINE void em_eta_of_velocity(int n, const real *restrict C, const real *res
     memcpy(v, eta, sizeof eta);
 }
 
-/* eta <- C^T S eta, the momenta M xdot. Whatever Omega turns C and eta, they are what the forces make of them. */
+/* eta <- C^T S eta, the momenta M xdot. They follow from the forces alone, however Omega turns C and eta. */
 EM_INLINE void em_momentum_of_eta(int n, const real *restrict C, const real *restrict s, real *restrict eta) {
     real p[n], w[n];
     for (int i = 0; i < n; ++i) w[i] = s[i] * eta[i];
@@ -27,15 +27,14 @@ EM_INLINE void em_momentum_of_eta(int n, const real *restrict C, const real *res
     memcpy(eta, p, sizeof p);
 }
 
-/* f <- S^-1 C f: a force, or a constraint row, as the quasi-velocities feel it (28) */
+/* f <- S^-1 C f: a force, or a constraint row, in quasi-velocities (28) */
 EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restrict s, real *restrict f) {
     real a[n];
     for (int i = 0; i < n; ++i) a[i] = em_inner(n, C + i * n, f) / s[i];
     memcpy(f, a, sizeof a);
 }
 
-/* eta (n) <- as it turned with the rows of C, from what they were; those to first order in what they lacked of being
- * orthonormal. */
+/* eta (n) <- turned with the rows of C, from those before; to first order in their deviation from orthonormality. */
 EM_INLINE void em_turn(int n, const real *restrict before, const real *restrict C, real *restrict eta) {
     real v[n], back[n];
     em_transposed_product(n, before, eta, v);
@@ -45,7 +44,7 @@ EM_INLINE void em_turn(int n, const real *restrict before, const real *restrict 
     em_product(1, n, v, C, eta);
 }
 
-/* v <- C^T S^-1 eta (20), and on the way r = 1 / s and w = S^-1 eta. */
+/* v <- C^T S^-1 eta (20); also r = 1 / s and w = S^-1 eta. */
 EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s, const real *restrict eta,
                            real *restrict r, real *restrict w, real *restrict v) {
     for (int i = 0; i < n; ++i) {

@@ -5,7 +5,7 @@
 #include "mass/em_quasivelocities.h"
 
 #ifdef EM_BY_TILES
-/* Four rows from i on of em_omega_apart and what they are of the columns above them. */
+/* Four rows from i on of em_omega_apart, and their mirrored entries in the columns above them. */
 EM_INLINE void em_omega_of_rows(int n, int i, const double *restrict s, const double *restrict mu,
                                 double *restrict Omega) {
     for (int j = 0; j <= i; j += EM_TILE) {
@@ -24,7 +24,7 @@ EM_INLINE void em_omega_of_rows(int n, int i, const double *restrict s, const do
 }
 #endif
 
-/* Omega (n, n) <- (32) as published, where eigenvalues are apart; of mu the lower triangle. */
+/* Omega (n, n) <- (32) as published, if eigenvalues are separated; only the lower triangle of mu is used. */
 EM_INLINE void em_omega_apart(int n, const real *restrict s, const real *restrict mu, real *restrict Omega) {
     int tiled = 0;
 #ifdef EM_BY_TILES
@@ -56,8 +56,8 @@ EM_INLINE void em_factor_rates(int n, const real *restrict C, const real *restri
         }
 }
 
-/* The same as em_turning_push, with sums that are formed side by side along rows, in vectors; T = C^T. What Omega makes
- * of a vector is less what its columns do. */
+/* The same as em_turning_push, with sums formed side by side along rows, in vectors; T = C^T. The product with a row
+ * of Omega is minus that with its column. */
 EM_INLINE void em_turning_push_along(int n, const real *restrict T, const real *restrict s, const real *restrict r,
                                      const real *restrict Omega, const real *restrict s_dot,
                                      const real *restrict eta, const real *restrict w, const real *restrict f,

@@ -1,9 +1,9 @@
 /* em_root_switching.h: switching between the published system and the triangular root, where eigenvalues come close.
  *
- * It does where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, until it
- * is farther than EM_FAR times that. Eigenvalues farther apart than EM_APART, relative to the larger, are not looked at;
- * closer than EM_CLOSE they never count as far. Eigenvalues of Delta count by their relative gap: meanwhile Delta is
- * factored numerically. */
+ * The triangular root is used from when a crossing of eigenvalues is nearer than EM_NEAR times the time scale of the
+ * motion until it is further than EM_FAR times that. Eigenvalues further apart than EM_APART, relative to the
+ * larger, are not examined; those closer than EM_CLOSE never count as far. Eigenvalues of Delta are judged by their
+ * relative gap; with the triangular root Delta is factored numerically. */
 #ifndef EM_ROOT_SWITCHING_H
 #define EM_ROOT_SWITCHING_H
 
@@ -16,9 +16,9 @@
 #define EM_DELTA_CLOSE 0.05
 #define EM_DELTA_APART 0.1
 
-enum { EM_LOOK = -1 }; /* it takes the time to the nearest crossing to tell */
+enum { EM_LOOK = -1 }; /* the time to the nearest crossing decides */
 
-/* The least of a (n), none of which is NaN. */
+/* The smallest number of a (n), none of which is NaN. */
 EM_INLINE real em_smallest(int n, const real *restrict a) {
     real least = em_real(INFINITY);
     for (int i = 0; i < n; ++i) least = em_where(a[i] < least, a[i], least);
@@ -27,7 +27,7 @@ EM_INLINE real em_smallest(int n, const real *restrict a) {
 
 /* The smallest distance of two eigenvalues, relative to the larger. */
 EM_INLINE real em_gap(int n, const real *restrict s) {
-    real gap[n]; /* of each to those before */
+    real gap[n]; /* from each eigenvalue to those before */
     for (int j = 0; j < n; ++j) gap[j] = em_real(INFINITY);
     for (int i = 0; i < n; ++i) {
         EM_ALONG
@@ -41,8 +41,8 @@ EM_INLINE real em_gap(int n, const real *restrict s) {
     return em_smallest(n, gap);
 }
 
-/* How far in time the nearest crossing is: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of
- * size |l_i - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside sees a spike in Omega. */
+/* The time to the nearest crossing: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of size |l_i
+ * - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside that distance sees a spike in Omega. */
 EM_INLINE real em_time_to_crossing(int n, const real *restrict s, const real *restrict mu) {
     real time[n], rate[n];
     for (int j = 0; j < n; ++j) time[j] = em_real(INFINITY), rate[j] = mu[j * n + j];
@@ -59,7 +59,7 @@ EM_INLINE real em_time_to_crossing(int n, const real *restrict s, const real *re
     return em_smallest(n, time);
 }
 
-/* The mode to come, by the relative gaps of the eigenvalues of M and of Delta; or EM_LOOK. */
+/* The next mode, by the relative gaps of the eigenvalues of M and of Delta; or EM_LOOK. */
 EM_INLINE int em_mode_by_gaps(int mode, int flags, double gap, double delta_gap) {
     if (flags & EM_BEGIN) return gap < EM_CLOSE;
     if (flags & EM_KEEP_MODE) return mode;
@@ -67,12 +67,12 @@ EM_INLINE int em_mode_by_gaps(int mode, int flags, double gap, double delta_gap)
     return gap > EM_APART ? 0 : EM_LOOK;
 }
 
-/* The same by the time to the nearest crossing; pace: the time on which the motion varies. */
+/* The same by the time to the nearest crossing; pace: the time scale of the motion. */
 EM_INLINE int em_mode_by_time(int mode, double gap, double time, double pace) {
     return mode ? gap < EM_CLOSE || time < EM_FAR * fabs(pace) : time < EM_NEAR * fabs(pace);
 }
 
-/* eta <- the same velocities under the other root: L^T xdot where `triangular`, else S C xdot. */
+/* eta <- the same velocities with the other root: L^T xdot if `triangular`, else S C xdot. */
 EM_INLINE void em_change_root(int n, int triangular, const real *restrict C, const real *restrict s,
                               const real *restrict L, const real *restrict r, real *restrict eta) {
     if (triangular) {

@@ -8,10 +8,10 @@
 #define EM_MIXED_ROWS EM_IMPACT_ROWS
 #endif
 
-#define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows depend on each other */
+#define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows count as dependent */
 
-/* x (count) <- A^-1 x by elimination with the largest pivot of what is left. 0, or -1: the rows depend on each other. *sign, if
- * that is not NULL: of the determinant. */
+/* x (count) <- A^-1 x by elimination with complete pivoting. 0, or -1: the rows are dependent. *sign, unless NULL:
+ * the sign of the determinant. */
 EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
     int column[EM_MIXED_ROWS], turns = 0;
     double y[EM_MIXED_ROWS];

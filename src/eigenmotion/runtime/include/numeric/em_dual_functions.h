@@ -1,14 +1,14 @@
 /* em_dual_functions.h: C's mathematical functions on dual numbers (a value and a derivative), under their usual
  * names.
  *
- * f(a + i e a') = f(a) + i e f'(a) a'. What does not change has no derivative, whatever f' is there; where f' has two sides
- * it is that of one of them. */
+ * f(a + i e a') = f(a) + i e f'(a) a'. If a' is zero so is the derivative, even where f' does not exist; where f'
+ * has two one-sided values, one of them is taken. */
 #ifndef EM_DUAL_FUNCTIONS_H
 #define EM_DUAL_FUNCTIONS_H
 
 #include "numeric/em_real.h"
 
-/* value, which changes by `slope` times as much as a */
+/* A value whose derivative is `slope` times that of a */
 EM_INLINE real em_dual(double value, double slope, real a) {
     real made = value;
     __imag__ made = __imag__ a == 0.0 ? 0.0 : slope * __imag__ a;
@@ -44,7 +44,7 @@ EM_DUAL(ceil, ceil(a), 0.0)
 EM_INLINE real em_sin(real a) { return em_dual_sin(a); }
 EM_INLINE real em_cos(real a) { return em_dual_cos(a); }
 
-/* value, which changes with two numbers */
+/* A value that depends on two numbers */
 EM_INLINE real em_dual_of_two(double value, double slope_a, real a, double slope_b, real b) {
     real made = em_dual(value, slope_a, a);
     __imag__ made += __imag__ em_dual(value, slope_b, b);

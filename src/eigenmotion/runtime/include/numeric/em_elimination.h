@@ -1,8 +1,8 @@
 /* em_elimination.h: Gaussian elimination of one full system with many right-hand sides.
  *
- * Elimination by four pivots at a time: what is to the right of them changes once for all four, so that a row is read and
- * written a quarter as often. What calls it is compiled twice, once for the vectors that many processors have, and which
- * of the two runs is decided where it runs. */
+ * Elimination proceeds by four pivots at a time: the entries to the right of them are updated once for all four, so
+ * that a row is read and written a quarter as often. The function is compiled twice, once for the vectors that many
+ * processors have; which version runs is decided at run time. */
 #ifndef EM_ELIMINATION_H
 #define EM_ELIMINATION_H
 
@@ -11,7 +11,8 @@
 
 #include "numeric/em_real.h"
 
-/* Of a function: compiled for vectors of four and fused multiply-adds, where the processor may have them. */
+/* Attribute of a function that is also compiled for vectors of four and fused multiply-adds, if the processor may
+ * have them. */
 #if defined(__x86_64__) && defined(__GNUC__)
 #define EM_WIDE __attribute__((target("avx2,fma")))
 #define EM_IS_WIDE (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
@@ -27,7 +28,7 @@ EM_INLINE void em_add_to(int count, double factor, const double *restrict from, 
     for (int j = 0; j < count; ++j) to[j] += factor * from[j];
 }
 
-/* to (count) += four rows, which are `apart`, by `part` of each */
+/* to (count) += the sum of four rows, `apart` numbers apart, times their `part` */
 EM_INLINE void em_add_four(int count, const double *restrict part, const double *restrict from, int apart,
                            double *restrict to) {
     const double *const b = from + apart, *const c = b + apart, *const d = c + apart;
@@ -35,7 +36,7 @@ EM_INLINE void em_add_four(int count, const double *restrict part, const double 
     for (int j = 0; j < count; ++j) to[j] = to[j] + by_a * from[j] + by_b * b[j] + by_c * c[j] + by_d * d[j];
 }
 
-/* to (count) -= four rows, by `part` of each */
+/* to (count) -= the sum of four rows times their `part` */
 EM_INLINE void em_subtract_four(int count, const double *restrict part, const double *restrict a,
                                 const double *restrict b, const double *restrict c, const double *restrict d,
                                 double *restrict to) {
@@ -43,7 +44,7 @@ EM_INLINE void em_subtract_four(int count, const double *restrict part, const do
     for (int j = 0; j < count / 4 * 4; ++j) to[j] = to[j] - by_a * a[j] - by_b * b[j] - by_c * c[j] - by_d * d[j];
 }
 
-/* The same of two rows, which share what is fetched of the four. */
+/* The same for two rows, which share the loads of the four. */
 EM_INLINE void em_subtract_from_two(int count, const double *restrict part, const double *restrict other,
                                     const double *restrict a, const double *restrict b, const double *restrict c,
                                     const double *restrict d, double *restrict to, double *restrict beside) {
@@ -54,7 +55,7 @@ EM_INLINE void em_subtract_from_two(int count, const double *restrict part, cons
     }
 }
 
-/* Of `rows` from `from` on: the one of the largest number in this column comes first. */
+/* Swaps the row with the largest entry in this column, among `rows` from `from` on, to the front. */
 EM_INLINE void em_best_row_first(int size, double **restrict rows, int from, int column) {
     int best = from;
     double most = fabs(rows[from][column]);
@@ -66,7 +67,7 @@ EM_INLINE void em_best_row_first(int size, double **restrict rows, int from, int
     rows[best] = rows[from], rows[from] = kept;
 }
 
-/* The pivots from `first` on: what they take of each row is left in its place. 0, or -1: one of them is zero. */
+/* Eliminates with the pivots from `first` on; the factors are stored in place. 0, or -1: a pivot is zero. */
 EM_INLINE int em_eliminate_pivots(int size, int first, double **restrict rows) {
     EM_UNROLL for (int i = 0; i < EM_PIVOTS; ++i) {
         em_best_row_first(size, rows, first + i, first + i);
@@ -81,7 +82,7 @@ EM_INLINE int em_eliminate_pivots(int size, int first, double **restrict rows) {
     return 0;
 }
 
-/* What is to the right of four pivots, in `width` columns. */
+/* Updates the entries to the right of four pivots, in `width` columns. */
 EM_INLINE void em_eliminate_right(int size, int first, int width, double **rows) {
     const int after = first + EM_PIVOTS, count = width - after;
     double *const *const p = rows + first;
@@ -92,8 +93,8 @@ EM_INLINE void em_eliminate_right(int size, int first, int width, double **rows)
                              p[3] + after, rows[r] + after, rows[r + 1] + after);
 }
 
-/* rows (size) of G (size, size) and, right of it, X (size, columns): X <- G^-1 X, in the order in which rows are left.
- * size and columns are multiples of four. 0, or -1: G is singular. */
+/* rows (size) of G (size, size) followed by X (size, columns): X <- G^-1 X, in the order of the permuted rows. size
+ * and columns are multiples of four. 0, or -1: G is singular. */
 EM_INLINE int em_eliminate(int size, int columns, double **rows) {
     for (int first = 0; first < size; first += EM_PIVOTS) {
         if (em_eliminate_pivots(size, first, rows)) return -1;

@@ -1,5 +1,5 @@
 /* em_functions.h: functions of expressions that C does not have, or not in the form a potential needs. Comparisons
- * are numbers, 1 and 0, as where they are computed once per parameter set. */
+ * are numbers, 1 and 0, as in kernels that are evaluated once per parameter set. */
 #ifndef EM_FUNCTIONS_H
 #define EM_FUNCTIONS_H
 
@@ -9,7 +9,7 @@ EM_INLINE real em_is(em_truth condition) { return em_where(condition, em_real(1.
 
 EM_INLINE em_truth em_is_nan(real a) { return em_value(a) != em_value(a); }
 
-/* A condition on what is not a number is none: it does not hold, nor does its contrary. */
+/* A condition on NaN is undefined: neither it nor its negation holds. */
 EM_INLINE real em_of_numbers(real a, real b, em_truth condition) {
     return em_where(em_is_nan(a) | em_is_nan(b), em_real(NAN), em_is(condition));
 }
@@ -19,7 +19,7 @@ EM_INLINE real em_not_above(real a, real b) { return em_of_numbers(a, b, em_valu
 EM_INLINE real em_equal(real a, real b) { return em_of_numbers(a, b, em_value(a) == em_value(b)); }
 EM_INLINE real em_not(real a) { return 1.0 - a; }
 
-/* Where one condition decides, the other may be none: x > 0 and log(x) > 1. */
+/* If one condition decides, the other may be undefined: x > 0 and log(x) > 1. */
 EM_INLINE real em_and(real a, real b) {
     return em_where((em_value(a) == 0.0) | (em_value(b) == 0.0), em_real(0.0), a * b);
 }
@@ -38,7 +38,7 @@ EM_INLINE real em_heaviside(real a) {
     return em_where(em_is_nan(a), a, em_is(em_value(a) > 0.0) + 0.5 * em_is(em_value(a) == 0.0));
 }
 
-/* Unlike fmin and fmax these pass on what is not a number: a potential that is undefined must not look defined. */
+/* Unlike fmin and fmax these propagate NaN: a potential that is undefined must not appear defined. */
 EM_INLINE real em_least(real a, real b) { return em_where((em_value(a) < em_value(b)) | em_is_nan(a), a, b); }
 
 EM_INLINE real em_greatest(real a, real b) { return em_where((em_value(a) > em_value(b)) | em_is_nan(a), a, b); }

@@ -1,10 +1,9 @@
 /* em_lane_functions.h: C's mathematical functions on vectors, under their usual names.
  *
- * sin and cos: a = n pi/2 + r, reduced by pi/2 in three parts of which n times the first two is exact, so that it does
- * not matter whether multiplication and subtraction are one operation (Cody & Waite 1980); then polynomials that are
- * nearest to them on |r| < pi/4, those of Sun's fdlibm, as are the ways of exp and log. Within two units in the last place
- * of the true value; sin and cos NaN where |a| is not below 1e6. What the machine has no vectors for is asked of C's
- * library lane by lane. */
+ * sin and cos: a = n pi/2 + r, reduced by pi/2 in three parts of which n times the first two is exact, so that fused
+ * multiply-add makes no difference (Cody & Waite 1980); then the minimax polynomials on |r| < pi/4 of Sun's fdlibm,
+ * whose algorithms exp and log use, too. Results are within two units in the last place of the true value; sin and
+ * cos are NaN unless |a| is below 1e6. Functions without a vector form call the C library lane by lane. */
 #ifndef EM_LANE_FUNCTIONS_H
 #define EM_LANE_FUNCTIONS_H
 
@@ -14,7 +13,7 @@
 
 EM_INLINE real em_lane_fabs(real a) { return (real)((em_truth)a & 0x7fffffffffffffffLL); }
 
-/* a - *n pi/2; of an angle that is too large all bits are set, which is NaN */
+/* a - *n pi/2; if the angle is too large all bits are set, which is NaN */
 EM_INLINE real em_lane_reduce(real a, em_truth *n) {
     const double shift = 0x1.8p52;
     const real shifted = a * 0.63661977236758134 + shift, nearest = shifted - shift;
@@ -70,7 +69,7 @@ EM_INLINE real em_lane_sqrt(real a) {
 #endif
 }
 
-/* a = n log 2 + r; 2^n in two factors, each of which is a number. */
+/* a = n log 2 + r; 2^n in two factors, each of which is representable. */
 EM_INLINE real em_lane_exp(real a) {
     const double shift = 0x1.8p52;
     const real within = em_where(a < 710.0, em_where(a > -746.0, a, em_real(-746.0)), em_real(710.0));

@@ -17,13 +17,13 @@
 #include "numeric/em_trigonometry.h"
 #endif
 
-/* Flags of right-hand sides and of what follows an accepted step; from EM_FIRST_KEPT on a bit for each constraint row
- * that is kept, none: not known (em_rank.h). */
+/* Flags of right-hand sides and of settling; from EM_FIRST_KEPT on one bit for each constraint row that is kept; no
+ * such bit: unknown (em_rank.h). */
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
-#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
-#define EM_SMALL_PIVOT 1e-4 /* below this part of the whole another pivot is looked for */
-#define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
+#define EM_VANISHED 1e-26 /* a row of B whose square, relative to the longest, is below this counts as zero */
+#define EM_SMALL_PIVOT 1e-4 /* below this part of the diagonal rows are pivoted */
+#define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry has fewer than three correct digits */
 
 EM_COLD_PATH EM_NOINLINE int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
     fault->status = status;
@@ -36,7 +36,7 @@ EM_COLD_PATH EM_NOINLINE int em_fail(em_fault *fault, em_status status, int firs
 #ifdef EM_PACKED
 enum { EM_LONG = 8 }; /* from here on rows of a factor are formed in vectors */
 
-/* em_factor row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
+/* em_factor row by row of D L^T: each row is subtracted from those after it, in vectors of EM_LANES numbers. */
 EM_NOINLINE int em_factor_along(int n, int roots, const double *restrict M, double *restrict L, double *restrict r,
                             double tolerance) {
     enum { WIDTH = EM_LANES };
@@ -66,14 +66,14 @@ EM_NOINLINE int em_factor_along(int n, int roots, const double *restrict M, doub
 }
 #endif
 
-/* M (n, n), by its lower triangle, = L D L^T with ones on the diagonal of L, where D is kept; r (n): D^-1. Or, with
- * `roots`, = L L^T; r: 1 / L_ii. Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
- * From pivot to pivot leads one division, and roots are not waited for. */
+/* M (n, n), by its lower triangle, = L D L^T with ones on the diagonal of L, where D is stored; r (n): D^-1. Or,
+ * with `roots`, = L L^T; r: 1 / L_ii. Returns -1, or the index of the first pivot that is not above `tolerance`
+ * M_ii. The critical path from pivot to pivot has one division and no square root. */
 EM_INLINE int em_factor(int n, int roots, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
 #ifdef EM_PACKED
     if (em_tiled(n) >= EM_LONG) return em_factor_along(n, roots, M, L, r, tolerance);
 #endif
-    real LD[n * n], sound[n]; /* sound: 1, or NaN, which the next pivot need not wait for */
+    real LD[n * n], sound[n]; /* sound: 1, or NaN, off the critical path */
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * n + j];
         for (int k = 0; k < j; ++k) pivot -= LD[j * n + k] * L[j * n + k];
@@ -102,7 +102,7 @@ EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real 
     return em_factor(n, 1, M, L, r, tolerance);
 }
 
-/* M = L D L^T, where nobody needs a root. */
+/* M = L D L^T, where no square roots are needed. */
 EM_INLINE int em_ldlt(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
     return em_factor(n, 0, M, L, r, tolerance);
 }
@@ -140,7 +140,7 @@ EM_INLINE void em_backward(int n, const real *restrict L, const real *restrict r
     }
 }
 
-/* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */
+/* eta = S C v <-> eta = L^T v: the same velocities with another root of M. */
 EM_INLINE void em_transposed(int n, const real *restrict L, real *restrict v) {
     for (int i = 0; i < n; ++i) {
         real sum = L[i * n + i] * v[i];
@@ -149,7 +149,7 @@ EM_INLINE void em_transposed(int n, const real *restrict L, real *restrict v) {
     }
 }
 
-/* b <- a, number by number: memcpy would read wider words than were just written, and wait for them. */
+/* b <- a, number by number: memcpy would load wider words than were just stored, and wait for them. */
 EM_INLINE void em_copy(int n, const real *restrict a, real *restrict b) {
     for (int i = 0; i < n; ++i) b[i] = a[i];
 }
@@ -159,7 +159,7 @@ EM_INLINE void em_clear(int n, real *restrict b) {
     for (int i = 0; i < n; ++i) b[i] = em_real(0.0);
 }
 
-/* a . b, from the first product on: a sum that began at zero would add it, for the sake of its sign. */
+/* a . b, starting with the first product: a sum that began at zero would cost an addition, for the sign of zero. */
 EM_INLINE real em_inner(int n, const real *restrict a, const real *restrict b) {
     real sum = a[0] * b[0];
     for (int i = 1; i < n; ++i) sum += a[i] * b[i];
@@ -172,7 +172,7 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
         for (int i = 0; i < n; ++i) Y[row * n + i] = em_inner(n, W + i * n, A + row * n);
 }
 
-/* T <- C^T where rows are tiled: nobody else reads it. */
+/* T <- C^T if rows are tiled; otherwise it is not used. */
 EM_INLINE void em_turned_for_tiles(int n, const real *restrict C, real *restrict T) {
     if (em_tiled(n)) em_transpose(n, C, T);
 }

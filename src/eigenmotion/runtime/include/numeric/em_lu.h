@@ -1,7 +1,7 @@
 /* em_lu.h: LU factors of small full matrices, of real and of complex numbers, with row pivoting.
  *
- * Rows are compared in units that the caller gives, so that which one is the pivot does not depend on the units of
- * unknowns. Matrices are row-major; complex ones are two, of real and of imaginary parts. */
+ * Rows are compared in units that the caller supplies, so that the choice of pivots does not depend on the units of
+ * the unknowns. Matrices are row-major; complex ones are two, of real and of imaginary parts. */
 #ifndef EM_LU_H
 #define EM_LU_H
 
@@ -13,8 +13,8 @@ EM_INLINE void em_swap(double *a, double *b) {
     *b = kept;
 }
 
-/* G (n, n) <- L and U, pivot (n) <- the row that came in place of each. unit (n): what a row counts in. 0, or -1: G is
- * singular. */
+/* G (n, n) <- L and U, pivot (n) <- the row swapped into the place of each. unit (n): the unit of each row. 0, or
+ * -1: G is singular. */
 EM_INLINE int em_lu_of(int n, double *restrict G, const double *restrict unit, int *restrict pivot) {
     double weight[n];
     memcpy(weight, unit, sizeof weight);
@@ -103,7 +103,7 @@ EM_INLINE int em_complex_lu_solve_of(int n, const double *restrict G, const doub
     return 0;
 }
 
-/* The same of any size; of those that are small by loops that unroll. */
+/* The same for any size; for small sizes by loops that unroll. */
 #define EM_OF_SIZE(n, of, ...)        \
     switch (n) {                      \
         case 1: of(1, __VA_ARGS__);   \

@@ -6,7 +6,7 @@
 
 #include "numeric/em_real.h"
 
-/* Before a loop along a row: leave it whole, for vectors to be made of. */
+/* Before a loop along a row: do not unroll it, so that it is vectorised. */
 #if defined(__clang__)
 #define EM_ALONG _Pragma("clang loop vectorize(enable)")
 #else
@@ -23,17 +23,17 @@ EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *
     }
 }
 
-enum { EM_TILE = 4 }; /* rows of a product that are formed together: that many sums do not wait for each other */
+enum { EM_TILE = 4 }; /* rows of a product that are formed together, with independent sums */
 
-/* How many of the rows of a product are formed in tiles. */
+/* The number of rows of a product that are formed in tiles. */
 #ifndef EM_PACKED
 EM_INLINE int em_tiled(EM_UNUSED int n) { return 0; }
 #else
 EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * EM_TILE : 0; }
 
-/* Columns first ... first + width of as many rows of A B, in registers. The next row of B is fetched while one is used;
- * fetched where it is used, GCC may fetch it for each row of A. Two tiles side by side, where there are as many columns:
- * they share what they fetch of A, and the sums of one fill the time in which those of the other are not ready. */
+/* Columns first ... first + width of a tile of rows of A B, in registers. The next row of B is loaded while one is
+ * used; loaded at its use, GCC may load it for each row of A. Two tiles side by side, if there are enough columns,
+ * share the loads of A, and the sums of one hide the latency of the other. */
 #define EM_TILES_OF(width)                                                                                             \
     typedef double em_numbers_##width __attribute__((vector_size(8 * width)));                                         \
     typedef double em_stored_##width __attribute__((vector_size(8 * width), aligned(8), may_alias));                   \
@@ -89,7 +89,7 @@ typedef double em_numbers __attribute__((vector_size(8 * EM_LANES), may_alias));
 typedef em_numbers_4 em_tile[EM_TILE]; /* rows */
 typedef long long em_marks_4 __attribute__((vector_size(32))); /* of a comparison: -1 or 0 */
 
-/* Which columns of a row of a tile on the diagonal are before it. */
+/* Marks the columns of a row of a diagonal tile that are left of the diagonal. */
 static const em_marks_4 em_before[EM_TILE] = {{0, 0, 0, 0}, {-1, 0, 0, 0}, {-1, -1, 0, 0}, {-1, -1, -1, 0}};
 
 /* x where marked, else 0 */
@@ -147,8 +147,8 @@ EM_INLINE void em_mirror(int n, real *A) {
         for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
 }
 
-/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. Where loops over
- * columns end is a constant of its own: of one that begins where another ended GCC thinks a first column n. */
+/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; with `upper`, entries below the diagonal are not all computed. Column
+ * loops end at constants of their own: for a loop that begins where another ended, GCC assumes a first column n. */
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
     int j = 0;
 #ifdef EM_PACKED
@@ -168,7 +168,7 @@ EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, cons
 }
 
 #if defined(EM_ON_LANES) && !defined(EM_ON_DUALS)
-enum { EM_TALL = 4, EM_WIDE = EM_LANES >= 8 ? 4 : 2 }; /* of a product on lanes, what registers hold while it is formed */
+enum { EM_TALL = 4, EM_WIDE = EM_LANES >= 8 ? 4 : 2 }; /* the tile of a product on lanes that fits into registers */
 
 /* EM_TALL rows and EM_WIDE columns of sign A B: B_kj is at k down + j across. */
 EM_INLINE void em_lane_tile(int n, double sign, const real *restrict A, const real *restrict B, int down, int across,
@@ -183,8 +183,8 @@ EM_INLINE void em_lane_tile(int n, double sign, const real *restrict A, const re
         EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) O[i * n + j] = sign * sum[i][j];
 }
 
-/* O (n, n) <- sign A B in such tiles; what is left, at the end of rows and below the last that are whole, is not formed.
- * Where `lower`, nor is what is above the diagonal. */
+/* O (n, n) <- sign A B in such tiles; the remainder, at the end of rows and below the last whole tiles, is not
+ * computed. With `lower`, nor are entries above the diagonal. */
 EM_INLINE void em_lane_tiles(int n, int lower, double sign, const real *restrict A, const real *restrict B, int down,
                              int across, real *restrict O) {
     for (int i = 0; i + EM_TALL <= n; i += EM_TALL)
@@ -192,7 +192,7 @@ EM_INLINE void em_lane_tiles(int n, int lower, double sign, const real *restrict
             em_lane_tile(n, sign, A + i * n, B + j * across, down, across, O + i * n + j);
 }
 
-/* How many columns of row i these are. */
+/* The number of columns of row i that are in tiles. */
 EM_INLINE int em_lane_tiled(int n, int i) { return i < n / EM_TALL * EM_TALL ? n / EM_WIDE * EM_WIDE : 0; }
 #else
 EM_INLINE void em_lane_tiles(EM_UNUSED int n, EM_UNUSED int lower, EM_UNUSED double sign, EM_UNUSED const real *A,
@@ -200,7 +200,7 @@ EM_INLINE void em_lane_tiles(EM_UNUSED int n, EM_UNUSED int lower, EM_UNUSED dou
 EM_INLINE int em_lane_tiled(EM_UNUSED int n, EM_UNUSED int i) { return 0; }
 #endif
 
-/* O (n, n) <- sign A B; where `lower`, not all of what is above the diagonal. */
+/* O (n, n) <- sign A B; with `lower`, entries above the diagonal are not all computed. */
 EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A, const real *restrict B,
                            real *restrict O) {
 #ifdef EM_PACKED
@@ -214,7 +214,7 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
         for (; EM_LANES >= 8 && j + 8 <= n && j < last; j += 8) em_tile_8(n, j, sign, rows, B, product);
         for (; EM_LANES >= 4 && j + 4 <= n && j < last; j += 4) em_tile_4(n, j, sign, rows, B, product);
         for (; j + 2 <= n && j < last; j += 2) em_tile_2(n, j, sign, rows, B, product);
-        if (n % 2 && j < last) em_tile_1(n, j, sign, rows, B, product); /* n % 2: GCC fears a column n of an even n */
+        if (n % 2 && j < last) em_tile_1(n, j, sign, rows, B, product); /* n % 2: GCC assumes a column n of an even n */
     }
 #endif
     em_lane_tiles(n, lower, sign, A, B, n, 1, O);

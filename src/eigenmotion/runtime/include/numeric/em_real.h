@@ -1,37 +1,41 @@
 /* em_real.h: `real`, the scalar type of right-hand sides: a double, a vector, or a dual number.
  *
- * NAME.c as it stands computes with numbers. Compiled a second time with EM_ON_LANES defined it computes with vectors of
- * EM_LANES numbers, at the price of one: as many states side by side, which know nothing of each other. What cannot go
- * on where a lane is singular leaves NaN there; whoever asked looks at that state again with numbers, which say why.
- * With EM_ON_DUALS beside it a vector is one number and its derivative along a direction (em_dual_functions.h). */
+ * NAME.c by default computes with doubles. Compiled a second time with EM_ON_LANES defined it computes with vectors
+ * of EM_LANES numbers, at about the cost of one: as many independent states side by side. An operation that fails in
+ * a lane leaves NaN there; the caller then repeats that state with doubles, which give the fault. With EM_ON_DUALS
+ * as well a vector is one number and its derivative along a direction (em_dual_functions.h). */
 #ifndef EM_REAL_H
 #define EM_REAL_H
 
 #include <float.h>
 #include <math.h>
 
-#ifdef EM_NODES_ALONE /* on lanes, too, but for the nodes of one run alone: none of what runs side by side need */
+#ifdef EM_NODES_ALONE /* lanes, too, but only for the nodes of one run, without what ensembles need */
 #define EM_ON_LANES
 #endif
 
 #ifdef __OPTIMIZE__
 #define EM_INLINE static inline __attribute__((always_inline, unused))
-#else /* a copy at every call would gain nothing, and take the compiler half as long again */
+#else /* inlining would gain nothing, and take the compiler half as long again */
 #define EM_INLINE static inline __attribute__((unused))
 #endif
 #define EM_NOINLINE static __attribute__((noinline, unused))
-#define EM_NOINLINE_KERNEL EM_NOINLINE /* so long that a call is nothing beside it, while copies take compilers long */
+#define EM_NOINLINE_KERNEL EM_NOINLINE /* so long that the cost of a call is negligible, while copies take compilers
+                                          long */
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
-#define EM_COLD_PATH __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
-#define EM_HOT __attribute__((hot)) /* for speed, though it is called beside what is rare, which compilers conclude from */
+#define EM_COLD_PATH __attribute__((cold)) /* cold path: called by no step, or by few; optimised for size, which
+                                              compiles faster */
+#define EM_HOT __attribute__((hot)) /* optimised for speed, although its callers are cold, from which compilers infer
+                                       the opposite */
 
-/* What an object file holds of NAME.c: all of it, or the units that -DEM_UNIT=... names (docs/architecture.md). What goes
- * across is not static then; what is linked shows nothing of it (-fvisibility=hidden). */
-#define EM_MODEL 1       /* what every step calls, but for right-hand sides */
-#define EM_ASIDE 2       /* what none calls */
-#define EM_DERIVATIVES 4 /* partial derivatives, and what events do */
-#define EM_STEPPER 8     /* runs, where they are not an object by themselves (em_stepper.c) */
+/* The parts of NAME.c that an object file holds: all of it, or the units that -DEM_UNIT=... names
+ * (docs/architecture.md). Functions that units share are then not static; the linked library hides them
+ * (-fvisibility=hidden). */
+#define EM_MODEL 1       /* functions that every step calls, but for right-hand sides */
+#define EM_ASIDE 2       /* functions that no step calls */
+#define EM_DERIVATIVES 4 /* partial derivatives, and event actions */
+#define EM_STEPPER 8     /* runs, if the stepper is not an object of its own (em_stepper.c) */
 #define EM_RHS 32        /* right-hand sides */
 #ifdef EM_UNIT
 #define EM_ALONE(unit) ((EM_UNIT) == (unit))
@@ -45,15 +49,15 @@
 #define EM_NOINLINE_KERNEL_EXPORT EM_NOINLINE_KERNEL
 #endif
 
-/* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */
+/* Before a loop with a constant count: unroll it completely, so that its numbers become constants. */
 #if defined(__clang__)
-#pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not, and says so: slower, not wrong */
+#pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not unroll, and warns: slower, not wrong */
 #define EM_UNROLL _Pragma("unroll")
 #else
 #define EM_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-/* The width of the machine: wider vectors than it has are slower than none. */
+/* The vector width of the machine: wider vectors than it has are slower than none. */
 #ifndef EM_LANES
 #if defined(__AVX512F__)
 #define EM_LANES 8
@@ -66,18 +70,18 @@
 #endif
 #endif
 
-/* Whether rows of matrices are put into vectors by hand. */
+/* Whether rows of matrices are vectorised by hand. */
 #if EM_LANES > 1 && !defined(EM_ON_LANES)
 #define EM_PACKED
 #endif
 
 #if defined(EM_ON_DUALS)
 
-/* a + i e a', e so small that its square is zero: then C's arithmetic of complex numbers is that of derivatives. */
+/* a + i e a', e so small that its square is zero: C's complex arithmetic then computes derivatives. */
 typedef double _Complex real;
 typedef int em_truth;
 
-#define em_value(a) (__real__(a)) /* what is compared */
+#define em_value(a) (__real__(a)) /* the part that is compared */
 
 EM_INLINE real em_real(double a) { return a; }
 EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
@@ -105,8 +109,8 @@ EM_INLINE real em_where(em_truth condition, real yes, real no) {
     return (real)((condition & (em_truth)yes) | (~condition & (em_truth)no));
 }
 
-/* 1 / a to a unit in the last place. A division of wide vectors takes the machine as long as sixteen products: where it
- * knows fourteen bits of the inverse, two steps of Newton's double them twice. NaN where there is none. */
+/* 1 / a to a unit in the last place. A division of wide vectors costs as much as sixteen products: if the machine
+ * has an estimate of fourteen bits, two Newton steps double them twice. NaN where the inverse does not exist. */
 EM_INLINE real em_inverse(real a) {
 #if defined(__AVX512F__) && EM_LANES == 8
     real inverse = __builtin_ia32_rcp14pd512_mask(a, (real){0.0}, 0xff);
@@ -117,7 +121,7 @@ EM_INLINE real em_inverse(real a) {
 #endif
 }
 
-/* Whether it is so in any lane. */
+/* Whether the condition holds in any lane. */
 EM_INLINE int em_any(em_truth condition) {
 #if defined(__AVX__) && EM_LANES == 4
     return __builtin_ia32_movmskpd256((real)condition) != 0;
@@ -128,10 +132,10 @@ EM_INLINE int em_any(em_truth condition) {
 #endif
 }
 
-/* Some lane of a, for messages. */
+/* The number in some lane of a, for messages. */
 EM_INLINE double em_number(real a) { return a[0]; }
 
-/* Where `holds` does not, *value becomes NaN; all go on. */
+/* In lanes where `holds` is false, *value becomes NaN; all continue. */
 EM_INLINE int em_fails(real *value, em_truth holds) {
     *value = em_where(holds, *value, em_real(NAN));
     return 0;

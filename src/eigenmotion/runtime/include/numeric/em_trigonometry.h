@@ -1,9 +1,9 @@
 /* em_trigonometry.h: sin and cos that the compiler can inline, pair and interleave.
  *
  * For |a| < 1e5: a = n pi/2 + r with |r| <= pi/4, reduced by two fused multiply-adds (Cody & Waite 1980), then the
- * Taylor polynomials of sin and cos, whose remainders on that range are below a quarter of the last place. Within two
- * units in the last place of the true value (tests/dynamics/test_trigonometry.py); beyond, and without fused multiply-add,
- * the C library's. */
+ * Taylor polynomials of sin and cos, whose remainders on that range are below a quarter of the last place. Results
+ * are within two units in the last place of the true value (tests/dynamics/test_trigonometry.py). For larger |a|,
+ * and without fused multiply-add, the C library is used. */
 #ifndef EM_TRIGONOMETRY_H
 #define EM_TRIGONOMETRY_H
 

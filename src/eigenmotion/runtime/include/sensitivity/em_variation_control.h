@@ -4,14 +4,15 @@
 
 #include "sensitivity/em_variation_rows.h"
 
-#define EM_LONGEST 2.0 /* times as many steps of the run as make one here at first: features that the run has seen count */
-#define EM_NEARLY 0.6  /* of the length of a step: what is given away for its end to be one of the run's */
-#define EM_MENDS 4     /* rounds of Newton's method for a motion of a step's own */
-#define EM_JUMP_TOLERANCES 100.0 /* tolerances, by which accelerations of a smooth motion may seem to jump */
+#define EM_LONGEST 2.0 /* initial length of a step here, in steps of the run: features that the run has resolved
+                          matter */
+#define EM_NEARLY 0.6  /* the smallest part of its length to which a step is cut to end with a step of the run */
+#define EM_MENDS 4     /* iterations of Newton's method for a step's own motion */
+#define EM_JUMP_TOLERANCES 100.0 /* in tolerances: apparent jumps of the accelerations of a smooth motion */
 
-#define EM_CRAWLS 1e7  /* so many steps to go are more than anybody waits for */
+#define EM_CRAWLS 1e7  /* more remaining steps than this are given up */
 
-enum { EM_MOST_LEAST = 200 /* steps of the least length one after the other */, EM_MOST_CRAWLING = 10000 };
+enum { EM_MOST_LEAST = 200 /* successive steps of the smallest length */, EM_MOST_CRAWLING = 10000 };
 
 static int em_is_finite(size_t count, const double *a) {
     for (size_t i = 0; i < count; ++i)
@@ -34,7 +35,7 @@ static void em_begin_narrow(em_pass *p) {
     em_sum_terms(p, p->J0, p->S, p->T0);
 }
 
-/* What a step begins with: S0, K0, T0, where J0 is known. */
+/* Initialises a step: S0, K0, T0, with J0 known. */
 static void em_begin_directions(em_pass *p) {
     const int n = p->n, k = p->columns;
     for (int i = 0; i < 2 * n; ++i) p->S[i * k + k - 1] = 0.0;
@@ -42,7 +43,7 @@ static void em_begin_directions(em_pass *p) {
     memcpy(p->S0, p->S, 2 * (size_t)n * k * sizeof *p->S0);
 }
 
-/* A span begins at t: where the motion is, a0, J0, and the rest. */
+/* Begins a span at t: the state of the motion, a0, J0, and the rest. */
 static int em_begin_span(em_pass *p, double t) {
     em_variations *const w = p->of;
     if (em_motion_at(p, t, p->z)) return -1;
@@ -53,7 +54,8 @@ static int em_begin_span(em_pass *p, double t) {
     return 0;
 }
 
-/* K and S along the motion within a step, and where that is off, along one of the step's own. 1: there is none; -1: a fault. */
+/* Computes K and S along the motion within a step; if that motion is too inaccurate, along the step's own. 1: there
+ * is none; -1: a fault. */
 static int em_solve_step(em_pass *p, double from, double to) {
     const double h = to - from;
     p->mended = 0;
@@ -71,12 +73,12 @@ static int em_solve_step(em_pass *p, double from, double to) {
     }
 }
 
-/* Whether a step of the run ends at t: nowhere is its motion more exact. */
+/* Whether a step of the run ends at t, where its motion is most accurate. */
 static int em_run_stood_at(const em_run *run, double t) {
     return t == run->dense_steps[em_dense_at(run, t)].t || t == run->t_reached;
 }
 
-/* A step is taken: its rows, and what the next begins with. */
+/* Accepts a step: its rows, and the initial data of the next. */
 static int em_keep_step(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
     const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
@@ -95,7 +97,7 @@ static int em_keep_step(em_pass *p, double from, double to) {
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
 }
 
-/* The end of the next step, in a span that ends at `last`: where a step of the run ends, if one does nearly as far. */
+/* The end of the next step, in a span that ends at `last`: the end of a step of the run, if one is nearly as far. */
 static double em_next_end(const em_pass *p, double from, double last) {
     const em_variations *const w = p->of;
     const double most = fabs(em_dense_beyond(w->run, from, EM_LONGEST * w->together) - from), rest = fabs(last - from);
@@ -106,12 +108,12 @@ static double em_next_end(const em_pass *p, double from, double last) {
     return w->direction * (before - from) > EM_NEARLY * fabs(to - from) ? before : to;
 }
 
-/* By how much a step may be longer than one whose error is this. */
+/* The growth of the step size that follows from this error. */
 static double em_longer(double error) {
     return fmin(4.0, fmax(0.1, 0.75 * pow(fmax(error, 1e-30), -1.0 / 14.0)));
 }
 
-/* The error of a step that is solved, in tolerances; where it is more than one, less what is rounding. */
+/* The error of a solved step, in tolerances; if it exceeds one, without its rounding. */
 static double em_error_of(em_pass *p, double from, double to) {
     double (*const error)(em_pass *, double, int, const double *) = p->wide ? em_error_wide : em_error_narrow;
     const int within = em_has_rows(p, from, to);
@@ -120,7 +122,8 @@ static double em_error_of(em_pass *p, double from, double to) {
     return error(p, to - from, within, p->none);
 }
 
-/* How rough accelerations are in a step, in what a smooth motion may seem to be; where that is more than one, less what is rounding. */
+/* The roughness of the accelerations in a step, relative to that of a smooth motion; if it exceeds one, without its
+ * rounding. */
 static double em_rough_of(em_pass *p, double to) {
     const double most = EM_JUMP_TOLERANCES * p->of->tolerance;
     memset(p->wobble, 0, p->n * sizeof *p->wobble);
@@ -128,7 +131,8 @@ static double em_rough_of(em_pass *p, double to) {
     return found <= 1.0 || em_rounding_of(p, to, p->none) ? found : em_force_rough(p) / most;
 }
 
-/* One step from `from` on, as long as it can be, within a span that ends at `last`. Returns its end; NAN: none. */
+/* One step starting at `from`, as long as possible, within a span that ends at `last`. Returns its end; NAN: it
+ * failed. */
 static double em_advance(em_pass *p, double from, double last) {
     em_variations *const w = p->of;
     const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
@@ -154,7 +158,7 @@ static double em_advance(em_pass *p, double from, double last) {
     }
 }
 
-/* The directions at the end of a span. */
+/* Computes the directions at the end of a span. */
 static int em_cross_span(em_pass *p, size_t span) {
     em_variations *const w = p->of;
     const double last = w->to[span];

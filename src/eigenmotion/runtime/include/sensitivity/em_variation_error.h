@@ -1,11 +1,12 @@
 /* em_variation_error.h: the error of a step of the equations of variation.
  *
- * Within a step K = S_v' is a polynomial of degree 7. What it is off the equations at the beginning of the step, where it was
- * not asked to satisfy them, is twice the next coefficient of its series in Legendre's polynomials, k_8. So within the step
- * S_v is off by about h k_8 / 32, S_x by less. At its end they are off by much less, since the nodes are those of
- * Radau: by what k_8 and the seventh coefficient of S have in common, or by coefficients of twice the degree, which are
- * taken to fall as those do that are known. All of that is relative to the size of directions and of the terms of their
- * rates, number by number, so that no unit counts. What of it is rounding no shorter step makes less (em_variation_rounding.h). */
+ * Within a step K = S_v' is a polynomial of degree 7. Its residual at the start of the step, which is not a node, is
+ * twice the next coefficient of its Legendre series, k_8. So within the step the error of S_v is about h k_8 / 32,
+ * that of S_x is smaller. At the end both are much smaller, since the nodes are those of Radau: their order is the
+ * product of k_8 and the seventh coefficient of S, or that of coefficients of twice the degree, which are assumed to
+ * decay as the known ones do. All errors are relative to the size of directions and of the terms of their rates,
+ * number by number, so that units do not matter. No shorter step reduces the part that is rounding
+ * (em_variation_rounding.h). */
 #ifndef EM_VARIATION_ERROR_H
 #define EM_VARIATION_ERROR_H
 
@@ -14,15 +15,15 @@
 #define EM_STEP_SHARE (1.0 / 32.0)
 #define EM_SAFELY 2.0
 
-/* The sizes of the coefficients of one direction that its error is made of, relative to its size. */
+/* The sizes of the coefficients of one direction that determine its error, relative to its size. */
 typedef struct em_series_size {
     double five, six, seven, eight;
 } em_series_size;
 
-/* How far a direction is off at the end of a step, or within it. */
+/* The error of a direction at the end of a step, or within it. */
 EM_INLINE double em_direction_error(const em_series_size *s, int within) {
     const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
-    const double falls = before > after ? after / before : 1.0; /* by this every two terms */
+    const double falls = before > after ? after / before : 1.0; /* the decay over two terms */
     const double off = EM_STEP_SHARE * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
     return within ? fmax(end, off * sqrt(falls)) : end;
 }
@@ -33,7 +34,7 @@ EM_INLINE double em_rate_size(const em_pass *p, double length, int at) {
     return fmax(fmax(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * fmax(p->T0[at], p->T[at]));
 }
 
-/* One row of the series of K: its last coefficients without their signs, and the next one. part (4, columns). */
+/* One row of the series of K: the absolute values of its last coefficients and of the next one. part (4, columns). */
 EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, k = p->columns;
@@ -50,7 +51,8 @@ EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
     for (int j = 0; j < k; ++j) part[3 * k + j] = 0.5 * (p->K0[i * k + j] - part[3 * k + j]);
 }
 
-/* The largest error of a direction, relative to its size, in tolerances. `none` (n, columns) of K is rounding; NULL: unknown. */
+/* The largest error of a direction, relative to its size, in tolerances. `none` (n, columns) is the rounding of K;
+ * NULL: unknown. */
 EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *none) {
     const int n = p->n, k = p->columns;
     const double tolerance = p->of->tolerance, length = fabs(h);

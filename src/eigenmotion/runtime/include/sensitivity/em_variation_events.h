@@ -1,21 +1,22 @@
 /* em_variation_events.h: directions across events.
  *
- * The time of an event changes by dt = -dg / gdot. What happens there is then that much later, and the motion after it, too:
+ * The time of an event changes by dt = -dg / gdot. The event, and the motion after it, are then that much later:
  *
  *     dz+ = D (dz- + f- dt) - f+ dt
  *
- * at fixed time, f the rates (v, a) before and after, D the derivative of what the events that act do to z (one where none
- * does), by the state, what is given and the time (em_saltation.h). */
+ * at fixed time, f the rates (v, a) before and after, D the derivative of the event actions on z (the identity
+ * without any), with respect to the state, the other arguments and the time (em_saltation.h). */
 #ifndef EM_VARIATION_EVENTS_H
 #define EM_VARIATION_EVENTS_H
 
 #include "sensitivity/em_variation_control.h"
 
-#define EM_EVENT_MARGIN 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
-#define EM_SAME_RATE 1e-6 /* relative: rates on one side of a jump, at it and beside it */
-#define EM_SAME_STATE 1e-8 /* relative: what events made of a state in the run, and in the pass */
+#define EM_EVENT_MARGIN 1e-9 /* of the time between stops: the distance from an event at which both sides are
+                                evaluated */
+#define EM_SAME_RATE 1e-6 /* relative: difference of rates on one side of a jump, at it and beside it */
+#define EM_SAME_STATE 1e-8 /* relative: difference of the state after events in the run and in the pass */
 
-/* Whether rates (v, a) are the same but for how they change beside an event. */
+/* Whether rates (v, a) are equal, apart from their change beside an event. */
 static int em_is_same_rate(int n, const double *a, const double *b) {
     double apart = 0.0, size = 0.0;
     for (int i = n; i < 2 * n; ++i) {
@@ -25,7 +26,7 @@ static int em_is_same_rate(int n, const double *a, const double *b) {
     return apart <= EM_SAME_RATE * size;
 }
 
-/* rate (2 n) <- (v, a) at z, or, where that is on the other side of a jump, beside it. */
+/* rate (2 n) <- (v, a) at z or, if that is on the other side of a jump, beside it. */
 static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
     const int n = p->n;
     double there[2 * n], near[2 * n];
@@ -37,7 +38,7 @@ static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
     return 0;
 }
 
-/* S <- `ahead` of t, by their rates: beyond an event, or to it. */
+/* S <- extrapolated by `ahead` of t: beyond an event, or to it. */
 static int em_move_beside(em_pass *p, double t, double ahead) {
     em_variations *const w = p->of;
     const int n = p->n, block = n * p->columns;
@@ -49,7 +50,7 @@ static int em_move_beside(em_pass *p, double t, double ahead) {
     return 0;
 }
 
-/* dt (columns) <- how the time of an event changes; that of the motion itself is -1. */
+/* dt (columns) <- the derivative of the time of an event; for the direction of the motion itself it is -1. */
 static void em_event_shift(em_pass *p, double t, int event, const double *rate, double *dt) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     double G[width * p->of->model->n_events], gdot = 0.0;
@@ -65,14 +66,15 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
     }
 }
 
-/* Whether two events, or an event and a break, happen together however what is given changes, relative to the larger change. */
+/* Whether two events, or an event and a time event, stay simultaneous for every change of the arguments, relative to
+ * the larger change. */
 static int em_go_together(const em_pass *p, const double *one, const double *other) {
     for (int column = 0; column + 1 < p->columns; ++column)
         if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
     return 1;
 }
 
-/* Whether the run says z, too, where velocities v, and lengths of time, say how large x and v are. */
+/* Whether the state of the run is z, too, where velocities v and a time give the scales of x and v. */
 static int em_is_same_state(int n, const double *y, const double *z, const double *v, double length) {
     double apart[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
     for (int i = 0; i < n; ++i) {
@@ -82,7 +84,8 @@ static int em_is_same_state(int n, const double *y, const double *z, const doubl
     return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
 }
 
-/* At a stop events act: z and the mode after them, of which the run says it is `next`, and the directions. */
+/* Applies the event actions at a stop: z and the mode after them, which the run has as stop `next`, and the
+ * directions. */
 static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double beside) {
     em_variations *const w = p->of;
     const int n = p->n, k = p->columns;
@@ -109,7 +112,8 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
     return 0;
 }
 
-/* What happens at a stop: of events that act, or of others, the first, how its time changes, and whether all do so as one. */
+/* The events at a stop: the first of those that act, or of the others; the derivative of its time; and whether all
+ * stay simultaneous. */
 typedef struct em_happening {
     int acting, event, apart;
     double *dt;
@@ -121,7 +125,7 @@ static void em_happens(const em_pass *p, em_happening *h, int event, const doubl
     ++h->acting;
 }
 
-/* Where accelerations jump, directions do: with a break, or with the events that happen there. */
+/* Directions jump where accelerations do: at a time event, or at the events there. */
 static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events, const double *before, double beside) {
     const int n = p->n, k = p->columns;
     const double t = p->of->t[stop], near = fabs(beside);
@@ -140,8 +144,8 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events
     return 0;
 }
 
-/* The marks from `mark` on that are at a stop: dt, directions and, where some act, z and the mode of the next stop.
- * Returns how many events act, or -1. */
+/* The marks from `mark` on that are at a stop: dt, directions and, if some act, z and the mode of the next stop.
+ * Returns the number of events that act, or -1. */
 static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double beside) {
     em_variations *const w = p->of;
     const int k = p->columns;

@@ -1,17 +1,19 @@
 /* em_variation_motion.h: the motion along which the equations of variation are integrated, within a step of theirs.
  *
- * It is what the run keeps between its rows, which is as exact as the run asked for, or less: so it is held against the
- * equations of motion. By how much it is off at the nodes of a step is what collocation makes of its accelerations there,
+ * It is the dense output of the run, which is as accurate as the tolerances of the run, or less. So it is checked
+ * against the equations of motion. Its errors at the nodes of a step follow from collocation with its accelerations
+ * there,
  *
  *     off_v = v - v_0 - h A a,    off_x = x - x_0 - c h v_0 - h^2 A^2 a,
  *
- * and where that is more than the run's tolerances, the step solves these for a motion of its own, by Newton's method. */
+ * and if they exceed the run's tolerances, the step solves these equations for a motion of its own, by Newton's
+ * method. */
 #ifndef EM_VARIATION_MOTION_H
 #define EM_VARIATION_MOTION_H
 
 #include "sensitivity/em_variation_time_events.h"
 
-#define EM_MOTION_OFF 10.0 /* tolerances of the run, by which its motion within a step may be off */
+#define EM_MOTION_OFF 10.0 /* the allowed error of the run's motion within a step, in tolerances of the run */
 #define EM_LAST_DIGITS (64.0 * DBL_EPSILON)
 
 /* The last kept step of a run that starts at or before t. */
@@ -26,7 +28,7 @@ static size_t em_dense_at(const em_run *run, double t) {
     return low;
 }
 
-/* Where the kept step begins that is so many after the one at t, which it may be a part of. */
+/* The start of the kept step that is this many steps, or fractions of one, after the one at t. */
 static double em_dense_beyond(const em_run *run, double t, double steps) {
     const size_t at = em_dense_at(run, t), after = at + (size_t)steps;
     if (after >= run->n_dense) return run->t_reached;
@@ -46,7 +48,7 @@ static int em_motion_at(em_pass *p, double t, double *z) {
     return w->model->velocity(at, p->y, w->c, z + p->n, &w->fault);
 }
 
-/* How far a run lets number i of z be off. */
+/* The allowed error of number i of z in the run. */
 static double em_run_allows(const em_pass *p, int i, double size) {
     const em_run *const run = p->of->run;
     return run->atol[i % p->n] + fmax(run->rtol, EM_LAST_DIGITS) * size;
@@ -69,7 +71,7 @@ static int em_motion_derivatives(em_pass *p, double from, double to) {
     return 0;
 }
 
-/* off (nodes, 2 n) <- by how much the motion is off. Returns the largest, in what the run allows. */
+/* off (nodes, 2 n) <- the error of the motion. Returns the largest, relative to the run's tolerances. */
 static double em_motion_off(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n;
@@ -91,7 +93,7 @@ static double em_motion_off(em_pass *p, double h) {
     return most;
 }
 
-/* Z <- the motion of the step's own, from what the last direction's K says of its accelerations. */
+/* Z <- the step's own motion, from the accelerations in the last direction's K. */
 static void em_mend_motion(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, k = p->columns;
@@ -108,8 +110,8 @@ static void em_mend_motion(em_pass *p, double h) {
         }
 }
 
-/* How much of accelerations in a step is beyond a series of eight terms that ends: more than a tolerance where a force
- * jumps. What the run's tolerances of the state make of them does not count, nor what these leave open over all of the run. */
+/* The part of the accelerations in a step that a decaying series of eight terms does not represent: more than a
+ * tolerance if a force jumps. The effect of the run's tolerances of the state is subtracted. */
 static double em_force_rough(const em_pass *p) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, width = p->of->model->n_arguments;

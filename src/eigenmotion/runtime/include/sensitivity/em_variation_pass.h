@@ -8,36 +8,38 @@
 #include "numeric/em_elimination.h"
 #include "stepper/em_signals.h"
 
-#define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
+#define EM_UNIFORM 1e-9 /* accelerations that change by less than this part within a step are constant to rounding */
 
-/* What ends a pass but faults of the model. */
+/* Reasons for the end of a pass, apart from faults of the model. */
 enum {
     EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_TIME_EVENTS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET,
     EM_FORCE_JUMPS, EM_UNRESOLVED
 };
 
-enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
+enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which elimination is cheaper */ };
 
-/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v; where what happens at one acts, the next is what
- * comes of it. Between two of them lie `spans`, each from `from` to `to`, in which no signal has a kink and no condition
- * in the time changes. Marks are events, in the order of their stops. P (n_given, columns). */
+/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v. If events act at a stop, the next stop is
+ * the state after them. Between two stops lie `spans`, each from `from` to `to`, in which no signal has a kink and
+ * no time event happens. Marks are events, in the order of their stops. P (n_given, columns). */
 typedef struct em_variations {
     const em_model *model;
-    const em_run *run;       /* what it keeps is the motion between stops */
-    const double *c;         /* of the first stop */
+    const em_run *run;       /* its dense output is the motion between stops */
+    const double *c;         /* at the first stop */
     const em_signal *inputs;
     int columns, least_norm, stabilise, n_given;
-    double direction, tolerance, together; /* together: how many steps of the run make one here, at first */
+    double direction, tolerance, together; /* together: initial length of a step here, in steps of the run */
     size_t n_stops, n_marks, n_spans, n_rows;
     const double *t, *z, *P;
     const long *spans, *mark_stop;
     const int *mark_event;
     const double *from, *to;               /* (n_spans) */
-    const double *place, *A, *A2, *series; /* of the nodes in a step; A, and its square; values to Legendre's series */
+    const double *place, *A, *A2, *series; /* of the nodes in a step; A, and its square; the map from values to the
+                                              Legendre series */
     const double *t_rows;                  /* (n_rows), in the direction of time */
-    double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
-    double *rows;                          /* (n_rows, 2 n, columns), at t_rows, where these lie within steps */
-    size_t n_steps, n_refused, n_mended;   /* <- of steps: made, made shorter, with a motion of their own */
+    double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 is input; (n_marks, columns): of times
+                                              of events */
+    double *rows;                          /* (n_rows, 2 n, columns), at t_rows, if these lie within steps */
+    size_t n_steps, n_refused, n_mended;   /* <- numbers of steps: made, shortened, with their own motion */
     int (*poll)(void *);
     void *poll_argument;
     em_fault fault;
@@ -45,23 +47,24 @@ typedef struct em_variations {
     double t_reached;
 } em_variations;
 
-/* What a pass works with. Directions are rows of `columns` numbers, the last of them for what is asked beside (how a motion
- * itself goes on, or is mended), and zeros before it that make them a multiple of four: S (2 n, columns) and P (n_given,
- * columns), zero but at `places`, (row, column). z is where the motion is; L the linear system with its right-hand sides,
- * in `rows`; `inside`: between which times the model is asked (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J
- * (n, n_arguments), K = S_v' and G, what of it does not hang on K (n, columns). Where the step begins: S0, K0, J0, a0, and
- * T0, the sum of the terms of K without their signs; T, where it ends. none (n, columns), wobble (n): what of K and a is
- * rounding. */
+/* Working memory of a pass. Directions are rows of `columns` numbers. The last column is for additional directions
+ * (the motion itself, or its Newton correction); zeros before it pad the columns to a multiple of four: S (2 n,
+ * columns) and P (n_given, columns), zero but at `places`, (row, column). z is the current state; L the linear
+ * system with its right-hand sides, in `rows`; `inside`: times between which the model is evaluated
+ * (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J (n, n_arguments), K = S_v' and G, the part of it
+ * that does not depend on K (n, columns). At the start of a step: S0, K0, J0, a0, and T0, the sum of the absolute
+ * values of the terms of K; T, at its end. none (n, columns), wobble (n): the rounding of K and a. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_places, (*places)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
     double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *wobble, *y;
-    double origin[EM_VARIATION_NODES]; /* of a series at its beginning, by values at nodes */
-    double inside[2], h;               /* h: the length of the next step, as far as the last one tells */
+    double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
+    double inside[2], h;               /* h: the length of the next step that follows from the last one */
     size_t row;
-    double longest;                         /* of the steps that were made */
-    int n_least, n_crawling, n_again, mended; /* n_again: refused since one was about as long; mended: has a motion of its own */
+    double longest;                         /* of the accepted steps */
+    int n_least, n_crawling, n_again, mended; /* n_again: rejected since the last change of length; mended: the step
+                                                 has its own motion */
     em_pile *pile;
     long *piece;
 } em_pass;
@@ -82,7 +85,7 @@ static double em_signal_rate(const em_signal *u, long piece, double t) {
     return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
 }
 
-/* The inputs at t, and their rates, with which the motion itself goes. */
+/* The inputs at t, and their rates, which the direction of the motion itself needs. */
 static void em_pass_inputs(em_pass *p, double t) {
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
         p->u[i] = em_signal_at(&p->of->inputs[i], p->piece[i], t);
@@ -90,7 +93,7 @@ static void em_pass_inputs(em_pass *p, double t) {
     }
 }
 
-/* The pieces of inputs that hold after t. Returns whether others did before. */
+/* The intervals of inputs that hold after t. Returns whether they have changed. */
 static int em_pass_pieces(em_pass *p, double t) {
     int other = 0;
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
@@ -101,7 +104,7 @@ static int em_pass_pieces(em_pass *p, double t) {
     return other;
 }
 
-/* The time at which the model is asked for what holds at t. */
+/* The time at which the model is evaluated for time t. */
 static double em_pass_clock(const em_pass *p, double t) { return fmin(fmax(t, p->inside[0]), p->inside[1]); }
 
 /* rate (2 n) <- (v, a) at z. */
@@ -112,7 +115,7 @@ static int em_motion_rate(em_pass *p, double t, const double *z, double *rate) {
     return w->model->acceleration(em_pass_clock(p, t), z, z + p->n, p->c, p->u, w->least_norm, rate + p->n, p->lambda, &w->fault);
 }
 
-/* The last direction <- how the motion itself goes on, at rates (2 n). */
+/* The last direction <- that of the motion itself, with rates (2 n). */
 static void em_set_last(em_pass *p, const double *rate) {
     for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
 }

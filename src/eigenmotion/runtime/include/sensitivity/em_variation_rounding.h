@@ -1,24 +1,25 @@
 /* em_variation_rounding.h: rounding errors of rates of directions, and of accelerations.
  *
- * A second look at the same place with other last digits tells, where numbers of the state are what is rounded. What rows hold
- * back cancels against their multipliers, and nothing but rounding is left of it, wherever one looks: of a coordinate that does
- * not move at all, of what a common factor of all forces changes, of a heading that a bicycle at rest does not know. It is
- * known to the last digits of what cancels there, |M^-1| |A|^T |dlambda|: of the largest such term of a row, by any number of
- * the state, in units of M. Where steps made shorter do not have less of an error, neither is more known of what a parameter
- * changes than the last digits of all that balances. */
+ * If numbers of the state are rounded, a second evaluation with other last digits shows the effect. Accelerations
+ * that constraints prevent cancel against their multipliers, and only rounding remains of them everywhere: for a
+ * coordinate that does not move at all, for a common factor of all forces, for the heading of a bicycle at rest.
+ * That rounding is relative to the terms that cancel, |M^-1| |A|^T |dlambda|: to the largest such term of a row,
+ * with respect to any number of the state, in units of M. If shorter steps do not have a smaller error, the
+ * derivative with respect to a parameter is known only to the rounding of all terms that balance. */
 #ifndef EM_VARIATION_ROUNDING_H
 #define EM_VARIATION_ROUNDING_H
 
 #include "numeric/em_linear.h"
 #include "sensitivity/em_variation_steps.h"
 
-#define EM_ROUNDINGS 32.0 /* times what one look at rounding shows */
-#define EM_HELD_BACK (8.0 * DBL_EPSILON) /* of what cancels */
+#define EM_ROUNDINGS 32.0 /* multiple of the rounding that a single evaluation shows */
+#define EM_HELD_BACK (8.0 * DBL_EPSILON) /* relative to the terms that cancel */
 
-/* Times that steps were made as short as their error asked for, and had one again: an error that falls with the length would not. */
+/* How often steps may be shortened as much as their error requires without a smaller error: an error that decreases
+ * with the length would be smaller. */
 enum { EM_AGAIN = 2 };
 
-/* T (n, columns) <- the sum of the terms of K without their signs. */
+/* T (n, columns) <- the sum of the absolute values of the terms of K. */
 EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, double *T) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     memset(T, 0, (size_t)n * k * sizeof *T);
@@ -33,8 +34,8 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
     }
 }
 
-/* R (n, m) <- the sizes of what multipliers do to accelerations, |M^-1| |A|^T; w (n) the units in which coordinates can be
- * compared, square roots of the diagonal of M. 0, or -1: M has no inverse. */
+/* R (n, m) <- the sizes of the accelerations by multipliers, |M^-1| |A|^T; w (n) the units in which coordinates are
+ * comparable, square roots of the diagonal of M. 0, or -1: M has no inverse. */
 static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *R, double *w) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m;
@@ -63,7 +64,7 @@ static void em_lengths(int n, int columns, const double *w, const double *S, dou
     for (int j = 0; j < columns; ++j) length[j] = sqrt(length[j]);
 }
 
-/* none (n, columns) and wobble (n) += the last digits of what rows hold back. */
+/* none (n, columns) and wobble (n) += the rounding of accelerations that reactions cancel. */
 static void em_add_held_back(em_pass *p, double t, const double *z, double *none) {
     const int n = p->n, m = p->m, k = p->columns, width = p->of->model->n_arguments;
     double R[n * m + 1], w[n], length[2][k], term[width];
@@ -86,8 +87,8 @@ static void em_add_held_back(em_pass *p, double t, const double *z, double *none
     }
 }
 
-/* none (n, columns) += the last digits of all that balances in an acceleration, as far as a parameter has part in it. Terms
- * go with parameters, so that their sizes are |da/dp| |p|, and dlambda/dp in the same way. */
+/* none (n, columns) += the rounding of all terms that cancel in an acceleration, as far as they depend on a
+ * parameter. Terms are proportional to parameters, so that their sizes are |da/dp| |p|, and likewise dlambda/dp. */
 static void em_add_balanced(em_pass *p, double t, const double *z, double *none) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
@@ -110,7 +111,7 @@ static void em_add_balanced(em_pass *p, double t, const double *z, double *none)
     }
 }
 
-/* none (n, columns), and wobble (n) <- what of K, and of accelerations, is rounding, where a step ends at t. 0, or -1. */
+/* none (n, columns), and wobble (n) <- the rounding of K and of accelerations, for a step that ends at t. 0, or -1. */
 static int em_rounding_of(em_pass *p, double t, double *none) {
     enum { LAST = EM_VARIATION_NODES - 1 };
     em_variations *const w = p->of;

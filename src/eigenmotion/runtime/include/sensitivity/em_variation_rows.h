@@ -4,8 +4,8 @@
 
 #include "sensitivity/em_variation_error.h"
 
-/* once, twice (nodes + 1) <- integrals from 0 to x of Legendre's polynomials on [0, 1]; the last are those of P_8 - P_7,
- * which vanishes at the nodes. */
+/* once, twice (nodes + 1) <- single and double integrals from 0 to x of the Legendre polynomials on [0, 1]; the last
+ * are those of P_8 - P_7, which vanishes at the nodes. */
 static void em_integrals(double x, double *once, double *twice) {
     enum { NODES = EM_VARIATION_NODES };
     const double u = 2.0 * x - 1.0;
@@ -19,7 +19,7 @@ static void em_integrals(double x, double *once, double *twice) {
     once[NODES] -= once[NODES - 1], twice[NODES] -= twice[NODES - 1];
 }
 
-/* weight (nodes + 1) of K at the nodes and where the step begins, of integrals of the terms of a series. */
+/* weight (nodes + 1) of K at the nodes and at the start of the step, from integrals of the terms of a series. */
 static void em_row_weights(const em_pass *p, const double *integral, double *weight) {
     enum { NODES = EM_VARIATION_NODES };
     weight[NODES] = 0.5 * integral[NODES];
@@ -29,7 +29,7 @@ static void em_row_weights(const em_pass *p, const double *integral, double *wei
     }
 }
 
-/* Y <- directions in a step from `from` on, of length h, at t. */
+/* Y <- directions at t, in a step of length h that starts at `from`. */
 static void em_directions_within(em_pass *p, double from, double h, double t) {
     enum { NODES = EM_VARIATION_NODES };
     const int block = p->n * p->columns;
@@ -52,7 +52,7 @@ static void em_keep_directions(const em_pass *p, const double *from, int count, 
     for (int i = 0; i < count; ++i) memcpy(to + i * asked, from + i * p->columns, asked * sizeof *to);
 }
 
-/* The rows that lie within a step. */
+/* Computes the rows that lie within a step. */
 static void em_step_rows(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
     for (; p->row < w->n_rows && w->direction * w->t_rows[p->row] <= w->direction * to; ++p->row) {
@@ -61,7 +61,7 @@ static void em_step_rows(em_pass *p, double from, double to) {
     }
 }
 
-/* Whether rows are asked for between the ends of a step. */
+/* Whether rows are requested between the ends of a step. */
 static int em_has_rows(const em_pass *p, double from, double to) {
     const em_variations *const w = p->of;
     for (size_t row = p->row; row < w->n_rows; ++row) {

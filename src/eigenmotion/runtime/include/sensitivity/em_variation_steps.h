@@ -1,9 +1,10 @@
 /* em_variation_steps.h: a step of the equations of variation, along a motion that is known within it.
  *
- * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a step is
- * one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x + c h S_v) +
- * J_v S_v + F: by elimination, or by iteration where it is large and that converges. The last direction begins with zero, and
- * has -J off in place of F: its K is what Newton's method makes of the motion's own accelerations. */
+ * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a
+ * step is one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x +
+ * c h S_v) + J_v S_v + F. It is solved by elimination, or by iteration if it is large and that converges. The last
+ * direction begins at zero, and has -J off in place of F: its K is the Newton correction of the motion's own
+ * accelerations. */
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
 
@@ -30,7 +31,7 @@ EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, d
     }
 }
 
-/* G at the nodes: what does not hang on K. */
+/* G at the nodes: the part that does not depend on K. */
 EM_INLINE void em_node_directions(em_pass *p, double h) {
     const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
     for (int j = 0; j < EM_VARIATION_NODES; ++j) {
@@ -41,7 +42,7 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
     }
 }
 
-/* K <- by elimination, of unknowns and equations in the order of coordinates, and then nodes. 0, or -1: singular. */
+/* K <- by elimination, with unknowns and equations ordered by coordinates, and then nodes. 0, or -1: singular. */
 EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;

@@ -1,16 +1,18 @@
 /* em_variation_time_events.h: directions across time events (em_time_events.h).
  *
- * A break that is dtau later lets the motion go on as before for that long: dz+ = dz- + (f- - f+) dtau, f the rates (v, a) on
- * both sides. That is of forces that jump; where constraint rows do, or times meet that change apart, directions end. */
+ * If a time event happens dtau later, the motion before it lasts that much longer: dz+ = dz- + (f- - f+) dtau, f the
+ * rates (v, a) on both sides. This holds for forces that jump. If constraint rows jump, or if coinciding time events
+ * have different derivatives, directions do not exist beyond. */
 #ifndef EM_VARIATION_TIME_EVENTS_H
 #define EM_VARIATION_TIME_EVENTS_H
 
 #include "sensitivity/em_variation_pass.h"
 
-#define EM_TOGETHER_IN_TIME 1e-9 /* relative: changes of times that go together */
-#define EM_ROWS_JUMP 1e-9        /* the part of its terms by which an entry of a constraint row jumps */
+#define EM_TOGETHER_IN_TIME 1e-9 /* relative: difference of the derivatives of times that stay simultaneous */
+#define EM_ROWS_JUMP 1e-9        /* an entry of a constraint row jumps if it changes by this part of its terms */
 
-/* dtau (columns) <- how the times of all time_events at t, or so near, change, of which `at` says when they are. 0, or -1: not all as one. */
+/* dtau (columns) <- the derivative of the times of all time events at t, or within `near`; `at` has their times. 0,
+ * or -1: the derivatives differ. */
 static int em_time_event_shift(const em_pass *p, const double *at, double t, double near, double *dtau) {
     const em_model *const model = p->of->model;
     const int width = model->n_arguments, k = p->columns;
@@ -33,7 +35,7 @@ static int em_time_event_shift(const em_pass *p, const double *at, double t, dou
     return 0;
 }
 
-/* Whether an entry of A or b jumps: what varies without changes by more further away. */
+/* Whether an entry of A or b jumps: a continuous one changes more at the times further away. */
 static int em_rows_jump(const em_pass *p, double t, double reach) {
     const int size = p->m * p->n + p->m;
     const double times[4] = {t - 100.0 * reach, t - reach, t + reach, t + 100.0 * reach};
@@ -47,7 +49,7 @@ static int em_rows_jump(const em_pass *p, double t, double reach) {
     return 0;
 }
 
-/* Directions beyond a break at t, of rates (2 n) before and after. `first`: nothing comes before. */
+/* Directions beyond a time event at t, with rates (2 n) before and after. `first`: nothing comes before. */
 static int em_cross_directions(em_pass *p, const double *at, double t, int first, const double *before, const double *after) {
     const int n = p->n, k = p->columns;
     double dtau[k];
@@ -63,7 +65,8 @@ static int em_cross_directions(em_pass *p, const double *at, double t, int first
     return 0;
 }
 
-/* The model is asked on one side of t alone, where t is a break or so near to one. Returns how far that reaches, 0: it is none. */
+/* Restricts the evaluation of the model to one side of t, if t is a time event or close to one. Returns how far that
+ * extends, 0: it is none. */
 static double em_pass_side(em_pass *p, double t, double near, int after) {
     const em_model *const model = p->of->model;
     p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
@@ -75,15 +78,15 @@ static double em_pass_side(em_pass *p, double t, double near, int after) {
     return reach;
 }
 
-/* Whether another stop is as near to a break as this one. */
+/* Whether another stop is as close to a time event as this one. */
 static int em_is_crowded(const em_variations *w, size_t stop, double reach) {
     const double before = stop > 0 ? fabs(w->t[stop] - w->t[stop - 1]) : 0.0;
     const double after = stop + 1 < w->n_stops ? fabs(w->t[stop + 1] - w->t[stop]) : 0.0;
     return (before > 0.0 && before <= reach) || (after > 0.0 && after <= reach);
 }
 
-/* dtau (columns) <- how a break at a stop moves, jump (2 n) <- by how much rates at z change there, and there alone. 1, 0: there
- * is none that counts, or -1. Leaves the pass on the side after. */
+/* dtau (columns) <- the derivative of the time of a time event at a stop; jump (2 n) <- the jump of the rates at z
+ * by that time event alone. 1, 0: there is none that matters, or -1. Leaves the pass on the side after. */
 static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, double *jump) {
     const em_model *const model = p->of->model;
     const double t = p->of->t[stop], reach = em_pass_side(p, t, near, 0);
@@ -105,7 +108,7 @@ static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, 
     return jumps;
 }
 
-/* The conditions that hold in a step. Where its start is a break: directions beyond it. 0, or -1. */
+/* Sets the interval between time events for a step. If its start is a time event: directions beyond it. 0, or -1. */
 static int em_pass_time_events(em_pass *p, double from, double to, int first) {
     const em_model *const model = p->of->model;
     const double direction = p->of->direction;

@@ -2,16 +2,16 @@
  *
  *     d/dt dx = dv,   d/dt dv = a_x dx + a_v dv + a_p dp
  *
- * along a run, of any em_model, that keeps what is between its rows. Steps are those of these equations, as long as their own
- * error lets them be (em_variation_error.h): a motion that rests says nothing of how fast others leave it. After a step the
- * directions are put back to where the constraints stay satisfied. Where a force jumps an event must say where: then
- * directions jump with it. */
+ * along a run, of any em_model, that keeps its dense output. Steps are those of these equations, as long as their
+ * own error allows (em_variation_error.h): a motion at rest says nothing about how fast others diverge from it.
+ * After a step the directions are projected to where the constraints stay satisfied. Where a force jumps there must
+ * be an event, across which directions jump, too. */
 #ifndef EM_VARIATIONS_H
 #define EM_VARIATIONS_H
 
 #include "sensitivity/em_variation_events.h"
 
-/* The spans between two stops, which keep `beside` of them if events happen there. */
+/* Integrates over the spans between two stops, keeping a distance `beside` from a stop at which events happen. */
 static int em_variation_segment(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double beside) {
     em_variations *const w = p->of;
     em_pass_pieces(p, w->t[stop]);
@@ -39,7 +39,7 @@ static int em_variation_stops(em_pass *p) {
         const int acted = meets ? em_variation_marks(p, stop, &mark, beside != 0.0 ? beside : EM_EVENT_MARGIN * length) : 0;
         if (acted < 0) return -1;
         leaves |= meets;
-        if (acted || !more) continue; /* the next stop is what has come of this one */
+        if (acted || !more) continue; /* the next stop is the state after this one's actions */
         if (meets) em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
         beside = EM_EVENT_MARGIN * length;
         if (em_variation_segment(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), beside)) return -1;
@@ -48,7 +48,7 @@ static int em_variation_stops(em_pass *p) {
     return 0;
 }
 
-/* The memory of a pass, and where its parts are. 0, or -1. */
+/* Allocates the memory of a pass and lays out its parts. 0, or -1. */
 static int em_pass_open(em_pass *p, em_variations *w) {
     enum { NODES = EM_VARIATION_NODES };
     const em_model *const model = w->model;
@@ -87,21 +87,21 @@ static void em_pass_close(em_pass *p) {
     free(p->places);
 }
 
-/* Where directions of what is given are not zero. */
+/* Finds the non-zero entries of P. */
 static void em_find_places(em_pass *p) {
     for (int i = 0; i < p->of->n_given; ++i)
         for (int j = 0; j < p->of->columns; ++j)
             if (p->P[i * p->columns + j] != 0.0) p->places[p->n_places][0] = i, p->places[p->n_places++][1] = j;
 }
 
-/* The weights of a series where it begins. */
+/* The weights of a series at the start of a step. */
 static void em_find_origin(em_pass *p) {
     enum { NODES = EM_VARIATION_NODES };
     for (int d = 0; d < NODES; ++d)
         for (int j = 0; j < NODES; ++j) p->origin[j] += (d % 2 ? -1.0 : 1.0) * p->of->series[d * NODES + j];
 }
 
-/* S <- at all stops and rows. 0, or -1 and w->fault, w->why; what was not reached is untouched. */
+/* S <- at all stops and rows. 0, or -1 and w->fault, w->why; stops and rows that were not reached are untouched. */
 static int em_vary(em_variations *w) {
     em_pass pass;
     w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
