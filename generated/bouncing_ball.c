@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:28c1a4254a22817acb91c34329058e3589d42ccc4b9a61f79e8522184dee546e */
+/* body sha256:b50a13b10707ef14cc8b1df65c24a9aaf0edb710cfe32408a96c1243f8208d76 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -27,15 +27,15 @@
  *   eigenfactor: none
  *   projection: none
  */
-/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+/* Callers use the same arguments for all models; each function uses those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
-#define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
+#define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold in some modes */
 #define EM_ACTS
 #include "numeric/em_functions.h"
 #include "constraints/em_multipliers.h"
 
-/* How large it is. */
+/* Sizes. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -174,7 +174,7 @@ EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -197,7 +197,7 @@ em_lanes bouncing_ball_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
 #else
 #if EM_HOLDS(EM_ASIDE)
 
-/* --- what no step calls --- */
+/* --- functions that no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
@@ -232,7 +232,7 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 {
 }
 
-/* p: what the drawing is made of, shape by shape */
+/* p: the numbers of the drawing, shape by shape */
 EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
@@ -246,7 +246,7 @@ EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c
     p[8] = r;
 }
 
-/* impact_data: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
+/* impact_data: of each impact: N = dphi/dx, dphi/dt, the restitution */
 EM_EXPORT void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                        const double *restrict u, double *restrict impact_data)
 {
@@ -263,7 +263,8 @@ EM_EXPORT void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds at times, up to which speed of parting or force of sliding, and of sticking */
+/* level: for each row that holds in some modes, the limit of separation speed or of sliding friction, and that of
+ * sticking */
 EM_EXPORT void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
 {
@@ -379,7 +380,7 @@ EM_EXPORT void level_partials(double t, const double *restrict x, const double *
 #endif
 #if EM_HOLDS(EM_MODEL)
 
-/* Where the other is linked it takes the place of this. */
+/* If the version for lanes is linked, it replaces this one. */
 extern em_lanes bouncing_ball_lanes;
 EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
@@ -390,12 +391,12 @@ EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 static const int block[N] = { 0, 1 };
 EM_EXPORT const double scales[N] = { 1.0, 1.0 };
 
-/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+/* The location of the roots of the blocks: offsets of C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 10, 11, 12, 13 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and what other functions share that is made of parameters only */
+/* M of the constant blocks, and terms of parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -408,7 +409,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[15] = z_0; /* c_1 */
 }
 
-/* Which numbers parameters, coordinates and inputs were declared to have. */
+/* The assumptions of parameters, coordinates and inputs. */
 static const em_declared declared[] = {
     {60, "positive"},
     {63, ""},
@@ -420,7 +421,7 @@ static const em_declared declared[] = {
     {63, ""}
 };
 
-/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+/* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
@@ -441,7 +442,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[3] = m;
 }
 
-/* What is factored: motion_bias and its partial derivatives go with it */
+/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -457,7 +458,7 @@ EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restri
     b[0] = 0.0;
 }
 
-/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+/* phi (h): the holonomic constraints;  terms (h): the terms that cancel in them; eps terms is their rounding */
 EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
@@ -468,7 +469,7 @@ EM_EXPORT void position(double t, const double *restrict x, const double *restri
     terms[0] = fabs(z_0);
 }
 
-/* crossing (n_events): an event happens where its number passes through zero */
+/* crossing (n_events): an event happens where its function passes through zero */
 EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
@@ -476,12 +477,12 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
     crossing[0] = z;
 }
 
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
- * acts. */
+/* Actions of each event: impact, reset, the contact that it closes or opens; whether it happens at zero, too;
+ * whether it acts. */
 EM_EXPORT const em_event_action event_actions[] = { {0, -1, 0, 1, 1} };
 EM_EXPORT const int resets_quasi[] = { 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number, their
- * parameter of being idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+/* Rows that hold in some modes: their event, their parameter, that of sliding, their normal force, their number,
+ * their parameter when idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
 EM_EXPORT const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
@@ -541,7 +542,7 @@ EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *
     return 0;
 }
 
-/* ev (n): the error of xdot that an error e (n) of eta makes. */
+/* ev (n): the error of xdot that follows from an error e (n) of eta. */
 EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
@@ -569,7 +570,7 @@ EM_EXPORT int state(double t, const double *x, const double *v, const double *c,
     return 0;
 }
 
-/* What follows takes states in the published meaning. */
+/* The functions below take states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);
@@ -623,7 +624,7 @@ static const char *const left_out[] = {
     NULL
 };
 
-/* What steppers ask of it. */
+/* Functions that steppers call. */
 static const em_dynamics dynamics = {
     .n_C = N_C,
     .n_s = N_S,
@@ -649,7 +650,7 @@ static const em_dynamics dynamics = {
     .watch_modes = em_watch_modes,
 };
 
-/* What of the stepper is told which model it is of: a run, */
+/* Functions of the stepper with this model as an argument: a run, */
 static int simulate(em_run *run) { return em_simulate(&bouncing_ball_model, run); }
 /* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
@@ -658,7 +659,7 @@ static int interpolate(const em_run *run, size_t step, double t, double *y)
 }
 /* the end of its tables, */
 static void release(em_run *run) { em_release(&bouncing_ball_model, run); }
-/* a run that goes on as it is told, */
+/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&bouncing_ball_model, run); }
 /* its size, */
 static size_t saved(void) { return em_handle_saved(&bouncing_ball_model); }

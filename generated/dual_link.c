@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:2bd8e57bb05315bac53c97cc78f2ac11fb477def1f550ec1697be14408babb96 */
+/* body sha256:7ec64b8f6d7b7deee4cae60f5b3261f52e1e292b737292757f77285fc3c8ce95 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -29,13 +29,13 @@
  *   triangular root: 23 additions, 47 multiplications, 4 function calls
  *   projection: 5 additions, 18 multiplications, 4 function calls
  */
-/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+/* Callers use the same arguments for all models; each function uses those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "numeric/em_functions.h"
 #include "constraints/em_multipliers.h"
 
-/* How large it is. */
+/* Sizes. */
 enum {
     N = 4,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -309,7 +309,7 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 }
 
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; the other states are constant. */
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
@@ -446,8 +446,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-__attribute__((noinline)) /* once, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
+__attribute__((noinline)) /* one copy, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -463,7 +463,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
-#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, not for ensembles */
 enum { EM_REMEMBERED = 0 };
 #define em_group_run NULL
 #else
@@ -481,7 +481,7 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 
 #define EM_PIVOTS pivots_on_lanes
 
-/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+/* v (n) <- the part of xdot that follows from e (n), eta or an error of it, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
     real v1[N1] = { e[0], e[1], e[2] };
@@ -498,8 +498,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 /* After an accepted step: C and s, constraints on velocities.
- * *done becomes 0 in lanes that are settled number by number instead, as where the mode changes;
- * what is singular leaves NaN. */
+ * *done becomes 0 in lanes that the scalar code is to settle, as where the mode changes;
+ * a singular matrix leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -556,7 +556,7 @@ em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_group
 #else
 #if EM_HOLDS(EM_ASIDE)
 
-/* --- what no step calls --- */
+/* --- functions that no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
@@ -657,7 +657,7 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 {
 }
 
-/* p: what the drawing is made of, shape by shape */
+/* p: the numbers of the drawing, shape by shape */
 EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double theta3 = x[2];
@@ -958,7 +958,7 @@ EM_EXPORT void constraint_partials(double t, const double *restrict x, const dou
 #endif
 #if EM_HOLDS(EM_MODEL)
 
-/* Where the other is linked it takes the place of this. */
+/* If the version for lanes is linked, it replaces this one. */
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
@@ -969,12 +969,12 @@ EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 static const int block[N] = { 0, 0, 0, 1 };
 EM_EXPORT const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
 
-/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+/* The location of the roots of the blocks: offsets of C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 8, 17, 0, 9 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and what other functions share that is made of parameters only */
+/* M of the constant blocks, and terms of parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -996,7 +996,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[19] = (1.0/10.0)*l1; /* c_6 */
 }
 
-/* Which numbers parameters, coordinates and inputs were declared to have. */
+/* The assumptions of parameters, coordinates and inputs. */
 static const em_declared declared[] = {
     {60, "positive"},
     {60, "positive"},
@@ -1013,7 +1013,7 @@ static const em_declared declared[] = {
     {63, ""}
 };
 
-/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+/* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
@@ -1052,7 +1052,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[15] = c_5;
 }
 
-/* What is factored: motion_bias and its partial derivatives go with it */
+/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -1077,13 +1077,13 @@ EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restri
     b[0] = 0.0;
 }
 
-/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+/* phi (h): the holonomic constraints;  terms (h): the terms that cancel in them; eps terms is their rounding */
 EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
 }
 
-/* crossing (n_events): an event happens where its number passes through zero */
+/* crossing (n_events): an event happens where its function passes through zero */
 EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
@@ -1103,7 +1103,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
-    const int rested = *mode; /* so did the eigenfactors */
+    const int rested = *mode; /* eigenfactors were constant */
     int changed = rested || (flags & EM_STABILISE);
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
@@ -1157,7 +1157,7 @@ EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *
     return 0;
 }
 
-/* ev (n): the error of xdot that an error e (n) of eta makes. */
+/* ev (n): the error of xdot that follows from an error e (n) of eta. */
 EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
@@ -1192,7 +1192,7 @@ EM_EXPORT int state(double t, const double *x, const double *v, const double *c,
     return 0;
 }
 
-/* What follows takes states in the published meaning. */
+/* The functions below take states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);
@@ -1256,7 +1256,7 @@ static const char *const left_out[] = {
     NULL
 };
 
-/* What steppers ask of it. */
+/* Functions that steppers call. */
 static const em_dynamics dynamics = {
     .n_C = N_C,
     .n_s = N_S,
@@ -1279,7 +1279,7 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* What of the stepper is told which model it is of: a run, */
+/* Functions of the stepper with this model as an argument: a run, */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
 /* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
@@ -1288,7 +1288,7 @@ static int interpolate(const em_run *run, size_t step, double t, double *y)
 }
 /* the end of its tables, */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
-/* a run that goes on as it is told, */
+/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* its size, */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }

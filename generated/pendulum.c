@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:726f90aa2d8d6c6e1f15f7b44e4030570548b637fbaeb1d2bb200cca461c31d9 */
+/* body sha256:992201f8f89ee5f02fb3762d1421c25d83b24d7e6458bdc75bca72fe0de72d09 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -22,13 +22,13 @@
  * Operations of the straight-line part:
  *   eigenfactor: 1 multiplications, 1 function calls
  */
-/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+/* Callers use the same arguments for all models; each function uses those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "numeric/em_functions.h"
 #include "constraints/em_multipliers.h"
 
-/* How large it is. */
+/* Sizes. */
 enum {
     N = 1,                /* coordinates */
     N_ROWS = 0,           /* constraint rows */
@@ -127,8 +127,8 @@ EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-__attribute__((noinline)) /* once, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
+__attribute__((noinline)) /* one copy, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -144,13 +144,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
-#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, not for ensembles */
 enum { EM_REMEMBERED = 0 };
 #define em_group_run NULL
 #else
 #include "batch/em_lane_factors.h"
 
-/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+/* v (n) <- the part of xdot that follows from e (n), eta or an error of it, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
     real v1[N1] = { e[0] };
@@ -170,7 +170,7 @@ em_lanes pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_group_
 #else
 #if EM_HOLDS(EM_ASIDE)
 
-/* --- what no step calls --- */
+/* --- functions that no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
@@ -205,7 +205,7 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 {
 }
 
-/* p: what the drawing is made of, shape by shape */
+/* p: the numbers of the drawing, shape by shape */
 EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double l = c[1];
@@ -270,7 +270,7 @@ EM_EXPORT void forcing_partials(double t, const double *restrict x, const double
 #endif
 #if EM_HOLDS(EM_MODEL)
 
-/* Where the other is linked it takes the place of this. */
+/* If the version for lanes is linked, it replaces this one. */
 extern em_lanes pendulum_lanes;
 EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
@@ -281,11 +281,11 @@ EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 static const int block[N] = { 0 };
 EM_EXPORT const double scales[N] = { 1.0 };
 
-/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+/* The location of the roots of the blocks: offsets of C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 3, 4, 5, 6 };
 EM_EXPORT const em_block *const blocks[] = { &block1, NULL };
 
-/* M of the constant blocks, and what other functions share that is made of parameters only */
+/* M of the constant blocks, and terms of parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
                                   double prepared[N_PREPARED])
 {
@@ -300,7 +300,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[10] = (1.0/10.0)*l; /* c_3 */
 }
 
-/* Which numbers parameters, coordinates and inputs were declared to have. */
+/* The assumptions of parameters, coordinates and inputs. */
 static const em_declared declared[] = {
     {60, "positive"},
     {60, "positive"},
@@ -308,7 +308,7 @@ static const em_declared declared[] = {
     {63, ""}
 };
 
-/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+/* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
@@ -326,7 +326,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[0] = c_1;
 }
 
-/* What is factored: motion_bias and its partial derivatives go with it */
+/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -338,13 +338,13 @@ EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restri
 {
 }
 
-/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+/* phi (h): the holonomic constraints;  terms (h): the terms that cancel in them; eps terms is their rounding */
 EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
 }
 
-/* crossing (n_events): an event happens where its number passes through zero */
+/* crossing (n_events): an event happens where its function passes through zero */
 EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
@@ -374,7 +374,7 @@ EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *
     return 0;
 }
 
-/* ev (n): the error of xdot that an error e (n) of eta makes. */
+/* ev (n): the error of xdot that follows from an error e (n) of eta. */
 EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
@@ -401,7 +401,7 @@ EM_EXPORT int state(double t, const double *x, const double *v, const double *c,
     return 0;
 }
 
-/* What follows takes states in the published meaning. */
+/* The functions below take states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);
@@ -454,7 +454,7 @@ static const char *const left_out[] = {
     NULL
 };
 
-/* What steppers ask of it. */
+/* Functions that steppers call. */
 static const em_dynamics dynamics = {
     .n_C = N_C,
     .n_s = N_S,
@@ -473,7 +473,7 @@ static const em_dynamics dynamics = {
     .acceleration = em_acceleration,
 };
 
-/* What of the stepper is told which model it is of: a run, */
+/* Functions of the stepper with this model as an argument: a run, */
 static int simulate(em_run *run) { return em_simulate(&pendulum_model, run); }
 /* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
@@ -482,7 +482,7 @@ static int interpolate(const em_run *run, size_t step, double t, double *y)
 }
 /* the end of its tables, */
 static void release(em_run *run) { em_release(&pendulum_model, run); }
-/* a run that goes on as it is told, */
+/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&pendulum_model, run); }
 /* its size, */
 static size_t saved(void) { return em_handle_saved(&pendulum_model); }

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:58e20be41f5b03cf4b75db65867b5bc5cb28e275e4dac2fe9061cce8cc931e89 */
+/* body sha256:440c0ce56a267c0b111dbb3a12387ee118c17d82fbe4dca286838f78f3bdc052 */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -26,13 +26,13 @@
  *   lagrange: 29 additions, 55 multiplications, 4 function calls
  *   projection: 3 additions, 11 multiplications, 4 function calls
  */
-/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+/* Callers use the same arguments for all models; each function uses those that this model needs. */
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "numeric/em_functions.h"
 #include "constraints/em_multipliers.h"
 
-/* How large it is. */
+/* Sizes. */
 enum {
     N = 4,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -223,8 +223,8 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #endif
 #ifdef EM_ON_LANES
 
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-__attribute__((noinline)) /* once, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
+__attribute__((noinline)) /* one copy, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -233,7 +233,7 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
               &fault);
 }
 
-#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, not for ensembles */
 enum { EM_REMEMBERED = 0 };
 #define em_group_run NULL
 #else
@@ -252,8 +252,8 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 #define EM_PIVOTS pivots_on_lanes
 
 /* After an accepted step: constraints on velocities.
- * *done becomes 0 in lanes that are settled number by number instead;
- * what is singular leaves NaN. */
+ * *done becomes 0 in lanes that the scalar code is to settle;
+ * a singular matrix leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -298,7 +298,7 @@ em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, NULL, em_group_run, EM_REME
 #else
 #if EM_HOLDS(EM_ASIDE)
 
-/* --- what no step calls --- */
+/* --- functions that no step calls --- */
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_EXPORT void motion_bias(double t, const double *restrict x, const double *restrict v,
@@ -399,7 +399,7 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 {
 }
 
-/* p: what the drawing is made of, shape by shape */
+/* p: the numbers of the drawing, shape by shape */
 EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double theta3 = x[2];
@@ -700,7 +700,7 @@ EM_EXPORT void constraint_partials(double t, const double *restrict x, const dou
 #endif
 #if EM_HOLDS(EM_MODEL)
 
-/* Where the other is linked it takes the place of this. */
+/* If the version for lanes is linked, it replaces this one. */
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 
@@ -711,12 +711,12 @@ EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
 static const int block[N] = { 0, 0, 0, 1 };
 EM_EXPORT const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
 
-/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+/* The location of the roots of the blocks: offsets of C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, NULL, EM_IN_MEMORY, 0, 0, 0, 9 };
 static const em_block block2 = { N, N2, coordinate2, NULL, EM_PREPARED_ROOT, 9, 10, 11, 12 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and what other functions share that is made of parameters only */
+/* M of the constant blocks, and terms of parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -738,7 +738,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[19] = (1.0/10.0)*l1; /* c_6 */
 }
 
-/* Which numbers parameters, coordinates and inputs were declared to have. */
+/* The assumptions of parameters, coordinates and inputs. */
 static const em_declared declared[] = {
     {60, "positive"},
     {60, "positive"},
@@ -755,7 +755,7 @@ static const em_declared declared[] = {
     {63, ""}
 };
 
-/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+/* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
     if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
@@ -794,7 +794,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[15] = c_5;
 }
 
-/* What is factored: motion_bias and its partial derivatives go with it */
+/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -819,13 +819,13 @@ EM_EXPORT void pfaffian(double t, const double *restrict x, const double *restri
     b[0] = 0.0;
 }
 
-/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+/* phi (h): the holonomic constraints;  terms (h): the terms that cancel in them; eps terms is their rounding */
 EM_EXPORT void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                         double *restrict terms)
 {
 }
 
-/* crossing (n_events): an event happens where its number passes through zero */
+/* crossing (n_events): an event happens where its function passes through zero */
 EM_EXPORT void model_events(double t, const double *restrict x, const double *restrict v,
                             const double *restrict c, const double *restrict u, double *restrict crossing)
 {
@@ -884,7 +884,7 @@ EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *
     return 0;
 }
 
-/* ev (n): the error of xdot that an error e (n) of v makes. */
+/* ev (n): the error of xdot that follows from an error e (n) of v. */
 EM_EXPORT void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
                                     double *ev)
 {
@@ -907,7 +907,7 @@ EM_EXPORT int state(double t, const double *x, const double *v, const double *c,
     return 0;
 }
 
-/* What follows takes states in the published meaning. */
+/* The functions below take states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);
@@ -968,7 +968,7 @@ static const char *const left_out[] = {
     NULL
 };
 
-/* What steppers ask of it. */
+/* Functions that steppers call. */
 static const em_dynamics dynamics = {
     .n_C = N_C,
     .n_s = N_S,
@@ -990,7 +990,7 @@ static const em_dynamics dynamics = {
     .reach = em_newton_from_afar,
 };
 
-/* What of the stepper is told which model it is of: a run, */
+/* Functions of the stepper with this model as an argument: a run, */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
 /* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
@@ -999,7 +999,7 @@ static int interpolate(const em_run *run, size_t step, double t, double *y)
 }
 /* the end of its tables, */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
-/* a run that goes on as it is told, */
+/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* its size, */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
