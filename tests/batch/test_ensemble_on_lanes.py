@@ -84,7 +84,7 @@ def test_members_with_constraints_move_as_they_do_alone(link, span):
 )
 def test_members_with_constraints_on_positions_move_as_they_do_alone(loop, formulation, span):
     system = loop if formulation == "inverse" else em.build(MODELS / "four_bar.py", formulation=formulation)
-    assert system.compiled.flocks == (system.compiled.lanes > 1)
+    assert system.compiled.lane_groups == (system.compiled.lanes > 1)
     weights, rows = np.linspace(5.0, 15.0, COUNT), np.linspace(*span, 4)
     runs = simulate_ensemble(system, span, parameters={"g": weights}, t_eval=rows, **TIGHT)
     for k in range(0, COUNT, 4):
@@ -110,7 +110,7 @@ def test_a_loop_that_comes_near_a_singular_position_is_run_by_numbers(loop):
 
 @pytest.mark.parametrize("rows", [None, 3])
 def test_members_change_their_modes_as_they_do_alone(turning, rows):
-    """C, s and eta are those of numbers, too; more runs than both flocks have lanes."""
+    """C, s and eta are those of numbers, too; more runs than both lane groups have lanes."""
     springs, span = np.linspace(0.5, 2.0, COUNT), (0.0, 8.0)
     t_eval = None if rows is None else np.linspace(*span, rows)
     runs = simulate_ensemble(turning, span, parameters={"K1": springs}, t_eval=t_eval, **TIGHT)
@@ -125,7 +125,7 @@ def test_members_change_their_modes_as_they_do_alone(turning, rows):
 def test_roots_that_vary_are_kept_in_lanes():
     """A triangular root of a block, and of one that is a number."""
     system = system_for(SWING, "cholesky")
-    assert system.compiled.flocks == (system.compiled.lanes > 1)
+    assert system.compiled.lane_groups == (system.compiled.lanes > 1)
     runs = simulate_ensemble(system, SPAN, v0={"q": SPEEDS}, t_eval=ROWS, **TIGHT)
     for k in range(0, COUNT, 4):
         check_alike(runs[k], system.simulate(SPAN, v0={"q": SPEEDS[k]}, t_eval=ROWS, **TIGHT))
@@ -181,7 +181,7 @@ def test_any_tolerance_serves(link, rtol):
 
 
 def test_a_run_in_each_lane_is_chosen_before_nodes_in_them(swing):
-    assert swing.compiled.flocks == (swing.compiled.lanes > 1)
+    assert swing.compiled.lane_groups == (swing.compiled.lanes > 1)
     found = simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, method="auto", rtol=1e-9)
     assert found.method == ("dop853" if swing.compiled.lanes > 1 else swing.simulate(SPAN, method="auto").method)
 
@@ -226,5 +226,5 @@ def test_ctrl_c_ends_lanes(formulation, request):
     runs = simulate_ensemble(link, (0.0, 1e7), parameters={"K1": springs}, max_steps=10**12, workers=1)
     assert time.process_time() - start < 20
     assert set(runs.stop) == {StopReason.INTERRUPTED}
-    assert (runs.t_end > 0).sum() >= 2  # by chance: far out some begin anew, or wait for the other flock
+    assert (runs.t_end > 0).sum() >= 2  # by chance: far out some begin anew, or wait for the other lane group
     assert np.isnan(runs.x).all()

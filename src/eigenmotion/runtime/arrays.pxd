@@ -1,4 +1,4 @@
-# Arrays as the ABI takes them, for the other modules of the runtime.
+# Arrays in the layout of the ABI, for the other modules of the runtime.
 
 cimport cython
 from libc.math cimport NAN

@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Arrays as the ABI takes them: float64, C-contiguous, of the shape that a model has."""
+"""Arrays in the layout of the ABI: float64, C-contiguous, of the shape that a model has."""
 
 cimport cython
 from cpython.buffer cimport PyBUF_FULL_RO
@@ -40,7 +40,7 @@ cdef object _array = np.ndarray, _double = np.dtype(np.float64), _empty = np.emp
 @cython.final
 @cython.freelist(16)
 cdef class Numbers:
-    """The numbers of an array as the ABI takes them, float64 and C-contiguous, for as long as this object lives."""
+    """The numbers of an array in the layout of the ABI, float64 and C-contiguous, valid as long as this object lives."""
 
     def __dealloc__(self):
         PyBuffer_Release(&self.view)
@@ -54,7 +54,7 @@ cdef class Numbers:
         return 0
 
     cdef bint read(self, object array) noexcept:
-        """As `hold`, of NumPy's own arrays of float64 in C's order, whose buffers take longer to be asked for than to be used."""
+        """As `hold`, for NumPy arrays of float64 in C order. A request for their buffer would take longer than its use."""
         cdef em_ndarray *fields = <em_ndarray *> array
         cdef int axis
         if not _LAYOUT_IS_KNOWN or type(array) is not _array or fields.descr != <void *> _double:
@@ -97,25 +97,25 @@ cdef class Numbers:
 
 
 cdef Numbers given(object a, tuple shape, str name):
-    """The numbers of a, of any stride and type; it must have that shape."""
+    """The numbers of a, of any stride and type; a must have that shape."""
     cdef Numbers made = Numbers.__new__(Numbers)
     if made.borrow(a, shape):
         return made
     if np.iscomplexobj(a):
         raise ValueError(f"{name} is complex; give real numbers")
-    # aligned, which what came over a network need not be
+    # aligned, which an array received over a network may not be
     if not made.borrow(np.require(a, np.float64, ("C", "A")), shape):
         raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
     return made
 
 
 cdef bint takes(object out, tuple shape) except -1:
-    """Whether it is an array that floating point numbers can be written to: integers would lose what is behind the point."""
+    """Whether it is an array that floating point numbers can be written to: integers would lose the fraction."""
     return isinstance(out, np.ndarray) and out.dtype.kind == "f" and out.shape == shape and out.flags.writeable
 
 
 cdef Numbers unset(tuple shape):
-    """A new array, of which every number is to be written."""
+    """A new, uninitialised array."""
     cdef Numbers made = Numbers.__new__(Numbers)
     array = _empty(shape)
     if not made.read(array):
@@ -136,12 +136,12 @@ cdef object constants(const double *values, int count):
 
 
 cdef tuple texts(const char *const *names, int count):
-    """Its words."""
+    """Its strings as a tuple."""
     return tuple([names[k].decode("utf-8") for k in range(count)])
 
 
 cdef bint layout_is_known() except -1:
-    """Whether the fields of an array are where this module reads them, by what their buffers say."""
+    """Whether the fields of an array are where this module reads them, compared with their buffers."""
     cdef Py_buffer view
     cdef em_ndarray *fields
     cdef bint known = True

@@ -1,4 +1,4 @@
-# em_assumptions.h: whether numbers are those that their symbols were declared to have.
+# em_assumptions.h: check of numbers against the assumptions of their symbols.
 
 from .abi cimport em_declared, em_fault
 

@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Many compiled runs of one model, with the interpreter's lock released once; and what follows from their rows."""
+"""Many compiled runs of one model, with the interpreter's lock released once; and quantities computed from their rows."""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN
@@ -15,7 +15,7 @@ import numpy as np
 
 
 cdef class Stop:
-    """Whether an end is wanted; what threads share."""
+    """A request for an end, shared by threads."""
 
     cdef volatile int wanted
 
@@ -31,7 +31,7 @@ cdef class Stop:
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero where an end is wanted, or a signal asks for one (which only the main thread sees)."""
+    """Non-zero if an end is requested, by the caller or by a signal (which only the main thread sees)."""
     cdef Chunk chunk = <Chunk> argument
     try:
         PyErr_CheckSignals()
@@ -44,7 +44,7 @@ cdef int poll(void *argument) noexcept with gil:
 
 
 cdef class Chunk:
-    """Some members, and what came of them; task, members: `Asked` and `Members` of eigenmotion.arguments.members.
+    """Some members, and their results; task, members: `Asked` and `Members` of eigenmotion.arguments.members.
 
     y : (count, n_rows, n_state), published meaning; NaN where a run did not come to
     t_end, status, first, second, size : (count,) where and how it ended: `em_fault`
@@ -116,7 +116,7 @@ cdef class Chunk:
             self.give_inputs(members.inputs, members.count)
 
     cdef give_inputs(self, tuple inputs, size_t count):
-        """Of each input one `em_signal` for all, or an array (count,) of numbers, or a list of `em_signal`."""
+        """For each input one `em_signal` for all, or an array (count,) of numbers, or a list of `em_signal`."""
         cdef size_t n = len(inputs), rows = 1, k, member
         cdef Numbers column
         for one in inputs:
@@ -194,7 +194,7 @@ cdef class Chunk:
         if k > 0:
             memcpy(t.data, self.e.events.t, t.view.len)
             memcpy(y.data, self.e.events.y, y.view.len)
-        # runs end in any order: member by member, event by event
+        # runs end in any order: sort by member and event
         counts, starts = self.event_counts.ravel(), self.event_starts.ravel()
         order = np.repeat(starts - np.cumsum(counts) + counts, counts) + np.arange(k)
         self.event_times, self.events = t.array[order], y.array[order]

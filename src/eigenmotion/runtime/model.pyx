@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled model, asked at k places: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs), one row a time.
+"""One compiled model, evaluated at k states: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs), one row a time.
 
 Rows at which a function has no value are NaN.
 """
@@ -17,11 +17,11 @@ from .start cimport em_factored_matrix
 cdef double ROUNDED = 1e-8  # about the root of a number's rounding
 
 cdef class CompiledModel(PointModel):
-    """One `em_model`: its functions at one place, and here at many."""
+    """One `em_model`: its functions at one state, and here at many."""
 
     @property
     def declared(self):
-        """What parameters, coordinates and inputs were declared to be, in words, "" where anything; () where all are."""
+        """The assumptions of parameters, coordinates and inputs, in words; "" for none; () if there are none at all."""
         cdef int count = 0 if self.model.declared == NULL else self.model.n_parameters + self.n + self.n_inputs
         return tuple([self.model.declared[k].words.decode("utf-8") for k in range(count)])
 
@@ -35,7 +35,7 @@ cdef class CompiledModel(PointModel):
         return 0
 
     def check_parameters(self, values):
-        """Raise EvaluationError where one is not such as its symbol was declared to have (as `prepare` does)."""
+        """Raise EvaluationError if a value violates the assumption of its symbol (as `prepare` does)."""
         self.refuse(0, self.model.n_parameters, values, "parameters")
 
     def check_start(self, x):
@@ -82,7 +82,7 @@ cdef class CompiledModel(PointModel):
         return e.array
 
     def redundant(self, double t, x, Prepared c not None):
-        """How many rows that always hold depend on others near x, and those whose multipliers are not unique."""
+        """The number of rows that hold in every mode and depend on others near x, and the rows whose multipliers are not unique."""
         cdef Numbers q = given(x, (self.n,), "x")
         cdef int *rows
         cdef int depend
@@ -98,7 +98,7 @@ cdef class CompiledModel(PointModel):
             free(rows)
 
     def shares(self, double t, x, Prepared c not None, int asked):
-        """What becomes of dependent rows at one state, em_dependent: from the start is there, or nowhere."""
+        """The treatment of dependent rows at one state, em_dependent: this state is the start."""
         if asked != EM_SHARED_FROM_START or self.m == 0 or self.has_cones: # of which some modes share
             return asked
         return EM_SHARED if self.redundant(t, x, c)[0] else EM_REFUSED
@@ -151,7 +151,7 @@ cdef class CompiledModel(PointModel):
         return y.array
 
     def event_rows(self, t, x, v, u, Prepared c not None):
-        """What passes through zero where an event happens, as (k, n_events)."""
+        """The event functions, as (k, n_events)."""
         cdef Py_ssize_t i, k = len(t)
         cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
         cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), g = zeros((k, self.n_events))
@@ -200,7 +200,7 @@ cdef class CompiledModel(PointModel):
         return C.array, s.array
 
     def factor_rows(self, t, x, C, s, Prepared c not None):
-        """max|M - C^T S^2 C| / max|M| as (k,), M what is factored, in the units of the eigenproblem."""
+        """max|M - C^T S^2 C| / max|M| as (k,), M the matrix that is factored, in the units of the eigenproblem."""
         cdef Py_ssize_t i, k = len(t), n = self.n
         cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, n), "x"), R = given(C, (k, n, n), "C")
         cdef Numbers root = given(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
@@ -218,13 +218,13 @@ cdef class CompiledModel(PointModel):
                 entry, product = M.row(i)[j] * self.model.scales[i] * self.model.scales[j], 0.0
                 for r in range(n):
                     product += C[r * n + i] * s[r] * s[r] * C[r * n + j]
-                # NaN must show, and no comparison with it is true
+                # NaN must be kept, and no comparison with it is true
                 if fabs(entry - product) > error or isnan(entry - product):
                     error = fabs(entry - product)
                 largest = max(largest, fabs(entry))
         return error / largest
 
-    # --- derivatives, at one place ---
+    # --- derivatives, at one state ---
 
     def jacobian(self, double t, y, Prepared c not None, u):
         """(n_state, n_state): d rhs / d y."""
@@ -239,15 +239,15 @@ cdef class CompiledModel(PointModel):
             if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
                 raise self.failure(&fault)
             return J.array
-        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # says in words what has no derivative either
+        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # names the fault, where the derivative does not exist either
             raise self.failure(&fault)
         with nogil:
             self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
         return J.array
 
     def slopes_size(self, double t, y, Prepared c not None, u, int least_norm, atol):
-        """About the root of the sum of squares of da/dx and da/dv at a state y, by differences over atol (n), which is of
-        x and of v, and rounding of these; 0 where nothing moves, infinite where something beside does not."""
+        """The approximate Frobenius norm of (da/dx, da/dv) at a state y, by differences over atol (n), the scale of both x and
+        v, and their rounding; 0 if nothing moves, infinite if a neighbouring state cannot be evaluated."""
         cdef em_fault fault
         cdef int i, k, n = self.n
         cdef double size = 0.0, was

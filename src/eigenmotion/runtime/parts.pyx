@@ -11,7 +11,7 @@ _REASONS = tuple(StopReason)
 
 
 cdef class RunInParts(Run):
-    """A run that is at its start, and goes on as far as it is told; parameters as of `Run`."""
+    """A run that advances to times of the caller's choice, at its start; parameters as of `Run`."""
 
     cdef void *run_state
     cdef bint jumped
@@ -35,7 +35,7 @@ cdef class RunInParts(Run):
         self.run_state = NULL
 
     def advance(self, double t):
-        """Go on to t. Whether the run has come there, and goes on."""
+        """Advance to t. Return whether the run has reached it and can continue."""
         cdef int ended
         if self.run_state == NULL:
             return False
@@ -48,13 +48,13 @@ cdef class RunInParts(Run):
         return not ended
 
     def set(self, Py_ssize_t place, double value):
-        """An input, which is constant, from here on."""
+        """Set a constant input from here on."""
         cdef double *held = <double *> self.signals[place].values
         self.jumped = self.jumped or held[0] != value
         held[0] = value
 
     def now(self):
-        """x, v (n,) where the run stands."""
+        """x, v (n,) at the current time."""
         cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
         self.run.model.now(self.run_state, x.data, v.data)
         return x.array, v.array

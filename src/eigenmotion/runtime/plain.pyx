@@ -1,10 +1,9 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Calls of which every argument is one that compiled code takes as it is, from Python to C and back in one go.
+"""Calls with plain arguments, which compiled code accepts without conversion: from Python to C and back at once.
 
 Arrays are NumPy's own, float64, C-contiguous, of the right shape and finite; numbers are Python's and finite; parameters
-are the defaults or prepared; words are spelt as in the table they are looked up in. Of everything else a call here says
-nothing but None: what it means, or what is wrong with it, is for the checks in Python, which call again with what they
-made of it.
+are the defaults or prepared; keywords are spelt as in their table. For all other arguments a call here returns None. The
+checks in Python then convert or reject them, and call again with the result.
 """
 
 from cpython.exc cimport PyErr_Clear, PyErr_Occurred
@@ -24,7 +23,7 @@ from .start cimport em_start
 import numpy as np
 
 cdef extern from *:
-    double PyLong_AsDouble(object) noexcept  # the exception is looked at below
+    double PyLong_AsDouble(object) noexcept  # the exception is checked below
     object PyType_GenericAlloc(type, Py_ssize_t)
 
 MOST_STEPS = 10**15
@@ -34,7 +33,7 @@ cdef double _MOST_STEPS = MOST_STEPS
 
 
 cdef bint is_number(object given, double *value) noexcept:
-    """Whether it is a real number, not a truth value; which may be infinite or NaN."""
+    """Whether it is a real number (also infinite or NaN), not a bool."""
     if PyFloat_Check(given):
         value[0] = PyFloat_AS_DOUBLE(given)
         return True
@@ -101,7 +100,7 @@ def energies(PointModel model not None, Prepared defaults not None, x, v, t, par
 
 
 cdef int redundant_at(PointModel model, double t, const double *x, const double *c) except -1:
-    """How many rows that always hold depend on others."""
+    """The number of rows that hold in every mode and depend on others."""
     cdef int depend, *rows
     if model.model.redundant == NULL:
         return 0
@@ -138,7 +137,7 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
 # --- runs: each function below says whether its options are plain, and reads them (arguments/options.py has the rules) ---
 
 cdef object meaning(object word, dict known):
-    """What a word stands for, or None."""
+    """The value of a keyword, or None."""
     return known.get(word) if type(word) is str else None
 
 
@@ -219,7 +218,7 @@ cdef Numbers read_rows(object t_eval, double start, double end):
 
 
 cdef Numbers read_start(PointModel model, object x0, object v0, double t, const double *c, double rtol, Numbers atol):
-    """y (n_state,) where a run can start, or None."""
+    """y (n_state,) if a run can start, or None."""
     cdef Numbers x = vector(model.initial_x if x0 is None else x0, model.vector)
     cdef Numbers v = vector(model.initial_v if v0 is None else v0, model.vector)
     cdef Numbers y

@@ -1,30 +1,30 @@
-# A model at one place, for the modules of the runtime that ask it for more.
+# A model at one state, for the modules of the runtime.
 
 from .abi cimport em_fault, em_model
 from .arrays cimport Numbers
 
 
 cdef class PointModel:
-    cdef const em_model *model  # a copy that stays for good, for whoever has its address calls it
-    cdef em_model *taken        # the same, to take what is compiled later
-    cdef list others            # whose functions these are
+    cdef const em_model *model  # a copy that is never freed: its address may be in use
+    cdef em_model *taken        # the same, writable, for parts that are loaded later
+    cdef list others            # owners of its functions
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
-    cdef readonly bint acts  # events change the state, or what holds
-    cdef readonly bint has_cones  # frictions in a plane, of which some modes share forces
+    cdef readonly bint acts  # events change the state, or the mode
+    cdef readonly bint has_cones  # friction cones, which share forces in some modes
     cdef readonly bint augmented
-    cdef readonly bint flocks  # runs of an ensemble go in lanes
+    cdef readonly bint lane_groups  # runs of an ensemble go in lanes
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
     # whether Omega is continued by extrapolation (32), which cannot start everywhere
     cdef readonly bint extrapolates
     cdef tuple vector, square  # shapes (n,), (n, n)
-    cdef Numbers everywhere    # what plain.pyx made of one number last
-    # returns, in any process, the System of this model; None where there is no way to it but the capsule
+    cdef Numbers everywhere    # the last array that plain.pyx made of one number
+    # returns, in any process, the System of this model; None if only the capsule leads to it
     cdef public object recipe
-    # part -> a CompiledModel that has what this one lacks, compiled where it is asked first (building/lazy_units.py); None:
+    # part -> a CompiledModel with the functions that this one lacks, compiled on demand (building/lazy_units.py); None:
     # there is no more
     cdef public object later
 

@@ -26,7 +26,7 @@ class PointModel:
     n_events: int
     n_arguments: int
     lanes: int
-    flocks: bool
+    lane_groups: bool
     dimension: int
     n_drawn: int
     coordinates: tuple[str, ...]

@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled model, asked at one place: what it says of itself, and its functions on float64 arrays.
+"""One compiled model at one state: its description, and its functions on float64 arrays.
 
 Nothing is shared between calls, so threads need no locks. Where a function has no value, EvaluationError is raised.
 """
@@ -22,7 +22,7 @@ _REASONS = tuple(StopReason)
 
 
 cdef class Prepared:
-    """The constants of one parameter set: blocks of M that no state changes are factored once, here."""
+    """The constants of one parameter set: constant blocks of M are factored here, once."""
 
     def __dealloc__(self):
         free(self.c)
@@ -61,20 +61,20 @@ cdef class PointModel:
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
         self.vector, self.square = (c.n,), (c.n, c.n)
         self.lanes = c.lanes.width if c.lanes != NULL else 0
-        self.flocks = c.enter != NULL and self.lanes > 1
+        self.lane_groups = c.enter != NULL and self.lanes > 1
         self.read_names()
         self.read_defaults()
 
-    # --- what is compiled where it is asked first ---
+    # --- parts that are compiled on demand ---
 
     cdef int need(self, str part) except -1:
-        """From here on this model has the part, if there is one. Of threads that ask at once each takes the same."""
+        """Add a part to this model, if there is one. Threads that request it at once get the same one."""
         if self.later is not None:
             self.take(self.later(part))
         return 0
 
     cdef take(self, PointModel other):
-        """What another has of the same model and this lacks."""
+        """Take the functions of the same model that another object has and this one lacks."""
         cdef em_model *mine = self.taken
         cdef const em_model *found = other.model
         self.others.append(other)
@@ -99,17 +99,17 @@ cdef class PointModel:
             raise RuntimeError(f"{self.name} has been compiled without derivatives, and nothing is there to add them")
 
     cdef int need_method(self, int method) except -1:
-        """What a run by em_method calls."""
+        """Load the parts that a run by em_method calls."""
         return self.need_derivatives() if method == EM_RADAU5 or method == EM_RADAU9 else 0
 
     @property
     def differentiates(self):
-        """Whether its right-hand side carries eta and differentiates itself, here and now."""
+        """Whether the right-hand side carries eta and its derivatives by dual numbers are loaded."""
         return self.model.rate_jacobian != NULL
 
     cdef int need_members(self) except -1:
-        """What runs side by side call, where there is such."""
-        return self.need("members") if self.flocks and self.model.lanes.run == NULL else 0
+        """Load the part that runs on lanes call, if there is one."""
+        return self.need("members") if self.lane_groups and self.model.lanes.run == NULL else 0
 
     cdef read_names(self):
         cdef const em_model *c = self.model
@@ -151,7 +151,7 @@ cdef class PointModel:
         stop = _REASONS[<int> fault.status]
         return EvaluationError(f"{self.name}: {told(self, stop, fault.first, fault.second, fault.size)}", stop)
 
-    # --- at one place; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
+    # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 
     def prepare(self, values):
         """values (n_parameters) -> Prepared."""
@@ -168,7 +168,7 @@ cdef class PointModel:
         return made
 
     def rhs(self, double t, y, Prepared c not None, u=None, out=None):
-        """dy at t, y, u (None: defaults); into `out` where given."""
+        """dy at t, y, u (None: defaults); into `out` unless None."""
         cdef em_fault fault
         cdef tuple shape = (self.n_state,)
         cdef Numbers state = given(y, shape, "y"), inputs, dy = Numbers.__new__(Numbers)
@@ -197,7 +197,7 @@ cdef class PointModel:
         return y.array
 
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """em_refusal; y (n_state), the coordinate without inertia; by how much each constraint row is off (em_start_check.h)."""
+        """em_refusal; y (n_state), the coordinate without inertia, the residuals of constraint rows (em_start_check.h)."""
         cdef int at
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
         cdef Numbers absolute = given(atol, (self.n,), "atol"), off = zeros((self.m,))
@@ -205,7 +205,7 @@ cdef class PointModel:
         return refusal, y.array, at, off.array
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start_check.h)."""
+        """(name, gap) of the contact or impact that x is inside of by more than its tolerance; or None (em_start_check.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
@@ -215,14 +215,14 @@ cdef class PointModel:
         return self.events[event], g.data[event] * self.model.event_actions[event].keeps_apart
 
     def identity(self, Prepared c not None):
-        """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
+        """Identification of a model whose runs are saved as bytes: names, and constants at these parameters."""
         cdef bytes numbers = (<char *> c.c)[:self.model.n_prepared * sizeof(double)]
         return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
                 self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
 
     def piece(self, double t, double direction, Prepared c not None):
-        """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_time_events.h)."""
+        """(end, low, high) after t: the next time event, and the times between which the model is evaluated (em_time_events.h)."""
         cdef int n = self.model.n_time_events
         cdef double inside[2]
         cdef Numbers at
@@ -248,7 +248,7 @@ cdef class PointModel:
         return dM.array
 
     def factored_matrix(self, double t, x, Prepared c not None):
-        """What is factored (n, n): M, or M + A^T W A where M is singular."""
+        """The matrix that is factored (n, n): M, or M + A^T W A if M is singular."""
         cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
         em_factored_matrix(self.model, t, q.data, c.c, M.data)
         return M.array
@@ -268,7 +268,7 @@ cdef class PointModel:
         return A.array, b.array
 
     def position(self, double t, x, Prepared c not None):
-        """phi (h): how far x is off the holonomic constraints; (h) the size of the terms that cancel in them."""
+        """phi (h), the residuals of the holonomic constraints; (h) the magnitudes of the terms that cancel in them."""
         cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,)), terms = zeros((self.h,))
         if self.h > 0:
             self.model.position(t, q.data, c.c, phi.data, terms.data)

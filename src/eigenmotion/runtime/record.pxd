@@ -1,4 +1,4 @@
-# What every run says of itself, for the other modules of the runtime.
+# The record of every run, for the other modules of the runtime.
 
 cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=*, y_after_events=*, tuple modes=*)
 cpdef tuple modes_of(model, segments)

@@ -1,16 +1,16 @@
 # cython: language_level=3
-"""What every run says of itself, whatever made it: the fields of a Solution (results/solution.py)."""
+"""The record of every run, by any method: the fields of a Solution (results/solution.py)."""
 
 from .status.stop_reasons import StopReason
 
 COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
-"""What a `Solution` counts."""
+"""The counts of a `Solution`."""
 cdef object _FINISHED = StopReason.FINISHED, _TERMINAL_EVENT = StopReason.TERMINAL_EVENT
 
 
 cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None,
                   y_after_events=None, tuple modes=()):
-    """The fields, but those that say nothing; counts as in COUNTS."""
+    """The fields, without empty ones; counts as in COUNTS."""
     nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
     cdef int status = 0 if stop is _FINISHED else 1 if stop is _TERMINAL_EVENT else -1
     cdef dict fields = {
@@ -36,7 +36,7 @@ cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple cou
 
 
 cdef dict _mode_of(model, parameters):
-    """What holds, sticks and slides; what is idle is kept at rest by what holds."""
+    """The contacts that hold, the frictions that stick or slide, and the idle ones, which others keep at rest."""
     cdef dict mode = {}
     for _, holds, slides, _, idles in model.switches:
         idle = parameters[idles] > 0.0
@@ -47,7 +47,7 @@ cdef dict _mode_of(model, parameters):
 
 
 cpdef tuple modes_of(model, segments):
-    """For each segment, as of `Run.segments`, since when, and the parameters of the mode by name."""
+    """For each segment, as of `Run.segments`, its start, and the parameters of its mode by name."""
     if not segments:
         return ()
     found = [(t, _mode_of(model, parameters)) for _, t, parameters in segments]

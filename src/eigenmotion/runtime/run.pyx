@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled run: em_model.simulate, and what came of it."""
+"""One compiled run: em_model.simulate, and its results."""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
@@ -22,7 +22,7 @@ cdef str _CAME_TO_ITS_END = explain(StopReason.FINISHED, ())
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero where a signal asks for the end of the run. Other exceptions of a handler are raised after it."""
+    """Non-zero if a signal requests the end of the run. Other exceptions of a handler are raised after it."""
     cdef Run run = <Run> argument
     try:
         PyErr_CheckSignals()
@@ -35,7 +35,7 @@ cdef int poll(void *argument) noexcept with gil:
 
 
 cdef class Run:
-    """One compiled simulation, and what came of it until the object goes.
+    """One compiled simulation, with its results as long as the object lives.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ cdef class Run:
         free(self.signals)
 
     cdef const double *hold(self, array, tuple shape, str name) except NULL:
-        """The numbers of an array, which is to live as long as the run."""
+        """The numbers of an array, which is kept as long as the run."""
         cdef Numbers kept = given(array, shape, name)
         self.held.append(kept)
         return kept.data
@@ -120,7 +120,7 @@ cdef class Run:
 
     @property
     def segments(self):
-        """Between events that change the mode: of each the first row, since when, its parameters; () without modes."""
+        """The segments between changes of the mode: for each its first row, its start, its parameters; () without modes."""
         cdef em_rows *segments = &self.run.segments
         cdef const double *c
         cdef Py_ssize_t k, i
@@ -134,7 +134,7 @@ cdef class Run:
         return tuple(found)
 
     def fields(self, str method):
-        """What came of it, as `record` has it, but `sol`."""
+        """The results, as `record` has them, without `sol`."""
         t, y = self.table(&self.run.rows)
         t_events, y_events = self.events(self.run.events)
         after = None
@@ -152,7 +152,7 @@ cdef class Run:
         return self.run.n_dense
 
     cdef message(self):
-        """How the run ended, where, and what to do."""
+        """How and where the run ended, and what to do."""
         stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15) if self.run.n_stiff > 0 else ""
         if self.stop is _FINISHED:
             return _CAME_TO_ITS_END + stiff
@@ -167,7 +167,7 @@ cdef class Run:
         return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
 
     def __reduce__(self):
-        """As its interpolants: what a run keeps for dense output."""
+        """Pickled as its interpolants, which a run keeps for dense output."""
         cdef em_run *run = &self.run
         cdef Py_ssize_t width = EM_DENSE_COEFFICIENTS * self.model.n_state * sizeof(double)
         steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
@@ -202,7 +202,7 @@ cdef class Run:
 
 def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
           bytes steps, bytes table, bytes segments=b""):
-    """A run that is over, of which there are the interpolants."""
+    """A run that is over, restored from its interpolants."""
     if not 0 <= method <= EM_RADAU9:
         raise ValueError(f"{prepared.model.name}: a run of another version, by a method (number {method}) that is no more")
     cdef Run made = Run.__new__(Run, None, method)

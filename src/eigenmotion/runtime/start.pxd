@@ -1,4 +1,4 @@
-# em_start_check.h: what the runtime asks of any em_model, and no generated code does.
+# em_start_check.h: the check of a start, for any em_model.
 
 from .abi cimport em_model
 

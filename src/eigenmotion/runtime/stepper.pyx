@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""A run that goes on as far as it is told: em_control.h for Python."""
+"""A run that advances to times of the caller's choice: em_control.h for Python."""
 
 from hashlib import blake2b
 
@@ -24,7 +24,7 @@ cdef enum:
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero where a signal asks for an end; what its handler raised is raised after the advance."""
+    """Non-zero if a signal requests an end; the exception of its handler is raised after the advance."""
     try:
         PyErr_CheckSignals()
     except BaseException as error:
@@ -67,7 +67,7 @@ cdef class Steps:
         self.places = {name: k for k, name in enumerate(model.inputs)}
         y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")
         self.hold_inputs(inputs.compiled)
-        memset(&run, 0, sizeof(run))  # em_run(...) would leave unset what it does not name
+        memset(&run, 0, sizeof(run))  # em_run(...) would leave other fields unset
         run.model, run.prepared, run.inputs, run.method = model.model, prepared.c, self.signals, <em_method> method
         run.t_start, run.y_start, run.rtol, run.atol = start, y.data, rtol, atol.data
         run.first_step, run.max_step, run.max_steps, run.stabilise, run.least_norm = first, longest, most, stabilise, least
@@ -104,7 +104,7 @@ cdef class Steps:
         return EvaluationError(f"{self.model.name}: at t = {self.steps.t:.9g}: {words}", stop)
 
     cdef int set_inputs(self, inputs) except -1:
-        """u <- what is given by name over what holds, or all of it in order."""
+        """u <- inputs by name, the others unchanged; or all of them in order."""
         cdef Py_ssize_t k
         cdef Numbers numbers
         memcpy(self.u, self.steps.u, self.model.n_inputs * sizeof(double))
@@ -141,7 +141,7 @@ cdef class Steps:
 
     @property
     def prepared(self):
-        """The constants that hold now: of the mode of contacts and friction, which are among the parameters."""
+        """The constants of the current mode of contacts and frictions, which is among the parameters."""
         cdef Py_ssize_t n = self.model.model.n_parameters
         cdef Numbers parameters
         if not self.model.switches:
@@ -157,7 +157,7 @@ cdef class Steps:
         return 0
 
     def advance(self, t, inputs=None):
-        """Go exactly to t, forwards or back, with these inputs from here on."""
+        """Advance exactly to t, forwards or back, with these inputs from here on."""
         cdef const double *u = NULL
         cdef double there
         cdef int failed
@@ -186,7 +186,7 @@ cdef class Steps:
 
     @property
     def t(self):
-        """[s] where it stands."""
+        """[s] the current time."""
         return self.steps.t
 
     @property
@@ -248,7 +248,7 @@ cdef class Steps:
                 for k, name in enumerate(self.model.events)}
 
     def save(self):
-        """All of the motion as bytes: `restore` gives every number back to the last bit."""
+        """The whole motion as bytes: `restore` reproduces every number to the last bit."""
         cdef bytes saved = PyBytes_FromStringAndSize(NULL, TAG + <Py_ssize_t> em_stepper_size(self.steps))
         cdef bytes tag = self.tagged()
         self.claim()
@@ -262,7 +262,7 @@ cdef class Steps:
         Raises
         ------
         ValueError
-            It is of another model, or of one with other parameters, method or tolerances.
+            The bytes belong to another model, or to one with other parameters, method or tolerances.
         """
         self.claim()
         if len(saved) != TAG + <Py_ssize_t> em_stepper_size(self.steps) or saved[:TAG] != self.tagged():
@@ -271,7 +271,7 @@ cdef class Steps:
         em_stepper_restore(self.steps, PyBytes_AS_STRING(saved) + TAG)
 
     cdef bytes tagged(self):
-        """What two steppers must have in common to understand each other's bytes."""
+        """The data that two steppers must share for one to restore the bytes of the other."""
         if self.tag is None:
             m, task = self.model, self.task
             signals = [(kind, times.tobytes(), values.tobytes()) for kind, times, values in task.inputs.compiled if kind]
@@ -281,7 +281,7 @@ cdef class Steps:
         return self.tag
 
     def __reduce__(self):
-        """As what is asked, and what is saved."""
+        """Pickled as its task and its saved motion."""
         return _restored, (type(self), self.task, self.number, self.save())
 
 

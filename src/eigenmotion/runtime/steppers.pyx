@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Many runs of one model that go on as far as they are told: em_steppers.h for Python."""
+"""Many runs of one model that advance to times of the caller's choice: em_steppers.h for Python."""
 
 from hashlib import blake2b
 
@@ -26,7 +26,7 @@ cdef enum:
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero where a signal asks for an end (the main thread alone sees them); what was raised is kept."""
+    """Non-zero if a signal requests an end (only the main thread sees signals); its exception is kept."""
     cdef ManySteps many = <ManySteps> argument
     try:
         PyErr_CheckSignals()
@@ -42,7 +42,7 @@ cdef class ManySteps:
     Parameters
     ----------
     asked
-        An `eigenmotion.arguments.members.Asked`: what all members share.
+        An `eigenmotion.arguments.members.Asked`: the task that all members share.
     count, workers
         K; how many threads there may be in `go` at once.
     """
@@ -113,13 +113,13 @@ cdef class ManySteps:
 
     @property
     def width(self):
-        """How many members go side by side in lanes of the processor; 1: none."""
+        """The number of members side by side in the lanes of a vector; 1: lanes are not used."""
         return self.e.width
 
     def stage(self, members, t, x, v, parameters):
-        """Make ready the states that these members (indices) are to begin with; t (K,), x, v (K, n), parameters (K, p).
+        """Prepare the states at which these members (indices) start; t (K,), x, v (K, n), parameters (K, p).
 
-        Returns those members that take a closer look.
+        Returns the members that need the check in Python.
         """
         cdef Py_ssize_t i, k
         cdef const em_model *model = self.model.model
@@ -142,12 +142,12 @@ cdef class ManySteps:
         return np.flatnonzero(refused)
 
     def put(self, Py_ssize_t member, y):
-        """The state that a closer look has found."""
+        """Set the state that the check in Python has found."""
         cdef Numbers found = given(y, (self.model.n_state,), "y")
         memcpy(self.y.row(member), found.data, self.model.n_state * sizeof(double))
 
     def begin(self, members, t, u):
-        """Begin with what was made ready at t (K,), with inputs u (K, n_inputs)."""
+        """Start the prepared members at t (K,), with inputs u (K, n_inputs)."""
         cdef Py_ssize_t i, k
         cdef int failed = 0
         cdef Py_ssize_t[::1] chosen = members
@@ -161,7 +161,7 @@ cdef class ManySteps:
             raise MemoryError
 
     def set_inputs(self, u):
-        """u (K, n_inputs), of members that have not ended; False where one is not finite, and nothing is set."""
+        """Set u (K, n_inputs) of members that have not ended; False if one is not finite, and nothing is set."""
         cdef Py_ssize_t k
         cdef Numbers U = given(u, (self.count, self.model.n_inputs), "inputs")
         for k in range(self.count * U.width):
@@ -173,26 +173,26 @@ cdef class ManySteps:
         return True
 
     def set_goal(self, double t):
-        """One t for all; False where it is not finite."""
+        """Set one t for all; False if it is not finite."""
         cdef Py_ssize_t k
         for k in range(self.count):
             self.goal.data[k] = t
         return isfinite(t) != 0
 
     def go(self, Py_ssize_t first, Py_ssize_t last, int worker):
-        """Members first ... last - 1 to `goals`. Each worker, and each range, is one thread's."""
+        """Advance members first ... last - 1 to `goals`. Each worker, and each range, belongs to one thread."""
         with nogil:
             em_steppers_advance(&self.e, first, last, worker, self.goal.data)
 
     def settle(self):
-        """Raise what a signal's handler raised in the meantime."""
+        """Raise the exception of a signal's handler, if there was one."""
         self.wanted = 0
         if self.pending is not None:
             pending, self.pending = self.pending, None
             raise pending
 
     def reason(self, Py_ssize_t k):
-        """The StopReason of member k, and its words; None where it goes on."""
+        """The StopReason of member k, and its message; None if it has not ended."""
         if not 0 <= k < self.count:
             raise IndexError(f"there are members 0 ... {self.count - 1}, no {k}")
         fault = self.e.fault[k]
@@ -275,7 +275,7 @@ cdef class ManySteps:
         return saved
 
     def go_back(self, bytes saved not None):
-        """To where `saved` was called; whether they can."""
+        """Restore the state of `saved`. Return whether that is possible."""
         cdef Py_ssize_t size = self.count * <Py_ssize_t> em_steppers_size(&self.e)
         if len(saved) != TAG + size or saved[:TAG] != self.tagged():
             return False
@@ -283,7 +283,7 @@ cdef class ManySteps:
         return True
 
     cdef bytes tagged(self):
-        """What two of them must have in common to understand each other's bytes."""
+        """The data that two of them must share for one to restore the bytes of the other."""
         if self.tag is None:
             m, asked = self.model, self.asked
             said = (m.identity(m.prepare(m.parameter_defaults)), self.count, self.e.width, asked.method, asked.rtol,

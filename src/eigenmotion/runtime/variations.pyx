@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""How a compiled motion changes with what it starts from and what it is given: at one place, and along the rows of a
+"""Derivatives of a compiled motion with respect to its start, parameters and inputs: at one state, and along the rows of a
 run (em_variations.h)."""
 
 from cpython.exc cimport PyErr_CheckSignals
@@ -42,7 +42,7 @@ cdef extern from "sensitivity/em_variations.h" nogil:
         const long *spans
         const long *mark_stop
         const int *mark_event
-        # "from" is a word of Python's
+        # "from" is a keyword of Python
         const double *start "from"
         const double *to
         const double *place
@@ -87,7 +87,7 @@ cdef int poll(void *argument) noexcept with gil:
     return 0
 
 
-# --- derivatives by the arguments (n_arguments): x, v, inputs, parameters, time ---
+# --- derivatives with respect to the arguments (n_arguments): x, v, inputs, parameters, time ---
 
 
 def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm):
@@ -116,7 +116,7 @@ def constraint_partials(PointModel model not None, double t, x, v, Prepared c no
 
 
 def output_partials(PointModel model not None, double t, x, v, a, multipliers, Prepared c not None, u):
-    """(n_outputs, n + m + n_arguments), first by a and lambda."""
+    """(n_outputs, n + m + n_arguments), first with respect to a and lambda."""
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
     cdef Numbers b = given(a, (model.n,), "a"), r = given(multipliers, (model.m,), "multipliers")
     cdef Numbers D = zeros((model.n_outputs, model.n + model.m + model.n_arguments))
@@ -154,7 +154,7 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, int 
 
 
 def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm, fired, S, P):
-    """x, v, Prepared after the events `fired` (n_events) at t, and S (2 n, columns), of directions S, P as they happen."""
+    """x, v, Prepared after the events `fired` (n_events) at t, and S (2 n, columns), the directions S, P mapped across them."""
     cdef em_fault fault
     cdef Prepared after
     cdef int columns = S.shape[1]
@@ -176,15 +176,15 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
 
 def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction, double tolerance,
          double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, int least_norm):
-    """How directions S (2 n, columns) at the first of `stops` go along a run that keeps what is between its rows
+    """Integrate directions S (2 n, columns) from the first of `stops` along a run that keeps its dense output
     (em_variations.h); None: there is nothing between its stops.
 
-    tolerance : of their error in a step, relative; together : how many steps of the run make one, at first
-    stops : t (stops,), z (stops, 2 n), how many spans follow each (stops,); spans : from, to (spans,); marks : stop, event
+    tolerance : of their error in a step, relative; together : initial length of a step, in steps of the run
+    stops : t (stops,), z (stops, 2 n), number of spans after each (stops,); spans : from, to (spans,); marks : stop, event
     (marks,); nodes : place (nodes,), A, A^2, series (nodes, nodes); rows : (k,) times
 
-    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at rows that are within spans; NaN where a pass did
-    not get; how many steps were made, refused, and had a motion of their own; and what ended it, or None.
+    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at rows that are within spans; NaN where the pass
+    did not get; the numbers of steps that were made, rejected, and had a motion of their own; the reason of its end, or None.
     """
     cdef em_variations pass_
     cdef Py_ssize_t k = len(stops[0]), made = len(spans[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
@@ -242,7 +242,7 @@ def _unknown(*shape):
 
 
 def _whole(numbers, kind):
-    """They, and one more, that there is a first."""
+    """The numbers as an array with one more entry, so that it is never empty."""
     made = np.zeros(len(numbers) + 1, dtype=kind)
     made[:len(numbers)] = numbers
     return made

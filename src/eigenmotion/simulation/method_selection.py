@@ -92,7 +92,7 @@ def _nodes_pay(model: CompiledModel) -> float:
 
 def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
     """Return dop853 where lanes hold a run each, which is quicker than one run's nodes in them; else as of one run."""
-    in_lanes = model.flocks and not least_norm and rtol > _longer_steps_pay(model.h)
+    in_lanes = model.lane_groups and not least_norm and rtol > _longer_steps_pay(model.h)
     return METHODS["dop853"] if in_lanes else automatic(model, rtol, least_norm)
 
 
