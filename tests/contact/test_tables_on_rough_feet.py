@@ -172,3 +172,15 @@ def test_ensembles_share_as_runs_do():
         assert alone.success
         assert many.success[k]
         assert many.x[k, :, -1] == pytest.approx(alone.x[:, -1], rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("load", [(0.0, 0.0), (0.5, 0.1), (9.0, 0.0)], ids=["alone", "turned", "nearly slides"])
+def test_a_table_that_sticks_has_no_derivatives_but_those_by_its_place(load):
+    """Wherever it stands on the ground it stays, whatever its mass and friction: dx/dmu = dx/dm = 0, dx/dx0 = 1."""
+    X, T = load
+    run = run_of(TRIPOD, 0.9, parameters={"X": X, "T": T}, sensitivities=["mu", "m", "x"])
+    assert run.success
+    by_mu, by_m, by_x = (run.sensitivity[name].dx for name in ("mu", "m", "x"))
+    assert max(np.abs(by_mu).max(), np.abs(by_m).max()) < 1e-13
+    assert by_x[0] == pytest.approx(1, abs=1e-12)
+    assert np.abs(by_x[1:]).max() < 1e-12

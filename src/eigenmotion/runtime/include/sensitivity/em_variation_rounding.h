@@ -35,8 +35,9 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
 }
 
 /* R (n, m) <- the sizes of the accelerations by multipliers, |M^-1| |A|^T; w (n) the units in which coordinates are
- * comparable, square roots of the diagonal of M. 0, or -1: M has no inverse. */
-static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *R, double *w) {
+ * comparable, square roots of the diagonal of M; s (m) those of multipliers, square roots of the diagonal of |A| R.
+ * 0, or -1: M has no inverse. */
+static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *R, double *w, double *s) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m;
     double M[n * n], L[n * n], r[n], A[m * n], b[m], column[n];
@@ -53,7 +54,22 @@ static int em_reaction_sizes(const em_pass *p, double t, const double *z, double
         for (int i = 0; i < n; ++i)
             for (int row = 0; row < m; ++row) R[i * m + row] += fabs(column[i]) * fabs(A[row * n + k]);
     }
+    for (int row = 0; row < m; ++row) {
+        double sum = 0.0;
+        for (int i = 0; i < n; ++i) sum += fabs(A[row * n + i]) * R[i * m + row];
+        s[row] = sqrt(sum);
+    }
     return 0;
+}
+
+/* The size of acceleration i by multipliers, where each is as uncertain as the largest, since they are solved for together.
+ * `lambda` has its numbers `width` apart. */
+static double em_reaction_of(const em_pass *p, int i, const double *R, const double *s, const double *lambda, int width) {
+    double most = 0.0, sum = 0.0;
+    for (int row = 0; row < p->m; ++row) most = fmax(most, s[row] * fabs(lambda[row * width]));
+    for (int row = 0; row < p->m; ++row)
+        if (s[row] > 0.0) sum += R[i * p->m + row] / s[row] * most;
+    return sum;
 }
 
 /* length (columns) <- the lengths of n rows of directions in units w. */
@@ -67,16 +83,12 @@ static void em_lengths(int n, int columns, const double *w, const double *S, dou
 /* none (n, columns) and wobble (n) += the rounding of accelerations that reactions cancel. */
 static void em_add_held_back(em_pass *p, double t, const double *z, double *none) {
     const int n = p->n, m = p->m, k = p->columns, width = p->of->model->n_arguments;
-    double R[n * m + 1], w[n], length[2][k], term[width];
-    if (m == 0 || em_reaction_sizes(p, t, z, R, w)) return;
+    double R[n * m + 1], w[n], s[m + 1], length[2][k], term[width];
+    if (m == 0 || em_reaction_sizes(p, t, z, R, w, s)) return;
     for (int half = 0; half < 2; ++half) em_lengths(n, k, w, p->S + half * n * k, length[half]);
     for (int i = 0; i < n; ++i) {
-        memset(term, 0, sizeof term);
-        for (int row = 0; row < m; ++row) {
-            const double held = EM_HELD_BACK * R[i * m + row];
-            for (int q = 0; q < width; ++q) term[q] += held * fabs(p->dlambda[row * width + q]);
-            p->wobble[i] += held * fabs(p->lambda[row]);
-        }
+        for (int q = 0; q < width; ++q) term[q] = EM_HELD_BACK * em_reaction_of(p, i, R, s, p->dlambda + q, width);
+        p->wobble[i] += EM_HELD_BACK * em_reaction_of(p, i, R, s, p->lambda, 1);
         for (int half = 0; half < 2; ++half) {
             double most = 0.0;
             for (int q = 0; q < n; ++q) most = fmax(most, term[half * n + q] / w[q]);
@@ -93,15 +105,13 @@ static void em_add_balanced(em_pass *p, double t, const double *z, double *none)
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
     const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
-    double R[n * m + 1], w[n];
-    if (m == 0 || em_reaction_sizes(p, t, z, R, w)) memset(R, 0, sizeof R);
+    double R[n * m + 1], w[n], s[m + 1];
+    if (m == 0 || em_reaction_sizes(p, t, z, R, w, s)) memset(R, 0, sizeof R), memset(s, 0, sizeof s);
     for (int i = 0; i < n; ++i) {
-        double sum = 0.0;
-        for (int row = 0; row < m; ++row) sum += R[i * m + row] * fabs(p->lambda[row]);
+        double sum = em_reaction_of(p, i, R, s, p->lambda, 1);
         for (int g = 0; g < model->n_parameters; ++g) {
-            double term = fabs(J[i * width + first + g]);
-            for (int row = 0; row < m; ++row) term += R[i * m + row] * fabs(p->dlambda[row * width + first + g]);
-            sum += term * fabs(p->c[g]);
+            const double term = em_reaction_of(p, i, R, s, p->dlambda + first + g, width);
+            sum += (fabs(J[i * width + first + g]) + term) * fabs(p->c[g]);
         }
         for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
             const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
