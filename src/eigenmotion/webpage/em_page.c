@@ -94,7 +94,7 @@ static void fill_row(double t, const double *y, int least_norm, double *row) {
 
 /* What holds at a row: page.prepared <- the constants of its leg, if it is the first there. Returns the leg. */
 static size_t mode_at(const em_run *run, size_t row, size_t leg) {
-    const em_rows *const legs = &run->legs;
+    const em_rows *const legs = &run->segments;
     const size_t last = legs->width - 1;
     while (leg < legs->count && legs->y[leg * legs->width + last] <= (double)row) {
         memcpy(page.prepared, legs->y + leg * legs->width, last * sizeof(double));
