@@ -92,26 +92,26 @@ static void fill_row(double t, const double *y, int least_norm, double *row) {
     if (page.n_drawn > 0) model->draw(t, x, page.prepared, lambda + model->m);
 }
 
-/* What holds at a row: page.prepared <- the constants of its leg, if it is the first there. Returns the leg. */
-static size_t mode_at(const em_run *run, size_t row, size_t leg) {
-    const em_rows *const legs = &run->segments;
-    const size_t last = legs->width - 1;
-    while (leg < legs->count && legs->y[leg * legs->width + last] <= (double)row) {
-        memcpy(page.prepared, legs->y + leg * legs->width, last * sizeof(double));
-        ++leg;
+/* page.prepared <- the constants of the segment of a row, if the row is its first. Returns the index of the next segment. */
+static size_t mode_at(const em_run *run, size_t row, size_t segment) {
+    const em_rows *const segments = &run->segments;
+    const size_t last = segments->width - 1;
+    while (segment < segments->count && segments->y[segment * segments->width + last] <= (double)row) {
+        memcpy(page.prepared, segments->y + segment * segments->width, last * sizeof(double));
+        ++segment;
     }
-    return leg;
+    return segment;
 }
 
 static int fill_table(const em_run *run, int least_norm) {
     const size_t width = (size_t)em_page_width();
-    size_t leg = 0;
+    size_t segment = 0;
     page.n_rows = (int)run->rows.count;
     free(page.table);
     page.table = numbers(width * run->rows.count);
     if (!page.table) return EM_OUT_OF_MEMORY;
     for (size_t k = 0; k < run->rows.count; ++k) {
-        leg = mode_at(run, k, leg);
+        segment = mode_at(run, k, segment);
         fill_row(run->rows.t[k], run->rows.y + k * (size_t)model->n_state, least_norm, page.table + k * width);
     }
     return 0;
