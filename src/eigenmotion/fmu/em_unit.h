@@ -1,4 +1,4 @@
-/* em_unit.h: a mechanism as a unit that is told its parameters, start and inputs one by one, and steps: what an FMU holds.
+/* em_unit.h: a mechanism whose parameters, start and inputs are set one by one, and which then steps: the content of an FMU.
  *
  * Its numbers have references, one after the other: parameters, x, v, inputs; then the model's outputs. */
 #ifndef EM_UNIT_H
