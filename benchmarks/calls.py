@@ -1,4 +1,4 @@
-"""What a call from Python costs that does little: one place, one short run; microseconds, medians with quartiles.
+"""Cost of short calls from Python, one place or one short run: microseconds, medians with quartiles.
 
 Arguments are NumPy arrays. The run is one step of dop853. Its whole call stands beside the same run by the same sources
 from C (common/run.c), which allocates, enters, steps and frees as the call does: the difference is what `simulate`

@@ -1,4 +1,4 @@
-"""What a page weighs and costs: bytes, frames a second in Chromium, and ten seconds of motion beside the native run.
+"""Weight and cost of a page: bytes, frames a second in Chromium, and ten seconds of motion beside the native run.
 
 Headless, with software rendering, as on a machine without a graphics card. The run is dop853 with a hundred rows a
 second, by WebAssembly in the page and by `simulate` here, at the same tolerances; least of many. Models in space are

@@ -1,4 +1,4 @@
-"""How long it takes from a model file to a System: stage by stage, in fresh caches; commands as a user calls them.
+"""Time from a model file to a System: stage by stage, in fresh caches; commands as a user calls them.
 
 Seconds, medians of repeats; times of this machine, unlike ratios, and longer where others use it too.
 """

@@ -1,4 +1,4 @@
-"""What a stepper costs besides its right-hand sides, from Python and in C, and the worst case of methods of fixed step.
+"""Cost of a stepper besides its right-hand sides, from Python and in C, and the worst case of methods of fixed step.
 
 First: 1,000 steps of 10 ms of the Furuta pendulum under a controller in Python, whose time is taken apart; off the
 steps' time goes what as many right-hand sides cost in C. The motion is compared with one run whose input holds the same

@@ -1,4 +1,4 @@
-"""How the equations of a model are to be computed: the choices of `build`, checked as they are made."""
+"""The choices of `build`: how the equations of a model are computed, checked as they are made."""
 
 from __future__ import annotations
 

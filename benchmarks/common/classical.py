@@ -1,4 +1,4 @@
-"""What one does without a generator: SymPy, one `lambdify(cse=True)`, one KKT solve a call.
+"""Motion without a generator: SymPy, one `lambdify(cse=True)`, one KKT solve a call.
 
 Derived here from T, V and the constraints alone; nothing of eigenmotion's derivation is used.
 """

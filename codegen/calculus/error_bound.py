@@ -1,4 +1,4 @@
-"""What rounding makes of an expression, as another expression of the same graph.
+"""Running error bound of an expression, as another expression of the same graph.
 
 Every value that is computed is off by eps of itself, and so is every coordinate; what that makes of the whole follows
 to first order from the derivatives on the way (Higham, Accuracy and Stability of Numerical Algorithms, 3.3):

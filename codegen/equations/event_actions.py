@@ -1,4 +1,4 @@
-"""What events and contacts do: impacts, resets, and the part of multipliers that friction takes."""
+"""Event actions: impacts, resets, and the part of multipliers that friction takes."""
 
 from __future__ import annotations
 

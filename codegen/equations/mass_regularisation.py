@@ -1,4 +1,4 @@
-"""What takes the place of a mass matrix that is singular whatever x is, but regular along the constraints.
+"""Regularisation of a mass matrix that is singular for every x, but regular along the constraints.
 
 A quaternion with |q| = 1, a massless coordinate that a constraint holds: M has no inverse, [M A^T; A 0] has one. With
 any weights W, as A a + gamma = 0, the same a and lambda solve it with M + A^T W A in place of M and f - A^T W gamma in

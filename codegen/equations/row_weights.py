@@ -1,4 +1,4 @@
-"""What each constraint row is weighed with in M + A^T W A."""
+"""Weights W of the constraint rows in M + A^T W A."""
 
 from __future__ import annotations
 

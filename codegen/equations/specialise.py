@@ -1,4 +1,4 @@
-"""What a scene needs: blocks of the mass matrix, what varies, what is absent, and the state that follows."""
+"""Specialisation to a scene: blocks of the mass matrix, what varies, what is absent, and the state that follows."""
 
 from __future__ import annotations
 

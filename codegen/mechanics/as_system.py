@@ -1,4 +1,4 @@
-"""What users hand over, as one `System` of SymPy's."""
+"""Conversion of users' objects to one `System` of SymPy's."""
 
 from __future__ import annotations
 

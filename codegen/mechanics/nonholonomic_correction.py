@@ -1,4 +1,4 @@
-"""What Lagrange's equations miss where velocities are given that no coordinates have: a disk that rolls, say.
+"""Corrections to Lagrange's equations where velocities are no rates of coordinates: a disk that rolls, say.
 
 SymPy's velocities may take constraints for granted: the centre of a rolling disk is given the velocity omega x r, and
 no coordinates of the place it rolls to. Lagrange's equations of such a T(q, qdot) are not those of the motion. With

@@ -1,4 +1,4 @@
-"""Whether expressions of coordinates, rates and speeds are zero wherever they are defined."""
+"""Zero test of expressions of coordinates, rates and speeds, wherever they are defined."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a mechanism is: the user's SymPy, checked and in one form."""
+"""The model of a mechanism: the user's SymPy, checked and in one form."""
 
 from .model import Model as Model
 from .model import ModelError as ModelError

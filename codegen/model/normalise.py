@@ -1,4 +1,4 @@
-"""What the user wrote, as SymPy expressions, floats and tuples."""
+"""Normal forms of the user's input: SymPy expressions, floats and tuples."""
 
 from __future__ import annotations
 

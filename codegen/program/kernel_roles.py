@@ -1,4 +1,4 @@
-"""What each kernel of a program is for."""
+"""Roles of the kernels of a program."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Which kernel of a program assigns what."""
+"""The kernels of a program, and their assignments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where numbers live: places in the state, in the memory of a run and in the prepared parameters."""
+"""Memory layout: places in the state, in the memory of a run and in the prepared parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the templates get: one record of strings, numbers, truth values and tuples."""
+"""The record that templates print: strings, numbers, truth values and tuples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far a long task is, on one line of standard error."""
+"""Progress of a long task, on one line of standard error."""
 
 import logging
 import sys

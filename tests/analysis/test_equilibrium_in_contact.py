@@ -1,4 +1,4 @@
-"""What leans, stands and sticks at rest: closed forms, and the same mechanism with constraints instead."""
+"""Equilibria that lean, stand and stick: closed forms, and the same mechanism with constraints instead."""
 
 import numpy as np
 import pytest

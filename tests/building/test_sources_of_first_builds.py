@@ -1,4 +1,4 @@
-"""What is generated for first runs: the whole text but for its derivatives, which come as something asks for them."""
+"""The text generated for first runs: all but its derivatives, which come as something asks for them."""
 
 import numpy as np
 import pytest

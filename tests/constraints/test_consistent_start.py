@@ -1,4 +1,4 @@
-"""Where a run may start: em_start_check.h refuses what NumPy finds to be off, and start.py says so."""
+"""Consistent starts: em_start_check.h refuses those that NumPy finds to be off, and Python says so."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What a run of a case is worth, by the oracle alone: right, wrong, refused where there is a motion, or named."""
+"""Verdict on a run of a case, by the oracle alone: right, wrong, refused where there is a motion, or named."""
 
 from dataclasses import dataclass, replace
 from enum import StrEnum

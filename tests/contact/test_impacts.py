@@ -1,4 +1,4 @@
-"""What impacts and resets do to runs, and what none does."""
+"""Effects of impacts and resets on runs."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""What `import eigenmotion` gives is what docs/api.md says, and so is what `from eigenmotion import *` gives."""
+"""Public names: `import eigenmotion` and `from eigenmotion import *` give those of docs/api.md."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the README tells a newcomer to do, after a plain install: without matplotlib. `test_docs.py` runs all of it."""
+"""The README's first steps after a plain install, without matplotlib. `test_docs.py` runs all of it."""
 
 import re
 import shlex

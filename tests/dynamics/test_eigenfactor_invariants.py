@@ -1,4 +1,4 @@
-"""Where C^T C = I, M - C^T S^2 C and C^T C are first integrals of the generated system, and kept over a run."""
+"""First integrals of the generated system, C^T C = I and M - C^T S^2 C, and that runs keep them."""
 
 from functools import cache
 

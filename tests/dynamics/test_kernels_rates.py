@@ -1,4 +1,4 @@
-"""How roots of M and Delta change, as users compile it, against NumPy."""
+"""Rates of the roots of M and Delta, as users compile them, against NumPy."""
 
 import ctypes
 

@@ -1,4 +1,4 @@
-"""What is left out of a program changes no number: each saving switched off, and all terms present but zero."""
+"""Omitted terms change no number: each saving switched off, and all terms present but zero."""
 
 from dataclasses import replace
 

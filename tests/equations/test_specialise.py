@@ -1,4 +1,4 @@
-"""What a scene needs, and what it does not."""
+"""Specialisation: terms that a scene needs, and terms it does not."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""What a page is told of a model, before any browser sees it."""
+"""The text of a page about a model, before any browser sees it."""
 
 import re
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""Where friction in a plane stops what slides: closed forms, by every method, whatever the tolerance and the units."""
+"""Stops of friction cones: closed forms, by every method, at every tolerance and in every unit."""
 
 from functools import cache
 from itertools import product

@@ -1,4 +1,4 @@
-"""Who else states the ABI states what `eigenmotion.h` does: declarations for Cython, what tests read off, methods."""
+"""The ABI of `eigenmotion.h`, and every other place that states it: declarations for Cython, tests, methods."""
 
 import ctypes as ct
 import re

@@ -1,4 +1,4 @@
-"""What benchmarks measure: programs around generated C."""
+"""Programs that benchmarks build around generated C."""
 
 import sys
 from pathlib import Path

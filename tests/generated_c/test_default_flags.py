@@ -1,4 +1,4 @@
-"""What users run, compiled at the default flags: compilers have rearranged such code wrongly.
+"""Code compiled at the default flags, as users run it: compilers have rearranged such code wrongly.
 
 What it is made of is in `test_kernels_*`.
 """

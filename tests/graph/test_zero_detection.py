@@ -1,4 +1,4 @@
-"""What vanishes identically, and what only seems to."""
+"""Zero detection: expressions that vanish identically, and some that only seem to."""
 
 import pytest
 import sympy

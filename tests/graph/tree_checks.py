@@ -1,4 +1,4 @@
-"""What must hold of one random tree: values and derivatives kept on every way, canonical nodes, zeros that are zero.
+"""Checks of one random tree: values and derivatives kept on every way, canonical nodes, zeros that are zero.
 
 Right is the tree itself in complex numbers (`oracles.principal`), which neither SymPy nor the graph has rewritten.
 Where everything on the way is real, the graph must give that number. Where it is not, C may give no number, or the one

@@ -1,1 +1,1 @@
-"""What users state: models, their symbols, files, drawings, and what is read off sympy.physics.mechanics."""
+"""Statements of users: models, their symbols, files, drawings, and systems of sympy.physics.mechanics."""

@@ -1,4 +1,4 @@
-"""What a symbol is declared to be (positive, integer, ...) holds for every value it is given, wherever that is."""
+"""Assumptions on a symbol (positive, integer, ...) hold for every value it is given, wherever that is."""
 
 import ctypes
 import re

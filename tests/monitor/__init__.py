@@ -1,1 +1,1 @@
-"""What a run checks of itself: singularities, drift, and how it ends where it fails."""
+"""Monitors of a run: singularities, drift, and how it ends where it fails."""

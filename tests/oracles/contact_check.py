@@ -1,4 +1,4 @@
-"""Whether an acceleration, or a velocity after an impact, is one that contacts and frictions allow.
+"""Check of an acceleration, or of a velocity after an impact, against the laws of contacts and frictions.
 
 Given it, forces are looked for by a linear program. No mode is tried, and what is not unique needs no care.
 """

@@ -1,4 +1,4 @@
-"""Which accelerations, or which velocities after an impact, contacts and frictions allow: all modes, one by one.
+"""Accelerations, or velocities after an impact, that contacts and frictions allow: all modes, one by one.
 
 The law, and this is all that is known of it here; NumPy and SciPy, no code of the package.
 

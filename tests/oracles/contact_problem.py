@@ -1,4 +1,4 @@
-"""What is asked of contacts and frictions: the equations of `contact_modes`, whatever the mode."""
+"""The equations that `contact_modes` solves, whatever the mode."""
 
 from dataclasses import dataclass
 from functools import cached_property

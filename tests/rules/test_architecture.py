@@ -1,4 +1,4 @@
-"""What docs/architecture.md and the pages behind it name is there: files, and functions of C."""
+"""Files and C functions that docs/architecture.md and the pages behind it name exist."""
 
 import re
 from pathlib import Path
@@ -39,3 +39,20 @@ def test_functions_that_pages_name_are_there(page):
     asked = {word for word in named(page) if re.fullmatch(r"em_[a-z_]+|EM_[A-Z_]+", word)} - {"EM_NAME_TABLEAU"}
     assert asked
     assert not {word for word in asked if not re.search(rf"\b{word}\b", text)}
+
+
+CLAUSE = re.compile(r"(what|how|whether|which|who|whose|where|why)\b", re.IGNORECASE)
+
+
+def head(path: Path) -> str:
+    """The first words of a file: of its docstring, or behind its name in C."""
+    text = path.read_text(encoding="utf-8")
+    return text.removeprefix('"""') if path.suffix == ".py" else text.partition(f"{path.name}: ")[2]
+
+
+def test_the_head_of_a_file_is_a_noun_phrase():
+    """A file's first line names its subject: no file introduces itself by a clause."""
+    folders = ("codegen", "src", "models", "benchmarks", "tests")
+    files = [path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in {".py", ".h"}]
+    assert len(files) > 600
+    assert not [str(path.relative_to(ROOT)) for path in files if CLAUSE.match(head(path))]

@@ -1,4 +1,4 @@
-"""What a motion depends on, by central differences of whole runs of order 4."""
+"""Derivatives of a motion by central differences of whole runs, of order 4."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""How far derivatives of motions are off where the motion itself says nothing: where it rests."""
+"""Errors of derivatives where the motion itself rests and says nothing about them."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""Where steppers start, and what they refuse to start with and to go on to."""
+"""Starts of steppers: those they take, and those they refuse."""
 
 import re
 

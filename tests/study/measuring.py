@@ -1,4 +1,4 @@
-"""How tests let the report measure."""
+"""A measurement of the report, as tests use it."""
 
 import time
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What the report advises: of made up points, and of a stiff model."""
+"""Advice of the report: on made up points, and on a stiff model."""
 
 import importlib.util
 import json

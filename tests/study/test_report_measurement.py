@@ -1,4 +1,4 @@
-"""How the report measures a run: errors and times by hand; solvers that are slow, fail or are not there."""
+"""Measurements of the report: errors and times by hand; solvers that are slow, fail or are not there."""
 
 from dataclasses import replace
 from types import SimpleNamespace

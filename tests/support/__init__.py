@@ -1,1 +1,1 @@
-"""What tests of several rooms share: models, compiled systems, C written by hand."""
+"""Parts that tests of several rooms share: models, compiled systems, C written by hand."""

@@ -1,4 +1,4 @@
-"""Which cases run at night only, and by which rule: the end of a run says how many each rule left out."""
+"""Rules that leave cases for the night; the end of a run says how many each rule left out."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence

@@ -1,4 +1,4 @@
-"""What the tests of failures share."""
+"""Parts that tests of failures share."""
 
 import numpy as np
 from sympy.physics.mechanics import dynamicsymbols

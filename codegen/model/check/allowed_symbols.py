@@ -1,4 +1,4 @@
-"""What each expression of a model may contain: coordinates and time everywhere, rates and inputs here and there."""
+"""Symbols that each expression of a model may contain: coordinates and time everywhere, rates and inputs in some."""
 
 from __future__ import annotations
 

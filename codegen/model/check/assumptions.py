@@ -1,4 +1,4 @@
-"""What SymPy was told of a symbol, as the numbers it may have: expressions were simplified by it.
+"""SymPy's assumptions on a symbol, as the numbers it may have: expressions were simplified by them.
 
 A symbol declared positive makes sqrt(l**2) into l; of what is compiled then, a negative value gives another mechanism.
 """

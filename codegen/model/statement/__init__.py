@@ -1,1 +1,1 @@
-"""What a user states: coordinates, events, contacts, constraint rows, a drawing; each in one form."""
+"""Parts of a model as users state them: coordinates, events, contacts, constraint rows, a drawing; each in one form."""

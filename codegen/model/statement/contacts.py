@@ -1,4 +1,4 @@
-"""What touches and lets go, slides and sticks: constraints that hold at times, and what they are made of.
+"""Contacts and frictions: constraints that hold at times, and the numbers that decide when.
 
 A contact or friction is stated once; `with_contacts` makes it into what every mechanism has: constraint rows and forces
 with a parameter in front that is 1 while they hold, else 0, and an event at which that may change.

@@ -1,4 +1,4 @@
-"""What a mechanism looks like: shapes at positions in SymPy, for `Model(drawing=[...])`.
+"""Drawing of a mechanism: shapes at positions in SymPy, for `Model(drawing=[...])`.
 
 A position is a sequence of two expressions (x, y), y upwards, or of three (x, y, z), z upwards, in coordinates,
 parameters and time. One drawing is in the plane or in space.

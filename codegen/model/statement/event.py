@@ -1,4 +1,4 @@
-"""What may happen along a motion: where an expression passes zero, and what that does."""
+"""Events: zero crossings of an expression along a motion, and their actions."""
 
 from __future__ import annotations
 

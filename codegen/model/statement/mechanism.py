@@ -1,4 +1,4 @@
-"""What a mechanism is: its fields, normalised, and what follows from them."""
+"""The fields of a mechanism, normalised, and properties that follow from them."""
 
 from __future__ import annotations
 

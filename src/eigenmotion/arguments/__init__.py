@@ -1,1 +1,1 @@
-"""What users hand over, checked: names and arrays, inputs, options and methods of a run."""
+"""Checks of users' arguments: names and arrays, inputs, options and methods of a run."""

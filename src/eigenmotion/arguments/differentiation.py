@@ -1,4 +1,4 @@
-"""What motions are to be differentiated by, as users name it."""
+"""Names that motions are differentiated by, as users give them."""
 
 from collections.abc import Sequence
 from functools import lru_cache

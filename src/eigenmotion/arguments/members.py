@@ -1,4 +1,4 @@
-"""What an ensemble is asked: its members, one row of parameters, start and inputs each; and what all share."""
+"""The task of an ensemble: one row of parameters, start and inputs for each member, and options that all share."""
 
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,4 +1,4 @@
-"""What a run is asked to do, checked before it starts."""
+"""The task of a run, checked before it starts."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple

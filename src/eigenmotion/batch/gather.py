@@ -1,4 +1,4 @@
-"""What an ensemble is given, broadcast to K members."""
+"""Arguments of an ensemble, broadcast to K members."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any

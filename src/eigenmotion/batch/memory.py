@@ -1,4 +1,4 @@
-"""What the rows of an ensemble take, stated before it is taken."""
+"""Memory of an ensemble's rows, stated before it is allocated."""
 
 import logging
 import os

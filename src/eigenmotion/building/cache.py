@@ -1,4 +1,4 @@
-"""What was generated and compiled before, kept by content.
+"""The cache of generated and compiled models, by content.
 
     sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, and the text of the generator; and
                                                whether it is what first runs need

@@ -1,4 +1,4 @@
-"""What can go wrong on the way from a model to a compiled module."""
+"""Errors between a model and a compiled module."""
 
 from ..codegen.model import ModelError
 

@@ -1,4 +1,4 @@
-"""What of a model is compiled at first, and what as somebody first asks for it.
+"""Compile units that are built at first, and those that are built on demand.
 
 A library without some units has NULL where their functions would be (em_units.h). A part is a library, too: the same
 objects and those of its units, from whose `em_model` the first one takes what it lacks (`PointModel.need`).

@@ -1,4 +1,4 @@
-"""What to generate: a model, the options that shape its code, and the command that a header states."""
+"""A request for generated code: a model, the options that shape its code, and the command that a header states."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass

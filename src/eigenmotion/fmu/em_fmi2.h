@@ -1,5 +1,5 @@
-/* em_fmi2.h: what the Functional Mock-up Interface 2.0 asks of a unit for co-simulation, as far as em_fmu.h uses it: types,
- * and the values of its enumerations, after the standard (fmi-standard.org). */
+/* em_fmi2.h: types and enumerations of the Functional Mock-up Interface 2.0 for co-simulation, as far as em_fmu.h uses
+ * them, after the standard (fmi-standard.org). */
 #ifndef EM_FMI2_H
 #define EM_FMI2_H
 

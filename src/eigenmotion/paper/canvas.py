@@ -1,4 +1,4 @@
-"""What the pictures share: axes and direct labels."""
+"""Axes and direct labels that the pictures share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the numbers were measured with. Says nothing of whose machine it is."""
+"""The machine that numbers were measured on, in words that do not say whose it is."""
 
 import os
 import platform

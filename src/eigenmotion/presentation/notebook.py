@@ -1,4 +1,4 @@
-"""What a notebook shows of an object: a table of what it says of itself, and a picture."""
+"""Display of objects in notebooks: a table of their summary, and a picture."""
 
 import base64
 import io

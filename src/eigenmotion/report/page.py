@@ -1,4 +1,4 @@
-"""What the page shows of each model."""
+"""The page of a report, model by model."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

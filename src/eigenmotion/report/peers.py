@@ -1,4 +1,4 @@
-"""What users have today, on the same model: SciPy always, heyoka.py and CasADi where they are installed."""
+"""Peers on the same model: SciPy always, heyoka.py and CasADi where they are installed."""
 
 import time
 import warnings

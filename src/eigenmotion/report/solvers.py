@@ -1,4 +1,4 @@
-"""What is measured: one record for ours and for peers alike."""
+"""Solvers that are measured: one record for ours and for peers alike."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

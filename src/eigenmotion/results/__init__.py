@@ -1,1 +1,1 @@
-"""What a run found: the solution, and what follows from its rows."""
+"""Results of a run: the solution, and quantities that follow from its rows."""

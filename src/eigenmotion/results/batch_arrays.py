@@ -1,4 +1,4 @@
-"""What came of the members of an ensemble, as arrays; and the room for all that parts fill."""
+"""Results of the members of an ensemble, as arrays; and the memory that parts of it fill."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""How runs change with what they are given."""
+"""Sensitivities of runs."""
 
 from typing import NamedTuple
 

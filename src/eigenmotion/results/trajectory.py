@@ -1,4 +1,4 @@
-"""What follows from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
+"""Quantities that follow from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
 
 from collections.abc import Callable
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""How large the error of a run is: the difference to a second, more accurate one.
+"""Error estimate of a run: the difference to a second, more accurate one.
 
 With errors e and e' of the two runs the difference lies between |e| - |e'| and |e| + |e'|. The second run asks for a
 hundredth of the tolerances, where that is above rounding, and so its error is a few hundredths of the first one's: the

@@ -1,4 +1,4 @@
-"""Which method a run takes that leaves the choice to us: method="auto".
+"""Selection of a method for a run with method="auto".
 
 As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, benchmarks/ensemble.py, docs/theory.md).
 """

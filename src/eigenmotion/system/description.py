@@ -1,4 +1,4 @@
-"""What a compiled model says of itself."""
+"""Description of a compiled model."""
 
 from ..arguments.named_values import Vector
 from ..runtime import CompiledModel

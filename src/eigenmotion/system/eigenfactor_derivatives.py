@@ -1,4 +1,4 @@
-"""How the eigenfactors and eta change with the coordinates: (23), (24), the route of the paper's reference 5."""
+"""Derivatives of the eigenfactors and eta by the coordinates: (23), (24), the route of the paper's reference 5."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What has to vanish where a mechanism stays, and how that is solved."""
+"""The equations of an equilibrium, and their solution."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING

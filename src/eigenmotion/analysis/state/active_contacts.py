@@ -1,4 +1,4 @@
-"""Which contacts and frictions hold at a state: its mode, and the surfaces it is on."""
+"""The active contacts and frictions of a state: its mode, and the surfaces it is on."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

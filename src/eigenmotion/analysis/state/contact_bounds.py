@@ -1,4 +1,4 @@
-"""How far what holds at a state is from its bounds, and where modes meet."""
+"""Distances of a state's contacts and frictions from their bounds, and states where modes meet."""
 
 from collections.abc import Iterator
 from functools import cached_property

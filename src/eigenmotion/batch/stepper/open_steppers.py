@@ -1,4 +1,4 @@
-"""How many steppers of one system are opened: `System.steppers`."""
+"""Opening of many steppers of one system: `System.steppers`."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Never

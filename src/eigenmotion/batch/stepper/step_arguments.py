@@ -1,4 +1,4 @@
-"""What steppers are told on their way: for K members, which are there already."""
+"""Arguments of steppers that are open already, for K members."""
 
 from collections.abc import Mapping
 from typing import Any

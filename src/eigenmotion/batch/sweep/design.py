@@ -1,4 +1,4 @@
-"""Which values the members of a sweep have: every point of a grid with every one of n samples.
+"""Design of a sweep: every point of a grid with every one of n samples.
 
 A member's values follow from its number alone, so that any part of a sweep can be made anew, in any order.
 """

@@ -1,4 +1,4 @@
-"""What a compiled model says at many places; NaN where it declines to answer."""
+"""Values of a compiled model at many places; NaN where it declines to answer."""
 
 from __future__ import annotations
 

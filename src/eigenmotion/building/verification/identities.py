@@ -1,4 +1,4 @@
-"""What must hold between a compiled model's answers and the user's expressions: sums of terms that vanish."""
+"""Identities between a compiled model's answers and the user's expressions: sums of terms that vanish."""
 
 from __future__ import annotations
 

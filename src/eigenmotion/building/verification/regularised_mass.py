@@ -1,4 +1,4 @@
-"""What is factored where M is singular: M + A^T W A, with weights that the compiled model chose."""
+"""The matrix that is factored where M is singular: M + A^T W A, with weights that the compiled model chose."""
 
 from __future__ import annotations
 

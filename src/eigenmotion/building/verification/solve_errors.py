@@ -1,4 +1,4 @@
-"""What the compiled model's solves are off by: from the terms they add up and the condition of their matrices."""
+"""Error bounds of the compiled model's solves: from the terms they add up and the condition of their matrices."""
 
 from __future__ import annotations
 

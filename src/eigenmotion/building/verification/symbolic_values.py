@@ -1,4 +1,4 @@
-"""What the user's own expressions say at many places, in hyper-dual numbers."""
+"""Values of the user's own expressions at many places, in hyper-dual numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a build is looked at: states, times, inputs and parameters."""
+"""Test points of a build: states, times, inputs and parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether a compiled model is the model: its answers at random places against the user's own expressions."""
+"""The proof of a build: a compiled model's answers at random places against the user's own expressions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a run came to, in a few lines of text."""
+"""Summary of a run, in a few lines of text."""
 
 from typing import TYPE_CHECKING
 

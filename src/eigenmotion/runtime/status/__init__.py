@@ -1,1 +1,1 @@
-"""How calls and runs end, in words."""
+"""Ends of calls and runs, in words."""

@@ -1,4 +1,4 @@
-"""What a compiled model refused, by its own names."""
+"""Refusals of a compiled model, with its own names."""
 
 from typing import Any
 

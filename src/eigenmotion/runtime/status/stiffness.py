@@ -1,4 +1,4 @@
-"""What kept steps short, in words."""
+"""Reasons for short steps, in words."""
 
 _MANY_STEPS = 1000  # below, nobody waits for them
 

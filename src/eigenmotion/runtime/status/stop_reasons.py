@@ -1,4 +1,4 @@
-"""How a call or a run ended, and what to do about it, in words."""
+"""Reasons why calls and runs end, and their remedies, in words."""
 
 from collections.abc import Sequence
 from enum import IntEnum, StrEnum

@@ -1,4 +1,4 @@
-"""Whether a mechanism can start where it is told to."""
+"""Consistency of an initial state."""
 
 from enum import IntEnum
 from itertools import combinations

@@ -1,4 +1,4 @@
-"""Where a run goes on that another ended, or that somebody has the state of."""
+"""Restart of a run from the end of another, or from a given state."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What a run went through, in order: its rows, and its events, with the states before and after those that act."""
+"""The path of a run, in order: its rows, and its events with the states before and after those that act."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""How a motion changes with parameters, inputs and its start."""
+"""Sensitivities of a motion to parameters, inputs and its start."""
 
 from functools import lru_cache
 from typing import NamedTuple

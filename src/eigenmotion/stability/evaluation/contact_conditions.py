@@ -1,4 +1,4 @@
-"""Whether contacts and frictions did what they may at every accepted step of a run.
+"""Conditions of contacts and frictions, checked at every accepted step of a run.
 
 No held contact pulls, no closed gap accelerates inwards or is negative, no sticking friction exceeds its limit, none
 slides the wrong way or slips as it sticks. Read off the run's own modes, multipliers and the outputs of `watched`.

@@ -1,4 +1,4 @@
-"""What `conditions` reads of contacts and frictions, as outputs of the model that has them."""
+"""Outputs of a model with contacts and frictions that `conditions` reads."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What a run shows of its own errors, each relative to the terms that cancel in it."""
+"""Error indicators of a run, each relative to the terms that cancel in it."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What becomes of a run, and when it counts as right, degraded, refused or wrong."""
+"""The outcome of a run: right, degraded, refused or wrong."""
 
 from dataclasses import dataclass
 from enum import StrEnum

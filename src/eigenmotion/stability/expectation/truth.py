@@ -1,4 +1,4 @@
-"""What a run is compared with: closed forms, or independent integration in extended precision."""
+"""References for a run: closed forms, or independent integration in extended precision."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What the page shows of the matrix."""
+"""The page of the matrix."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

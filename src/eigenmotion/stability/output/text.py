@@ -1,4 +1,4 @@
-"""What the matrix says, in words."""
+"""The matrix in words."""
 
 from collections import Counter
 
