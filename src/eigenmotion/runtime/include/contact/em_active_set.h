@@ -118,8 +118,8 @@ EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const d
     return 0;
 }
 
-/* em_model.acceleration: the multipliers of idle frictions are their forces, as if their rows held, so that modes do
- * not show. */
+/* em_model.acceleration: the multipliers of idle frictions are their forces, as if their rows held, so that results
+ * contain them in every mode. */
 EM_EXPORT int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, em_fault *fault) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];

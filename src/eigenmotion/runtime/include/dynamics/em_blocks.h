@@ -137,7 +137,7 @@ EM_INLINE int em_keep_root(const em_block *b, const double *M, double *memory, e
 }
 
 /* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 eta belongs to the root that is
- * stored in memory. If Omega was extrapolated (`continued`), C^T S eta is continuous, and not C^T S^-1 eta. */
+ * stored in memory. If Omega was extrapolated (`continued`), C^T S eta is the known quantity, and not C^T S^-1 eta. */
 EM_INLINE int em_settle_factors(const em_block *b, int mode, int continued, const double *M, double *y, double *memory,
                                 em_fault *fault) {
     double eta[b->size];

@@ -119,8 +119,8 @@ static int em_comes_out(const em_model *model, int event, double t, const double
 }
 
 /* The event of the contact or impact that x is inside of; -1: none. The gap may be as far off as the constraints
- * may, that is, by the change that the allowed changes of x make. With rtol 0, which no run has, this is not
- * checked. */
+ * may, that is, by the change that the allowed changes of x make. With rtol 0 the state is not a start, and this is
+ * not checked. */
 static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
                              double rtol, const double *atol) {
     if (!em_keeps_anything_apart(model) || rtol == 0.0) return -1;

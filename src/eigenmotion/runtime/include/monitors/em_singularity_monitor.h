@@ -120,7 +120,8 @@ EM_NOINLINE int em_measure_pivots_across(em_run_state *w) {
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
-/* At a start near a singularity the first step sets the scale for short steps. */
+/* Determines whether the start is near a singularity. If so every step is checked, because the first step is then
+ * short and gives no scale. */
 static void em_begin_singularity_monitor(em_run_state *w) {
     const double rate = sqrt(em_weighted_squares(w->n, w->K[0], w->weight));
     double ahead[w->n], behind[w->n], pivots[w->n], diagonal[w->n];

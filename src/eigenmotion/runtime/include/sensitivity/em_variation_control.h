@@ -10,7 +10,7 @@
 #define EM_MENDS 4     /* iterations of Newton's method for a step's own motion */
 #define EM_JUMP_TOLERANCES 100.0 /* in tolerances: apparent jumps of the accelerations of a smooth motion */
 
-#define EM_CRAWLS 1e7  /* more remaining steps than this are given up */
+#define EM_CRAWLS 1e7  /* progress: a span that needs more steps than this of the current length is given up */
 
 enum { EM_MOST_LEAST = 200 /* successive steps of the smallest length */, EM_MOST_CRAWLING = 10000 };
 

@@ -8,7 +8,7 @@
 #include "numeric/em_elimination.h"
 #include "stepper/em_signals.h"
 
-#define EM_UNIFORM 1e-9 /* accelerations that change by less than this part within a step are constant to rounding */
+#define EM_UNIFORM 1e-9 /* a jump of accelerations that is smaller than this part of them is rounding */
 
 /* Reasons for the end of a pass, apart from faults of the model. */
 enum {
@@ -63,8 +63,8 @@ typedef struct em_pass {
     double inside[2], h;               /* h: the length of the next step that follows from the last one */
     size_t row;
     double longest;                         /* of the accepted steps */
-    int n_least, n_crawling, n_again, mended; /* n_again: rejected since the last change of length; mended: the step
-                                                 has its own motion */
+    int n_least, n_crawling, n_again, mended; /* n_again: rejected since a step of about the longest length; mended:
+                                                 the step has its own motion */
     em_pile *pile;
     long *piece;
 } em_pass;

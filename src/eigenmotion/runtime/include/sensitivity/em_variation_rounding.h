@@ -15,8 +15,8 @@
 #define EM_ROUNDINGS 32.0 /* multiple of the rounding that a single evaluation shows */
 #define EM_HELD_BACK (8.0 * DBL_EPSILON) /* relative to the terms that cancel */
 
-/* How often steps may be shortened as much as their error requires without a smaller error: an error that decreases
- * with the length would be smaller. */
+/* Rejected steps after which the remaining error may be rounding: each was as short as the error of the one before
+ * required, and an error that decreases with the length would have become smaller. */
 enum { EM_AGAIN = 2 };
 
 /* T (n, columns) <- the sum of the absolute values of the terms of K. */
