@@ -22,7 +22,7 @@
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
 #define EM_VANISHED 1e-26 /* a row of B whose square, relative to the longest, is below this counts as zero */
-#define EM_SMALL_PIVOT 1e-4 /* below this part of the terms of its row, another pivot is searched for */
+#define EM_SMALL_PIVOT 1e-4 /* below this part of the original diagonal entry, another pivot is searched for */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry has fewer than three correct digits */
 
 EM_COLD_PATH EM_NOINLINE int em_fail(em_fault *fault, em_status status, int first, int second, double size) {

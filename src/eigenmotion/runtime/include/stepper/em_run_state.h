@@ -28,21 +28,22 @@ enum { EM_FIRST_SEGMENT = 1, EM_NEXT_SEGMENT }; /* segments of a run, between ev
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and its
  * interpolant. The meaning of the rows of F is up to the method. */
 typedef struct em_scheme {
-    int error_order;                /* the error that controls the step size is O(h^(error_order + 1)) */
-    double present, past;           /* gains of the PI controller: of the error of this step, and of the one before */
-    double growth;                  /* the largest ratio of a step to the one before */
-    int terms;                      /* rows of its interpolant */
-    int fixed;                      /* whether steps have the size that the caller sets, whatever their error, and
-                                       are attempted once */
+    int error_order;                     /* the error that controls the step size is O(h^(error_order + 1)) */
+    double present, past;                /* gains of the PI controller: of the error of this step, and of the one
+                                            before */
+    double growth;                       /* the largest ratio of a step to the one before */
+    int terms;                           /* rows of its interpolant */
+    int fixed;                           /* whether steps have the size that the caller sets, whatever their error,
+                                            and are attempted once */
     int (*step)(em_run_state *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
     int (*judge)(em_run_state *w);       /* with f_new known: whether stiffness limits the step; also error_norm,
                                             size_norm if a step alone does not give them; or NULL */
     int (*interpolate)(em_run_state *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
     int (*sketch)(em_run_state *w);      /* F as far as the stages alone give it; its terms, or -1: not available */
     void (*evaluate)(int n_state, const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
-    int mode;                       /* its mode at the start: 0, or EM_MOTION, which does not change */
-    int averages;                   /* whether steps cross the samples of linear signals */
-    const em_radau_iia *radau_iia;  /* coefficients of an implicit method, else NULL */
+    int mode;                            /* its mode at the start: 0, or EM_MOTION, which does not change */
+    int averages;                        /* whether steps cross the samples of linear signals */
+    const em_radau_iia *radau_iia;       /* coefficients of an implicit method, else NULL */
     void (*within)(em_run_state *w);     /* recomputes error_norm, size_norm if a state within the step is requested;
                                             or NULL */
 } em_scheme;
