@@ -31,22 +31,10 @@ def modules() -> dict[str, Path]:
     return found
 
 
-def is_for_types(node: ast.AST) -> bool:
-    return isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
-
-
-def walked(node: ast.AST, types: bool) -> Iterator[ast.AST]:
-    """Everything in a file; with `types` also what only a type checker reads."""
-    for child in ast.iter_child_nodes(node):
-        if types or not is_for_types(child):
-            yield child
-            yield from walked(child, types)
-
-
-def imports(module: str, file: Path, types: bool = True) -> Iterator[str]:
-    """Absolute names of what a file imports, anywhere in it."""
+def imports(module: str, file: Path) -> Iterator[str]:
+    """Absolute names of what a file imports, anywhere in it, and for a type checker alone, too."""
     package = module if file.stem == "__init__" else module.rpartition(".")[0]
-    for node in walked(ast.parse(file.read_text(encoding="utf-8")), types):
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -110,27 +98,44 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "runtime": ("runtime.status",),
     "arguments": ("codegen.model.normalise", "runtime"),
     "presentation": ("codegen.model", "files"),
+    "compiled": (
+        "codegen.model.normalise",
+        "codegen.model.check",
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "presentation",
+    ),
     "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "arguments", "presentation"),
     "results": ("codegen.model.normalise", "runtime", "arguments", "presentation", "results.pictures"),
-    "results.output": ("files", "arguments", "presentation", "results.pictures", "results"),
-    "simulation.initial_state": ("codegen.model.normalise", "codegen.model", "runtime", "arguments", "results"),
+    "results.output": ("files", "arguments", "presentation", "compiled", "results.pictures", "results"),
+    "simulation.initial_state": (
+        "codegen.model.normalise",
+        "codegen.model",
+        "runtime",
+        "arguments",
+        "compiled",
+        "results",
+    ),
     "simulation.sensitivity": ("codegen.model.normalise", "runtime", "arguments", "results"),
     "simulation": (
         "codegen.model.normalise",
         "codegen.model",
         "runtime",
         "arguments",
+        "compiled",
         "results",
         "simulation.initial_state",
         "simulation.sensitivity",
     ),
     "analysis": (),
-    "analysis.state": ("codegen.model.normalise", "runtime", "arguments", "simulation.initial_state"),
+    "analysis.state": ("codegen.model.normalise", "runtime", "arguments", "compiled", "simulation.initial_state"),
     "analysis.linear": (
         "codegen.model",
         "runtime",
         "arguments",
         "presentation",
+        "compiled",
         "simulation.initial_state",
         "analysis.state",
     ),
@@ -140,7 +145,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "runtime",
         "arguments",
         "presentation",
-        "simulation.initial_state",
+        "compiled",
         "analysis.state",
         "analysis.linear",
     ),
@@ -150,6 +155,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "progress",
         "runtime",
         "arguments",
+        "compiled",
         "results",
         "simulation.initial_state",
         "simulation.sensitivity",
@@ -161,21 +167,12 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "cores",
         "runtime",
         "arguments",
+        "compiled",
         "simulation.initial_state",
         "simulation",
         "batch",
     ),
-    "system": (
-        "codegen.model.normalise",
-        "codegen.model.check",
-        "runtime",
-        "arguments",
-        "presentation",
-        "simulation.initial_state",
-        "simulation",
-        "analysis.linear",
-        "batch.stepper",
-    ),
+    "system": ("compiled", "simulation", "analysis.linear", "batch.stepper"),
     "building.errors": ("codegen.model",),
     "building.verification": (
         "codegen.model.normalise",
@@ -194,13 +191,14 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "cores",
         "files",
         "garbage",
+        "runtime",
         "arguments",
         "system",
         "building.errors",
         "building.verification",
     ),
     "reference": ("codegen.model.symbolic", "arguments"),
-    "fmu": ("codegen.model.normalise", "files", "arguments", "building"),
+    "fmu": ("codegen.model.normalise", "files", "arguments", "system", "building"),
     "webpage": (
         "codegen.model.normalise",
         "codegen.model.symbolic",
@@ -293,7 +291,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "cli",
     ),
 }
-"""What each room may import while the program runs, itself apart, and only from above.
+"""What each room may import, itself apart, and only from above.
 
 "" is the package's own names, loaded when used.
 """
@@ -344,9 +342,9 @@ def test_runtime_extensions_import_nothing_of_ours_but_each_other():
         assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
 
 
-def running_imports(module: str) -> set[str]:
+def imported(module: str) -> set[str]:
     """The modules of ours that one imports, packages only where no module of theirs is meant."""
-    named = [name for name in imports(module, MODULES[module], types=False) if name in MODULES]
+    named = [name for name in imports(module, MODULES[module]) if name in MODULES]
     return {name for name in named if not any(other.startswith(f"{name}.") for other in named)} - {module}
 
 
@@ -359,7 +357,7 @@ def room_of(module: str) -> str:
 
 def test_modules_import_each_other_in_no_circle():
     try:
-        list(TopologicalSorter({module: running_imports(module) for module in MODULES}).static_order())
+        list(TopologicalSorter({module: imported(module) for module in MODULES}).static_order())
     except CycleError as error:
         pytest.fail(" -> ".join(error.args[1]))
 
@@ -367,7 +365,7 @@ def test_modules_import_each_other_in_no_circle():
 @pytest.mark.parametrize("room", ROOMS)
 def test_a_room_imports_what_it_may(room):
     used = {room_of(name): f"{module} imports {name}" for module in MODULES if room_of(module) == room
-            for name in running_imports(module)}  # fmt: skip
+            for name in imported(module)}  # fmt: skip
     assert not [words for other, words in used.items() if other not in (room, *ROOMS[room])]
     assert set(ROOMS[room]) <= set(used), "a room that may be imported is"
 

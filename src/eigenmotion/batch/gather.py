@@ -1,7 +1,7 @@
 """Arguments of an ensemble, broadcast to K members."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -9,10 +9,8 @@ from ..arguments.members import Column, Members
 from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
 from ..arguments.signals import Inputs, Signal, as_signal, check_samples
 from ..codegen.model.normalise import ModelError, shown
+from ..compiled.compiled_system import CompiledSystem
 from ..runtime import CompiledModel, EvaluationError, Prepared
-
-if TYPE_CHECKING:
-    from ..system.system import System
 
 Table = dict[str, Vector] | Vector
 
@@ -90,7 +88,7 @@ def _filled(table: Table, names: Sequence[str], defaults: Vector) -> Vector:
     return rows
 
 
-def gather(system: "System", t: float, x0: Any, v0: Any, parameters: Any, inputs: Any) -> Members:
+def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, inputs: Any) -> Members:
     """Return the members that start at t: mappings name -> number or (K,) array, arrays (n,) or (K, n).
 
     Raises
@@ -132,7 +130,7 @@ def _check_shared(c: CompiledModel, given: Table) -> None:
         c.check_parameters(given[0])
 
 
-def _rates(system: "System", v0: Any) -> bool:
+def _rates(system: CompiledSystem, v0: Any) -> bool:
     """Whether v0 are rates, which take no look at the position."""
     if system.compiled.initial_y is None and not isinstance(v0, Mapping):
         return True
@@ -148,7 +146,7 @@ def _columns(found: _Given, v0: Any) -> dict[str, Vector]:
 
 
 def _by_member(
-    system: "System", t: float, count: int, P: Vector, X: Vector, v0: dict[str, Vector], reasons: dict[int, str]
+    system: CompiledSystem, t: float, count: int, P: Vector, X: Vector, v0: dict[str, Vector], reasons: dict[int, str]
 ) -> Vector:
     """Return rates (K, n) from quasi-velocities, which are of P(x, t); members without any are refused."""
     V = np.zeros((count, system.n))
@@ -175,7 +173,7 @@ def _check_finite(reasons: dict[int, str], count: int, *tables: tuple[Sequence[s
                 reasons |= dict.fromkeys(range(count), reasons[k])
 
 
-def _signals(system: "System", inputs: Any, found: _Given) -> tuple[Column, ...]:
+def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column, ...]:
     names, defaults = system.compiled.inputs, system.compiled.input_defaults
     if inputs is None:
         return tuple(defaults.tolist())

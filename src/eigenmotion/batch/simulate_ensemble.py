@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import nullcontext
-from typing import TYPE_CHECKING, Any, Never
+from typing import Any, Never
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +14,7 @@ from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
+from ..compiled.compiled_system import CompiledSystem
 from ..cores import cores
 from ..progress import counted
 from ..results.ensemble import Ensemble
@@ -25,9 +26,6 @@ from .executors import in_executor
 from .gather import gather
 from .threads import in_threads
 
-if TYPE_CHECKING:
-    from ..system.system import System
-
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "t_eval", "method", "rtol", "atol", "first_step", "max_step", "max_steps"),
     *("stabilisation", "dependent_constraints", "workers", "executor", "progress"),
@@ -36,7 +34,7 @@ _OPTIONS = (
 
 
 def simulate_ensemble(
-    system: "System",
+    system: CompiledSystem,
     t_span: tuple[float, float],
     *positional: Never,
     x0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
@@ -130,7 +128,7 @@ def simulate_ensemble(
         return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
 
 
-def chosen_method(system: "System", method: object, rtol: float, least_norm: int = 0) -> Method:
+def chosen_method(system: CompiledSystem, method: object, rtol: float, least_norm: int = 0) -> Method:
     """Return the method of that name; of "auto" the one that ensembles take on this machine."""
     name = method_of(method, NAMES)
     return (
@@ -140,13 +138,13 @@ def chosen_method(system: "System", method: object, rtol: float, least_norm: int
     )
 
 
-def _differentiated(system: "System", given: Any, v0: Any) -> Differentiated | None:
+def _differentiated(system: CompiledSystem, given: Any, v0: Any) -> Differentiated | None:
     if given is None:
         return None
     return differentiated(system.compiled, given, v0)
 
 
-def _check_constant(system: "System", asked: Asked, members: Members) -> None:
+def _check_constant(system: CompiledSystem, asked: Asked, members: Members) -> None:
     """Refuse to differentiate by inputs that are sampled."""
     names = asked.differentiated.names if asked.differentiated else ()
     for name, column in zip(system.inputs, members.signals, strict=True):
@@ -174,7 +172,7 @@ def _executor(executor: Any, workers: object) -> Executor:
     return executor  # type: ignore[no-any-return]
 
 
-def _check_signals(system: "System", members: Members, start: float, end: float) -> None:
+def _check_signals(system: CompiledSystem, members: Members, start: float, end: float) -> None:
     """Refuse signals that do not cover the span: for all members, or the one whose it is."""
     for name, column in zip(system.inputs, members.signals, strict=True):
         for k, signal in enumerate(column if isinstance(column, list) else [column]):

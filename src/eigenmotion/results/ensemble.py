@@ -15,7 +15,7 @@ from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .batch_arrays import REASONS, Found, nothing
-from .dataset import dataset
+from .columns import columns
 from .multiplier_uniqueness import shared
 from .sensitivity import Sensitivity
 from .solution import Solution
@@ -297,4 +297,25 @@ class Ensemble:
             raise ModelError("to_xarray needs xarray: pip install 'eigenmotion[xarray]'")
         import xarray  # noqa: PLC0415, an optional package
 
-        return xarray.Dataset(*dataset(self), attrs={"model": self._model.name, "formulation": self._model.formulation})
+        return xarray.Dataset(
+            *_dataset(self), attrs={"model": self._model.name, "formulation": self._model.formulation}
+        )
+
+
+def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what xarray takes: data variables and coordinates, each (dimensions, values)."""
+    along = ("run", "coordinate", "time")
+    data: dict[str, Any] = {
+        "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy),
+        "t_end": ("run", runs.t_end), "success": ("run", runs.success), "nfev": ("run", runs.nfev),
+        "stop": ("run", np.array([str(reason) for reason in runs.stop], dtype=np.str_)),
+    }  # fmt: skip
+    model = runs._model
+    if model.m:
+        data["multipliers"] = (("run", "row", "time"), runs.multipliers)
+    places: dict[str, Any] = {"time": runs.t, "coordinate": np.array(model.coordinates), "run": np.arange(len(runs))}
+    users = [*(("output", name) for name in runs.outputs), *(("swept", name) for name in runs.swept)]
+    names = iter(columns({*data, *places, "row"}, users))
+    data |= {name: (("run", "time"), values) for values, name in zip(runs.outputs.values(), names, strict=False)}
+    places |= {name: ("run", values) for values, name in zip(runs.swept.values(), names, strict=True)}
+    return data, places

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, Never
+from typing import Any, Never
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.named_values import Vector, unknown
 from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
+from ..compiled.compiled_system import CompiledSystem
 from ..results.multiplier_uniqueness import with_shared
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
@@ -22,9 +23,6 @@ from .initial_state.consistency import check_direction, start_state
 from .initial_state.restart import given_start
 from .method_selection import automatic_of_run
 from .sensitivity.sensitivities import directions, sensitivity
-
-if TYPE_CHECKING:
-    from ..system.system import System
 
 NAMES = {name: name for name in (*METHODS, AUTO)}
 STABILISATIONS = {"project": True, "none": False}
@@ -36,7 +34,7 @@ _OPTIONS = (
 
 
 def simulate(
-    system: "System",
+    system: CompiledSystem,
     t_span: tuple[float, float],
     *positional: Never,
     x0: Mapping[Any, float] | ArrayLike | None = None,
@@ -54,7 +52,7 @@ def simulate(
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
     dependent_constraints: str = "auto",
-    estimate_error: "bool | System" = False,
+    estimate_error: bool | CompiledSystem = False,
     sensitivities: Sequence[Any] | None = None,
     **misspelt: Any,
 ) -> Solution:
@@ -138,7 +136,7 @@ def simulate(
     return _answered(task, named, v0, estimate_error, sensitivities)
 
 
-def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any) -> Solution:
+def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem, sensitivities: Any) -> Solution:
     """Run a task by the method of that name, with what was asked about its motion."""
     task, shared = _shared(task) if task.least_norm else (task, ())
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
@@ -175,8 +173,8 @@ def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
 
 
 def _checked(
-    system: "System", t_span: Any, x0: Any, v0: Any, given: Any, parameters: Any, inputs: Any, rtol: Any, atol: Any,
-    t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
+    system: CompiledSystem, t_span: Any, x0: Any, v0: Any, given: Any, parameters: Any, inputs: Any, rtol: Any,
+    atol: Any, t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
     dependent_constraints: Any,
 ) -> Task:  # fmt: skip
     """Return the task, of all that means one; what does not is refused by its name."""
@@ -195,7 +193,7 @@ def _checked(
 
 
 def _begin(
-    system: "System", prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
+    system: CompiledSystem, prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
 ) -> Vector:
     """Return y (n_state,) to start from: at x0, v0, or where another run ended."""
     if given is None:
@@ -253,14 +251,14 @@ def _check_sampled(task: Task, estimate_error: Any) -> None:
         )
 
 
-def _prepared(system: "System", parameters: Any) -> Any:
+def _prepared(system: CompiledSystem, parameters: Any) -> Any:
     try:
         return system.prepare(parameters)
     except EvaluationError as error:
         raise ModelError(str(error)) from error
 
 
-def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
+def _inputs(system: CompiledSystem, given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
     bound = system.bind(given)
     if (gap := bound.uncovered(start, end)) is not None:
         name = tuple(system.inputs)[gap[0]]

@@ -1,7 +1,7 @@
 """A mechanism step by step, for whoever decides on the way: `System.stepper`."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Never
+from typing import Any, Never
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,12 +11,10 @@ from ..arguments.methods import FIXED, STEPPED, method_of
 from ..arguments.named_values import Vector, unknown
 from ..arguments.options import OptionError, Task, choice
 from ..codegen.model.normalise import ModelError, number, real
+from ..compiled.compiled_system import CompiledSystem
 from ..runtime import Steps
 from .initial_state.consistency import start_state
 from .initial_state.restart import given_start
-
-if TYPE_CHECKING:
-    from ..system.system import System
 
 METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items()}
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "method", "step", "max_step", "max_steps",
@@ -120,7 +118,7 @@ class Stepper(Steps):
 
 
 def stepper(
-    system: "System",
+    system: CompiledSystem,
     *positional: Never,
     t: float | None = None,
     x0: Mapping[Any, float] | ArrayLike | None = None,
@@ -202,7 +200,7 @@ def fixed_step(method: str, step: float | None) -> float:
 
 
 def _start(
-    system: "System", prepared: Any, t: Any, x0: Any, v0: Any, start: Any, rtol: float, atol: Vector
+    system: CompiledSystem, prepared: Any, t: Any, x0: Any, v0: Any, start: Any, rtol: float, atol: Vector
 ) -> tuple[float, Vector]:
     """Return the time and the state (n_state,) to start from."""
     if start is not None:

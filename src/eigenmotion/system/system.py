@@ -1,38 +1,21 @@
-"""One compiled model, in Python's terms."""
+"""One compiled model: its functions, and what is done with it."""
 
-from collections.abc import Mapping
 from functools import partial
 from importlib import import_module
-from typing import Any, TypeAlias
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import Any
 
 from ..analysis.linear.linearize import linearize
-from ..arguments.named_values import Vector, is_named, overlay, vector
-from ..arguments.options import least_norm_of
-from ..arguments.signals import Inputs, Signal, bind, check_samples
 from ..batch.stepper.open_steppers import steppers
-from ..codegen.model.normalise import ModelError, number, real
-from ..presentation.notebook import table
-from ..runtime import CompiledModel, Prepared, plain
-from ..simulation.initial_state.projection import ConsistentState, Projection
+from ..compiled.compiled_system import CompiledSystem
 from ..simulation.simulate import simulate
 from ..simulation.stepper import stepper
-from .description import Description
-from .eigenfactor_derivatives import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
-from .rhs_derivatives import jacobian, ours, rhs_parameter_jacobian
-from .velocities import initial_rates
-
-Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
-Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
 
 
 def _of_module(name: str) -> Any:
     return import_module(name).system
 
 
-class System(Description):
+class System(CompiledSystem):
     """The functions of one compiled model. Immutable; threads may share it.
 
     Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`, v0 also of
@@ -58,234 +41,14 @@ class System(Description):
     array([ 0.      , -9.785426])
     """
 
-    __slots__ = ("_defaults", "_inputs")
+    __slots__ = ()
 
     def __init__(self, capsule: object, module: str | None = None) -> None:
-        super().__init__(CompiledModel(capsule))
-        self._compiled.recipe = partial(_of_module, module) if module else None
-        self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
-        self._inputs = bind({}, self._compiled.inputs, self._compiled.input_defaults)
-
-    def __repr__(self) -> str:
-        c = self._compiled
-        return f"<System {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
-
-    def _repr_html_(self) -> str:
-        state = [f"{name}: y[{part.start}:{part.stop}]" for name, part in self.layout.items()]
-        blocks = ["{" + ", ".join(self.coordinates[k] for k in block) + "}" for block in self.blocks]
-        parameters = [f"{name} = {value:g}" for name, value in self.parameters.items()]
-        return table(
-            f"{self.name}: {self.n} coordinates, {self.m} constraint rows ({self.h} holonomic), {self.formulation}",
-            {"state": state, "blocks of M": blocks, "parameters": parameters, "left out": self.left_out or "nothing"},
-        )
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle as the model and its options: built, or found in the cache, where it is loaded."""
-        self._compiled.__reduce__()  # says why where there is no way
-        return self._compiled.recipe, ()
-
-    def prepare(self, parameters: Parameters = None) -> Prepared:
-        """Return the constants of a parameter set, to be passed as `parameters` in its place.
-
-        Raises
-        ------
-        EvaluationError
-            A block of M that no state changes is not positive definite; or a value is none of those that its symbol was
-            declared to have (positive, integer, ...), names both.
-        """
-        if parameters is None:
-            return self._defaults
-        if isinstance(parameters, Prepared):
-            if parameters.model is not self._compiled:
-                raise ModelError(f"parameters were prepared for {parameters.model.name}, another compiled model")
-            return parameters
-        values = overlay(parameters, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
-        return self._compiled.prepare(values)
-
-    def state(
-        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
-    ) -> Vector:
-        """Return y (n_state,) of the published equations at x0, v0.
-
-        Raises
-        ------
-        EvaluationError
-            M is not positive definite at x0; names the coordinate.
-        """
-        c, t = self.prepare(parameters), number(t, "t")
-        return self._compiled.state(t, *self.start(x0, v0, t, c), c)
-
-    def start(
-        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
-    ) -> tuple[Vector, Vector]:
-        """Return x (n,), v (n,): what is given, over the model's `initial`.
-
-        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
-        """
-        c, t = self._compiled, number(t, "t")
-        if x0 is None and v0 is None and c.initial_y is None:
-            return self.initial
-        x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
-        return x, initial_rates(c, self.prepare(parameters), t, x, v0)
-
-    def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
-        """Return the inputs of a run: what is given, over the defaults."""
-        if inputs is None:
-            return self._inputs
-        bound = bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
-        check_samples(self._compiled, bound)
-        return bound
-
-    def rhs(
-        self,
-        t: float,
-        y: ArrayLike,
-        parameters: Parameters = None,
-        inputs: Mapping[Any, Any] | ArrayLike | None = None,
-        out: Vector | None = None,
-    ) -> Vector:
-        """Return dy/dt (n_state,), equations (20), (30), (35), (46): `fun` of `scipy.integrate.solve_ivp`.
-
-        Parameters
-        ----------
-        y
-            (n_state,) any stride; never written.
-        inputs
-            As everywhere, or an array in the order of `System.inputs`.
-        out
-            Where to write; returned.
-
-        Raises
-        ------
-        EvaluationError
-            M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
-        """
-        c = self._defaults if parameters is None else self.prepare(parameters)
-        u = None if inputs is None else self.signals(inputs, t)
-        try:
-            return self._compiled.rhs(t, y, c, u, out)
-        except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
-            self._place(t, y)
-            raise ours(error) from error
-
-    def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
-        """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
-        if is_named(inputs) and any(isinstance(u, tuple | list | Signal) for _, u in inputs.items()):
-            return self.bind(inputs).at(t)
-        u = overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
-        self._compiled.check_inputs(u)
-        return u
-
-    def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
-        """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
-        if (found := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
-            return found
-        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
-
-    def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
-        """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
-
-    def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
-        """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
-
-        Raises
-        ------
-        EvaluationError
-            Eigenvalues of one block coincide: C has no derivative there.
-        """
-        prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
-        (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
-        return eigenfactor_gradient(c.factored_gradient(t, x, prepared), C, s, c.scales, self.blocks)
-
-    def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
-        """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
-        x, v = self.start(x, v, t, parameters)
-        gradient = self.eigenfactor_gradient(x, t, parameters)
-        eta = gradient.s * (gradient.C @ (v / self._compiled.scales))
-        return eta_sensitivity(gradient, eta)
-
-    def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
-        """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
-        return self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
-
-    def acceleration(
-        self,
-        x: ArrayLike,
-        v: ArrayLike,
-        t: float = 0.0,
-        parameters: Parameters = None,
-        inputs: Mapping[Any, Any] | ArrayLike | None = None,
-        *,
-        dependent_constraints: str = "auto",
-    ) -> tuple[Vector, Vector]:
-        """Return d2x/dt2 (n,) and multipliers (m,); the constraints push with -A^T lambda (7).
-
-        Raises
-        ------
-        EvaluationError
-            M is singular, or constraint rows depend on each other, here only or with "refuse".
-        """
-        least_norm = least_norm_of(dependent_constraints)
-        found = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
-        if found is not None:
-            return found
-        c, t = self.prepare(parameters), number(t, "t")
-        position, rates = self.start(x, v, t, c)
-        least_norm = self._compiled.shares(t, position, c, least_norm)
-        return self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
-
-    def project_initial_state(
-        self,
-        x0: Coordinates = None,
-        v0: Coordinates = None,
-        t: float = 0.0,
-        parameters: Parameters = None,
-        *,
-        dependent_constraints: str = "auto",
-    ) -> ConsistentState:
-        """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
-
-        The pair carries how far it moved: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
-
-        Raises
-        ------
-        EvaluationError
-            Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
-        """
-        c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.start(x0, v0, t, c)
-        shares = self._compiled.shares(t, x, c, least_norm_of(dependent_constraints))
-        return Projection(self._compiled, c, t, shares)(x, v)
-
-    def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
-        """Return T + V [J]."""
-        T2, T1, T0, V = self._energies(x, v, t, parameters)
-        return T2 + T1 + T0 + V
-
-    def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
-        """Return T2 - T0 + V [J], conserved where nothing depends on time and no force does work."""
-        T2, _, T0, V = self._energies(x, v, t, parameters)
-        return T2 - T0 + V
-
-    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> tuple[float, ...]:
-        found = plain.energies(self._compiled, self._defaults, x, v, t, parameters)
-        if found is not None:
-            return found
-        c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.start(x, v, t, c)
-        return tuple(self._compiled.energy_rows(np.array([t]), x[None], v[None], c)[0].tolist())
-
-    def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
-        """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""
-        return real(t, "t"), vector(y, "y")
-
-    def _x(self, x: Coordinates) -> Vector:
-        return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
+        super().__init__(capsule)
+        if module:
+            self._compiled.recipe = partial(_of_module, module)
 
     simulate = simulate  # functions as methods, with their options
     stepper = stepper
     steppers = steppers
     linearize = linearize
-    jacobian = jacobian
-    rhs_parameter_jacobian = rhs_parameter_jacobian

@@ -1,7 +1,7 @@
 """Closed loops from rough guesses."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,14 +11,12 @@ from ...arguments.named_values import Vector, is_named, rate_name, spelled, unkn
 from ...arguments.options import is_system, no_system
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
+from ...compiled.compiled_system import CompiledSystem
+from ...compiled.projection import ConsistentState, Projection, check_resolved, length
 from ...runtime import CompiledModel, EvaluationError, Prepared
-from ...simulation.initial_state.projection import ConsistentState, Projection, check_resolved, length
 from ..state.active_contacts import Surfaces, Switch, holding
 from ..state.operating_point import Place
 from ..state.tangent_space import solved
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 _STARTS = 30
 """From how many random places a loop is looked for before it is said that there is none."""
@@ -46,7 +44,7 @@ class Assembly(ConsistentState):
 
 
 def assemble(
-    system: "System",
+    system: CompiledSystem,
     x0: Mapping[Any, float] | ArrayLike | None = None,
     v0: Mapping[Any, float] | ArrayLike | None = None,
     *,

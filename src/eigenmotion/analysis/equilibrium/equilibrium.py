@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,18 +11,16 @@ from ...arguments.named_values import Vector, overlay, rate_name, spelled, unkno
 from ...arguments.options import is_system, no_system
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
+from ...compiled.compiled_system import CompiledSystem
 from ...presentation.notebook import table
 from ..linear.linearization import Linearization
-from ..linear.linearize import linearized
+from ..linear.linearize import linearize, linearized
 from ..state.active_contacts import held_words, mode_of
 from ..state.contact_bounds import is_within, settled, sticking
 from ..state.contact_mode import check_apart
 from ..state.operating_point import Place
 from .contact_equilibrium import sought
 from .equilibrium_equations import Balance
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,7 @@ class Equilibrium:
     mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
     """
 
-    system: "System"
+    system: CompiledSystem
     success: bool
     message: str
     x: Vector
@@ -55,7 +53,7 @@ class Equilibrium:
 
     def linearize(self, *, mode: Mapping[Any, float] | None = None) -> Linearization:
         """Return the linearised equations of motion there; `mode`: as of `System.linearize`, where modes meet."""
-        return self.system.linearize(self.x, self.v, self.t, self.parameters, self.inputs, mode=mode)
+        return linearize(self.system, self.x, self.v, self.t, self.parameters, self.inputs, mode=mode)
 
     def __repr__(self) -> str:
         state = ", ".join(f"{name}={value:.6g}" for name, value in zip(self.system.coordinates, self.x, strict=True))
@@ -70,7 +68,7 @@ class Equilibrium:
 
 
 def find_equilibrium(
-    system: "System",
+    system: CompiledSystem,
     x0: Mapping[Any, float] | ArrayLike | None = None,
     *,
     free: Sequence[Any] | None = None,
@@ -124,7 +122,7 @@ def _sought(balance: Balance) -> tuple[Balance, Vector]:
     return balance, solution
 
 
-def _balance(system: "System", x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
+def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
              ) -> Balance:  # fmt: skip
     c = system.compiled
     x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")

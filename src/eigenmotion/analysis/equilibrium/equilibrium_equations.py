@@ -1,7 +1,6 @@
 """The equations of an equilibrium, and their solution."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,11 +8,9 @@ from scipy.optimize import least_squares
 
 from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
+from ...compiled.compiled_system import CompiledSystem
 from ...runtime import EvaluationError
 from ..state.operating_point import Place
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 _SATISFIED = 1e-9
 """What may be left of an equation, relative to its terms or to what it was at the start."""
@@ -35,7 +32,7 @@ class Balance:
     names, given : of all arguments; free : which are solved for; rows : which accelerations shall vanish
     """
 
-    system: "System"
+    system: CompiledSystem
     names: tuple[str, ...]
     given: Vector
     free: tuple[int, ...]

@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from itertools import combinations, islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
+from ...compiled.compiled_system import CompiledSystem
 from ...runtime import EvaluationError
 from ...runtime.variations import output_partials
 from ...simulation.initial_state.consistency import check_consistent
@@ -18,9 +19,6 @@ from ..state.operating_point import Place, place
 from ..state.tangent_space import Tangent, tangent
 from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 _STEADY = 1e-6
 """How much the equations of deviations may change within their own time for a motion to be steady,"""
@@ -33,7 +31,7 @@ _CHOICES = 200
 
 
 def linearize(
-    self: "System",
+    self: CompiledSystem,
     x: Mapping[Any, float] | ArrayLike | None = None,
     v: Mapping[Any, float] | ArrayLike | None = None,
     t: float = 0.0,

@@ -6,8 +6,8 @@ from typing import Any
 from ...arguments.named_values import by_name
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import real
+from ...compiled.projection import Projection
 from ...simulation.initial_state.consistency import check_consistent
-from ...simulation.initial_state.projection import Projection
 from .active_contacts import Surfaces, Switch, decided, holding, opened, switches_of, with_parameters
 from .contact_bounds import Bounds, settled
 from .operating_point import Place

@@ -3,18 +3,16 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import number
+from ...compiled.compiled_system import CompiledSystem
+from ...compiled.projection import RESOLVED, next_to
 from ...runtime import CompiledModel, Prepared, variations
-from ...simulation.initial_state.projection import RESOLVED, next_to
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 _ROUNDED = 256 * np.finfo(float).eps
 """The part of terms that cancel which rounding may leave."""
@@ -127,7 +125,7 @@ class Place:
 
 
 def place(
-    system: "System",
+    system: CompiledSystem,
     x: Mapping[Any, float] | ArrayLike | None,
     v: Mapping[Any, float] | ArrayLike | None,
     t: float,

@@ -1,7 +1,7 @@
 """Opening of many steppers of one system: `System.steppers`."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Never
+from typing import Any, Never
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,21 +11,19 @@ from ...arguments.members import Asked
 from ...arguments.named_values import Vector, is_named, unknown
 from ...arguments.options import OptionError
 from ...codegen.model.normalise import ModelError, number, shown
+from ...compiled.compiled_system import CompiledSystem
 from ...cores import cores
 from ...simulation.stepper import METHOD_NUMBERS, fixed_step, method_named
 from ..gather import gather
 from .step_arguments import columns
 from .steppers import Begun, Steppers
 
-if TYPE_CHECKING:
-    from ...system.system import System
-
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "rtol", "atol", "method", "step", "max_step", "max_steps",
             "stabilisation", "dependent_constraints", "workers")  # fmt: skip
 
 
 def steppers(
-    system: "System",
+    system: CompiledSystem,
     count: int | None = None,
     *positional: Never,
     t: float = 0.0,
@@ -119,7 +117,7 @@ def _rows(table: Vector, count: int) -> Vector:
     return np.ascontiguousarray(np.broadcast_to(table, (count, table.shape[1])))
 
 
-def _columns(system: "System", given: Any, count: int) -> Vector:
+def _columns(system: CompiledSystem, given: Any, count: int) -> Vector:
     """Return inputs (K, n_inputs); they are numbers, since each `advance` may set them."""
     names = system.compiled.inputs
     made = np.tile(system.compiled.input_defaults, (count, 1))

@@ -2,19 +2,17 @@
 
 from collections.abc import Sequence
 from itertools import cycle
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from sympy import Symbol, latex
 
 from ...arguments.named_values import Vector
+from ...compiled.compiled_system import CompiledSystem
 from ...presentation.figures import COLOURS, STYLES, apart, as_it_is, blank, uncluttered
 from ..pictures.moving_shapes import Drawing
 from ..pictures.sketch import Sketch
 from ..solution import Solution
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 MARKERS = ("o", "s", "^", "D", "v")
 _MARKS = 8  # on each line
@@ -22,7 +20,7 @@ _GHOSTS = 6
 _FEW = 30  # events that a line each does not hide the picture
 
 
-def coordinates(system: "System", solution: Solution) -> Any:
+def coordinates(system: CompiledSystem, solution: Solution) -> Any:
     """Return a figure of x over t, one line a coordinate, with a row for each event below, and the mechanism beside.
 
     Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
@@ -115,7 +113,7 @@ def _label(name: str) -> str:
     return label
 
 
-def _smooth(system: "System", solution: Solution) -> tuple[Vector, Vector]:
+def _smooth(system: CompiledSystem, solution: Solution) -> tuple[Vector, Vector]:
     """Return t (k,) and x (n, k): dense enough for the eye where the solution was kept dense, else its rows."""
     if solution.sol is None:
         return solution.t, solution.x

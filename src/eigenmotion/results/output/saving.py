@@ -3,17 +3,14 @@
 import io
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...compiled.compiled_system import CompiledSystem
 from ...files import write
 from ...presentation.tables import as_csv
 from ..columns import columns, moving
 from ..solution import Solution
-
-if TYPE_CHECKING:
-    from ...system.system import System
 
 _ARRAYS = (
     "t", "y", "x", "v", "eta", "C", "s", "multipliers", "energy", "jacobi_integral",
@@ -21,12 +18,12 @@ _ARRAYS = (
 )  # fmt: skip
 
 
-def save(system: "System", solution: Solution, path: Path) -> None:
+def save(system: CompiledSystem, solution: Solution, path: Path) -> None:
     """Write a solution in the format that the ending of `path` names; the file is there in full or not at all."""
     write(path, SAVERS[path.suffix](system, solution))
 
 
-def _npz(system: "System", solution: Solution) -> bytes:
+def _npz(system: CompiledSystem, solution: Solution) -> bytes:
     buffer = io.BytesIO()
     arrays = {name: solution[name] for name in _ARRAYS}
     arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
@@ -35,7 +32,7 @@ def _npz(system: "System", solution: Solution) -> bytes:
     return buffer.getvalue()
 
 
-def _csv(system: "System", solution: Solution) -> bytes:
+def _csv(system: CompiledSystem, solution: Solution) -> bytes:
     """Columns: t, each coordinate, each rate (marked '), each multiplier, energy, each output; full precision."""
     ours = ["t", *(f"lambda{k}" for k in range(system.m)), "energy"]
     motion = moving(ours, system.coordinates)
@@ -45,4 +42,4 @@ def _csv(system: "System", solution: Solution) -> bytes:
     return as_csv(["t", *motion, *ours[1:], *outputs], numbers.T.tolist()).encode()
 
 
-SAVERS: dict[str, Callable[["System", Solution], bytes]] = {".npz": _npz, ".csv": _csv}
+SAVERS: dict[str, Callable[[CompiledSystem, Solution], bytes]] = {".npz": _npz, ".csv": _csv}

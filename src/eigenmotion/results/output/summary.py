@@ -1,18 +1,14 @@
 """Summary of a run, in a few lines of text."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from ...arguments.named_values import Vector
+from ...compiled.compiled_system import CompiledSystem
 from ..multiplier_uniqueness import in_words
 from ..solution import Solution
 
-if TYPE_CHECKING:
-    from ...system.system import System
 
-
-def summary(system: "System", solution: Solution, seconds: float) -> str:
+def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
     """Say how a run ended, where, how well it kept its invariants, and what it cost.
 
     Parameters
@@ -37,7 +33,7 @@ def summary(system: "System", solution: Solution, seconds: float) -> str:
     return "\n".join([*lines, "", _final_state(system, solution)])
 
 
-def _events(system: "System", solution: Solution) -> list[tuple[str, str]]:
+def _events(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
     """How often each event happened, when last, and what holds at the end."""
     rows = []
     for name, times in zip(system.events, solution.t_events or (), strict=True):
@@ -51,7 +47,7 @@ def _events(system: "System", solution: Solution) -> list[tuple[str, str]]:
     return rows
 
 
-def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
+def _invariants(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
     """Only what this scene has: energy where it is conserved, constraints and factors where there are any."""
     rows = []
     if system.conserves_energy:
@@ -67,13 +63,13 @@ def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
     return rows
 
 
-def _not_unique(system: "System", solution: Solution) -> list[tuple[str, str]]:
+def _not_unique(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
     """Of which constraint rows the multipliers are a choice."""
     rows = in_words(system.compiled, solution.not_unique)
     return [("multipliers", f"of {rows} not unique: those of least norm")] if rows else []
 
 
-def _acted(system: "System", solution: Solution) -> bool:
+def _acted(system: CompiledSystem, solution: Solution) -> bool:
     """Whether an event changed the state, and so the energy."""
     happened = zip(solution.t_events or (), system.compiled.acting, strict=True)
     return any(len(times) > 0 and acts for times, acts in happened)
@@ -98,7 +94,7 @@ def _estimate(solution: Solution) -> list[tuple[str, str]]:
     return [*rows, ("", estimate.message)] if estimate.message else rows
 
 
-def _final_state(system: "System", solution: Solution) -> str:
+def _final_state(system: CompiledSystem, solution: Solution) -> str:
     """The last row; beside it the error of each number, where that was estimated there."""
     width, estimate = max(map(len, system.coordinates)), solution.error_estimate
     table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}

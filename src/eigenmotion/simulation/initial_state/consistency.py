@@ -7,8 +7,8 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
+from ...compiled.projection import Projection
 from ...runtime import CompiledModel, EvaluationError, Prepared
-from .projection import Projection
 
 _CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so

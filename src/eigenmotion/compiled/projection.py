@@ -5,9 +5,9 @@ from math import sqrt
 
 import numpy as np
 
-from ...arguments.named_values import Vector
-from ...codegen.model import ModelError
-from ...runtime import CompiledModel, Prepared
+from ..arguments.named_values import Vector
+from ..codegen.model import ModelError
+from ..runtime import CompiledModel, Prepared
 
 RESOLVED = 1e-6
 """How much rows and slopes may change, relative to themselves, from one number to the next that a double can be."""

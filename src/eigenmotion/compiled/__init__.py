@@ -1,0 +1,1 @@
+"""The functions of one compiled model, in Python's terms."""
