@@ -31,7 +31,7 @@ from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
 from eigenmotion.reference.motion import Reference
 from eigenmotion.report.measure import Budget, Judge, Measurement, measure
 from eigenmotion.report.recommend import Curve, curves
-from eigenmotion.report.solvers import OUR_TOLERANCES, Problem, Track, compiled_solvers
+from eigenmotion.report.solvers import OUR_TOLERANCES, Problem, Track, explicit_solvers
 
 MODELS = Path(__file__).parents[1] / "models"
 OTHER = {"lagrange": "cholesky"}
@@ -134,7 +134,7 @@ def growth(system: System, times: np.ndarray) -> float:
 
 def runs(programs: Mapping[str, Program], t_end: float) -> dict[str, Curve]:
     """Return the error, right-hand sides and time of runs over the tolerances, interleaved."""
-    solvers = [s for one in programs.values() for s in compiled_solvers(one.system, Problem(t_end, {}), TOLERANCES)]
+    solvers = [s for one in programs.values() for s in explicit_solvers(one.system, Problem(t_end, {}), TOLERANCES)]
     chosen = [solver for solver in solvers if solver.method == "dop853"]
     times = np.linspace(0.0, t_end, ROWS)
     measured = measure(chosen, judges(programs, times), Budget(rounds=ROUNDS), lambda _done, _what: None)
