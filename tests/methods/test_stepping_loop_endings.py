@@ -200,8 +200,7 @@ static int one_run(em_method method, double t_end) {
     return ended;
 }
 int main(void) {
-    for (int method = 0; method < METHODS; ++method)
-        printf("%d %d\n", one_run((em_method)method, 5.0), one_run((em_method)method, -5.0));
+    for (int k = 0; k < METHODS; ++k) printf("%d %d\n", one_run(methods[k], 5.0), one_run(methods[k], -5.0));
     return 0;
 }
 """

@@ -190,7 +190,7 @@ def test_every_reason_is_tested_here():
         StopReason.MODEL_JUMPS,
         StopReason.VALUE_REFUSED,
         StopReason.CONTACTS_CLASH,
-    }  # test_events, test_ensemble, test_impacts, test_breaks, test_friction, test_assumptions
+    }  # in tests of events, batch, contact, friction and model
     assert own | elsewhere == set(StopReason)
 
 

@@ -54,7 +54,8 @@ int simulate(em_run *run);
 int interpolate(const em_run *run, size_t step, double t, double *y);
 void release(em_run *run);
 const em_tableau *tableau(int method);
-enum { METHODS = $methods };
+static const em_method methods[] = {$methods};
+enum { METHODS = sizeof methods / sizeof *methods };
 static const em_dynamics dynamics = {
     .n_C = N_C, .n_s = N_S, .n_memory = N_MEMORY, .second_order = EM_SECOND_ORDER, .settles = $settles,
     .rhs = model_rhs, .settle = model_settle, .velocity = model_velocity, .velocity_error = model_velocity_error,
@@ -65,12 +66,13 @@ int simulate(em_run *run) { return em_simulate(&model, run); }
 int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(&model, run, step, t, y); }
 void release(em_run *run) { em_release(&model, run); }
 const em_tableau *tableau(int method) {
-    static const em_tableau *const all[METHODS] = {$tableaux};
+    static const em_tableau *const all[] = {$tableaux};
     return all[method];
 }
 $main
 """)
 STATED = (INCLUDE / "tableaux/em_butcher.h").read_text(encoding="utf-8")
+NUMBERS = ", ".join(f"EM_{name.upper()}" for name in METHODS)
 RUNGE_KUTTA = tuple(name for name in METHODS if f"EM_{name.upper()}_TABLEAU" in STATED)
 TABLEAUX = ", ".join(f"[{METHODS[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
 
@@ -95,4 +97,4 @@ class Mechanism:
 
     def text(self) -> str:
         given = {name: getattr(self, name) for name in self.__slots__}
-        return SOURCE.substitute(given, methods=len(METHODS), tableaux=TABLEAUX)
+        return SOURCE.substitute(given, methods=NUMBERS, tableaux=TABLEAUX)

@@ -33,7 +33,7 @@ class Trajectory:
         """Which rows each leg has, and its prepared parameters."""
         return _pieces(self.task, len(self.t), self.legs)
 
-    def _by_leg(self, function: Callable[..., Any], *columns: Vector) -> Any:
+    def _by_segment(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of a function of (columns, prepared parameters), each in its own mode."""
         if len(self._legs) == 1:
             return function(*columns, self._legs[0][1])
@@ -90,7 +90,7 @@ class Trajectory:
         """(k, m)."""
         if self.model.m == 0:
             return np.empty((len(self.t), 0))
-        rows: Vector = self._by_leg(self._accelerations, self.t, self.x, self.v, self.u)[1]
+        rows: Vector = self._by_segment(self._accelerations, self.t, self.x, self.v, self.u)[1]
         return rows
 
     def _accelerations(self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared) -> tuple[Vector, Vector]:
@@ -99,12 +99,12 @@ class Trajectory:
     @cached_property
     def constraint_residual(self) -> Vector:
         """(k, m): A v + b."""
-        return np.asarray(self._by_leg(self.model.constraint_rows, self.t, self.x, self.v))
+        return np.asarray(self._by_segment(self.model.constraint_rows, self.t, self.x, self.v))
 
     @cached_property
     def position_residual(self) -> Vector:
         """(k, h): phi."""
-        return np.asarray(self._by_leg(self.model.position_rows, self.t, self.x))
+        return np.asarray(self._by_segment(self.model.position_rows, self.t, self.x))
 
     @cached_property
     def quasi_velocities(self) -> dict[str, Vector]:
@@ -140,7 +140,7 @@ class Trajectory:
     @cached_property
     def outputs(self) -> dict[str, Vector]:
         """Name -> (k,)."""
-        columns = self._by_leg(self._outputs, self.t, self.x, self.v, self.u)
+        columns = self._by_segment(self._outputs, self.t, self.x, self.v, self.u)
         return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
 
     def _outputs(self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared) -> Vector:

@@ -1,6 +1,6 @@
 /* em_start_check.h: consistency check of a start (x, v), for any em_model.
  *
- * For the runtime, not for generated code. running/start.py words the reasons. */
+ * For the runtime, not for generated code. simulation/initial_state/consistency.py words the reasons. */
 #ifndef EM_START_CHECK_H
 #define EM_START_CHECK_H
 

@@ -1,8 +1,8 @@
 /* em_methods.h: the table of methods: how each makes a step and evaluates the states within it (em_scheme of
  * em_run_state.h).
  *
- * A new kind of method is a header beside em_runge_kutta.h with its four functions, a number in em_method of
- * em_run.h, and a line below; running/methods.py is the table for Python. */
+ * A new kind of method is a header beside em_runge_kutta.h with its functions, a number in em_method of
+ * em_run.h, and a line below; arguments/methods.py is the table for Python. */
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
