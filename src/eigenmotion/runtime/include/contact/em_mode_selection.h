@@ -250,7 +250,7 @@ EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const
  * difference of speeds, its errors are parts of these speeds: steps would alternate around zero. */
 EM_NOINLINE double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
     double slip = 1e-150;
-    for (int row = s->row; row <= s->row + 1; ++row) {
+    for (int row = s->row; row <= s->row + 1 && row < N_ROWS; ++row) {
         slip = fmax(slip, EM_CONE_ROUNDS * r->rate_terms[row]);
         if (a->atol) slip = fmax(slip, em_reach(a, r->A + row * N, a->v, EM_CONE_STOPS, EM_CONE_STOPS * a->rtol));
     }
