@@ -200,7 +200,9 @@ static int one_run(em_method method, double t_end) {
     return ended;
 }
 int main(void) {
-    for (int k = 0; k < METHODS; ++k) printf("%d %d\n", one_run(methods[k], 5.0), one_run(methods[k], -5.0));
+    const em_method methods[] = METHODS;
+    for (size_t k = 0; k < sizeof methods / sizeof *methods; ++k)
+        printf("%d %d\n", one_run(methods[k], 5.0), one_run(methods[k], -5.0));
     return 0;
 }
 """

@@ -54,8 +54,7 @@ int simulate(em_run *run);
 int interpolate(const em_run *run, size_t step, double t, double *y);
 void release(em_run *run);
 const em_tableau *tableau(int method);
-static const em_method methods[] = {$methods};
-enum { METHODS = sizeof methods / sizeof *methods };
+#define METHODS {$methods}
 static const em_dynamics dynamics = {
     .n_C = N_C, .n_s = N_S, .n_memory = N_MEMORY, .second_order = EM_SECOND_ORDER, .settles = $settles,
     .rhs = model_rhs, .settle = model_settle, .velocity = model_velocity, .velocity_error = model_velocity_error,
