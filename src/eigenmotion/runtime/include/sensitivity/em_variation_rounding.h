@@ -34,18 +34,20 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
     }
 }
 
-/* R (n, m) <- the sizes of the accelerations by multipliers, |M^-1| |A|^T; w (n) the units in which coordinates are
- * comparable, square roots of the diagonal of M; s (m) those of multipliers, square roots of the diagonal of |A| R.
- * 0, or -1: M has no inverse. */
-static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *R, double *w, double *s) {
+/* Multipliers are solved for together: each is as uncertain as the largest. w (n) <- the units in which coordinates are
+ * comparable, square roots of the diagonal of M; s (m) <- those of multipliers, square roots of the diagonal of |A| R,
+ * R = |M^-1| |A|^T; reach (n) <- the size of accelerations by multipliers that are one in their units. 0, or -1: M has
+ * no inverse. */
+static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *w, double *s, double *reach) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m;
-    double M[n * n], L[n * n], r[n], A[m * n], b[m], column[n];
+    double M[n * n], L[n * n], r[n], A[m * n], b[m], column[n], R[n * m];
     if (!model->mass_matrix) return -1;
     (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, z, p->c, M);
     for (int i = 0; i < n; ++i) w[i] = sqrt(M[i * n + i]);
     if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) >= 0) return -1;
-    memset(R, 0, (size_t)n * m * sizeof *R);
+    memset(R, 0, sizeof R);
+    memset(reach, 0, n * sizeof *reach);
     model->pfaffian(t, z, p->c, A, b);
     for (int k = 0; k < n; ++k) {
         for (int i = 0; i < n; ++i) column[i] = i == k;
@@ -58,18 +60,16 @@ static int em_reaction_sizes(const em_pass *p, double t, const double *z, double
         double sum = 0.0;
         for (int i = 0; i < n; ++i) sum += fabs(A[row * n + i]) * R[i * m + row];
         s[row] = sqrt(sum);
+        for (int i = 0; s[row] > 0.0 && i < n; ++i) reach[i] += R[i * m + row] / s[row];
     }
     return 0;
 }
 
-/* The size of acceleration i by multipliers, where each is as uncertain as the largest, since they are solved for together.
- * `lambda` has its numbers `width` apart. */
-static double em_reaction_of(const em_pass *p, int i, const double *R, const double *s, const double *lambda, int width) {
-    double most = 0.0, sum = 0.0;
-    for (int row = 0; row < p->m; ++row) most = fmax(most, s[row] * fabs(lambda[row * width]));
-    for (int row = 0; row < p->m; ++row)
-        if (s[row] > 0.0) sum += R[i * p->m + row] / s[row] * most;
-    return sum;
+/* The largest of m multipliers in units s; they are `width` apart. */
+static double em_largest_reaction(int m, const double *s, const double *lambda, int width) {
+    double most = 0.0;
+    for (int row = 0; row < m; ++row) most = fmax(most, s[row] * fabs(lambda[row * width]));
+    return most;
 }
 
 /* length (columns) <- the lengths of n rows of directions in units w. */
@@ -83,19 +83,21 @@ static void em_lengths(int n, int columns, const double *w, const double *S, dou
 /* none (n, columns) and wobble (n) += the rounding of accelerations that reactions cancel. */
 static void em_add_held_back(em_pass *p, double t, const double *z, double *none) {
     const int n = p->n, m = p->m, k = p->columns, width = p->of->model->n_arguments;
-    double R[n * m + 1], w[n], s[m + 1], length[2][k], term[width];
-    if (m == 0 || em_reaction_sizes(p, t, z, R, w, s)) return;
+    double w[n], s[m + 1], reach[n], length[2][k], largest[width];
+    if (m == 0 || em_reaction_sizes(p, t, z, w, s, reach)) return;
+    for (int q = 0; q < width; ++q) largest[q] = em_largest_reaction(m, s, p->dlambda + q, width);
+    const double whole = em_largest_reaction(m, s, p->lambda, 1);
     for (int half = 0; half < 2; ++half) em_lengths(n, k, w, p->S + half * n * k, length[half]);
     for (int i = 0; i < n; ++i) {
-        for (int q = 0; q < width; ++q) term[q] = EM_HELD_BACK * em_reaction_of(p, i, R, s, p->dlambda + q, width);
-        p->wobble[i] += EM_HELD_BACK * em_reaction_of(p, i, R, s, p->lambda, 1);
+        const double held = EM_HELD_BACK * reach[i];
+        p->wobble[i] += held * whole;
         for (int half = 0; half < 2; ++half) {
             double most = 0.0;
-            for (int q = 0; q < n; ++q) most = fmax(most, term[half * n + q] / w[q]);
-            em_add_to(k, most, length[half], none + i * k);
+            for (int q = 0; q < n; ++q) most = fmax(most, largest[half * n + q] / w[q]);
+            em_add_to(k, held * most, length[half], none + i * k);
         }
         for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
-            none[i * k + (*at)[1]] += term[2 * n + (*at)[0]] * fabs(p->P[(*at)[0] * k + (*at)[1]]);
+            none[i * k + (*at)[1]] += held * largest[2 * n + (*at)[0]] * fabs(p->P[(*at)[0] * k + (*at)[1]]);
     }
 }
 
@@ -105,14 +107,14 @@ static void em_add_balanced(em_pass *p, double t, const double *z, double *none)
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
     const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
-    double R[n * m + 1], w[n], s[m + 1];
-    if (m == 0 || em_reaction_sizes(p, t, z, R, w, s)) memset(R, 0, sizeof R), memset(s, 0, sizeof s);
+    double w[n], s[m + 1], reach[n];
+    if (m == 0 || em_reaction_sizes(p, t, z, w, s, reach)) memset(s, 0, sizeof s), memset(reach, 0, sizeof reach);
+    double reactions = em_largest_reaction(m, s, p->lambda, 1);
+    for (int g = 0; g < model->n_parameters; ++g)
+        reactions += em_largest_reaction(m, s, p->dlambda + first + g, width) * fabs(p->c[g]);
     for (int i = 0; i < n; ++i) {
-        double sum = em_reaction_of(p, i, R, s, p->lambda, 1);
-        for (int g = 0; g < model->n_parameters; ++g) {
-            const double term = em_reaction_of(p, i, R, s, p->dlambda + first + g, width);
-            sum += (fabs(J[i * width + first + g]) + term) * fabs(p->c[g]);
-        }
+        double sum = reach[i] * reactions;
+        for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g]) * fabs(p->c[g]);
         for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
             const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
             if (g < 0 || g >= model->n_parameters || p->c[g] == 0.0) continue;
