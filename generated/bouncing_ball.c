@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:b50a13b10707ef14cc8b1df65c24a9aaf0edb710cfe32408a96c1243f8208d76 */
+/* body sha256:4527c24d5a35fd52c3007a556dfe48a0a1bc35e56ae4c7f5a688df292d53832e */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -741,11 +741,11 @@ const em_model bouncing_ball_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .act_along = em_act_along,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif

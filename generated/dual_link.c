@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:7ec64b8f6d7b7deee4cae60f5b3261f52e1e292b737292757f77285fc3c8ce95 */
+/* body sha256:186c0319a23779d589d3853d02539abb4879f8df02f52063265fdeae07968184 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1370,11 +1370,11 @@ const em_model dual_link_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif

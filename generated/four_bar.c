@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:e0e573a540e2ad921a308fc0fc8dbbd8daa798b89d8f5cfbc69715bd4bb23b36 */
+/* body sha256:a38f8863df14efeb7175253e40059835d10d98c9df6fb5536639f8df239cf15a */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1289,11 +1289,11 @@ const em_model four_bar_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:992201f8f89ee5f02fb3762d1421c25d83b24d7e6458bdc75bca72fe0de72d09 */
+/* body sha256:74991226e28941262e8de2da18a34bbd496c1806fdf8866cf8c9c88f684f40f0 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -562,11 +562,11 @@ const em_model pendulum_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:971ae395bd6a49f4ecc64351d6db4beb6619ede30ba0255426cdd3a85abe56f4 */
+/* body sha256:ee1c85b06f811851adc0ef30c79afb1bc83f9243befc5fe87c49f8c7fbffedb2 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1337,11 +1337,11 @@ const em_model rolling_disk_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif

@@ -29,8 +29,9 @@ static inline Counted operator-(Counted a) { return -a.v; }
 COMPARISON(<) COMPARISON(>) COMPARISON(<=) COMPARISON(>=) COMPARISON(==) COMPARISON(!=)
 
 #define FUNCTION(f) static inline Counted f(Counted a) { return ++calls, std::f(a.v); }
-FUNCTION(sin) FUNCTION(cos) FUNCTION(tan) FUNCTION(sqrt) FUNCTION(exp) FUNCTION(log)
+FUNCTION(sin) FUNCTION(cos) FUNCTION(tan) FUNCTION(sqrt) FUNCTION(exp) FUNCTION(log) FUNCTION(floor)
 static inline Counted pow(Counted a, Counted b) { return ++calls, std::pow(a.v, b.v); }
+static inline Counted fmod(Counted a, Counted b) { return ++calls, std::fmod(a.v, b.v); }
 static inline Counted fma(Counted a, Counted b, Counted c) { return a * b + c; }
 static inline Counted fabs(Counted a) { return std::fabs(a.v); }
 static inline Counted fmax(Counted a, Counted b) { return std::fmax(a.v, b.v); }

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:342af0c4d694d2d8723ce852034120150001f7cb50092edb3a275fe0252101b7 */
+/* body sha256:70a8a2747c9c4586374cbb287635d2f071ef1fd8e3da38cb2146ab32529556ed */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -1138,11 +1138,11 @@ const em_model dual_link_model = {
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,
-    .dynamics = &dynamics,
-    .declared = declared,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,
 #endif
+    .dynamics = &dynamics,
+    .declared = declared,
 };
 
 #endif
