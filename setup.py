@@ -1,6 +1,6 @@
 """Extension modules of the runtime; each is built anew when a header changes that it includes.
 
-Which headers these are, the compiler says: NAME.d stands beside NAME.pyx, for make as for setuptools.
+The compiler lists these headers in NAME.d beside NAME.pyx, for make as for setuptools.
 """
 
 from pathlib import Path
@@ -31,10 +31,10 @@ def _listed(path: Path) -> list[str]:
 
 
 def _keep(fresh: Path, kept: Path) -> None:
-    """Of what the compiler listed, keep headers of ours: others may be those of an environment that is gone."""
+    """Keep our own headers of the compiler's list: others may be those of an environment that is gone."""
     words = fresh.read_text(encoding="utf-8").replace("\\\n", " ").split()
     ours = sorted({word for word in words if Path(word).is_relative_to(INCLUDE)})
-    gone = "".join(f"{header}:\n" for header in ours)  # make shall not ask how to make one that is no more
+    gone = "".join(f"{header}:\n" for header in ours)  # so that make accepts one that is gone
     kept.write_text(f"$(READY): {' '.join(ours)}\n{gone}", encoding="utf-8")
     fresh.unlink()
 

@@ -1,4 +1,4 @@
-"""What Sphinx makes the site of: `make docs`."""
+"""Configuration of the site for Sphinx: `make docs`."""
 
 import sys
 from pathlib import Path

@@ -8,15 +8,15 @@ from contextlib import contextmanager
 from threading import Event, Thread
 
 Progress = Callable[[float, str], None]
-"""Is told how much of the whole is done, 0 ... 1, and what comes next or was done last."""
+"""Takes the part of the whole that is done, 0 ... 1, and the name of what comes next or was done last."""
 
-_PATIENCE = 1.0  # [s] what is quicker is not spoken of
-_TICK, _SELDOM = 0.2, 30.0  # [s] between two looks at the clock; between two lines where nobody is watching
+_PATIENCE = 1.0  # [s] quicker tasks show nothing
+_TICK, _SELDOM = 0.2, 30.0  # [s] between two readings of the clock; between two lines off a terminal
 _CLEAR = "\r\x1b[K"
 
 
 class _Line:
-    """A line on standard error, written over where somebody is watching."""
+    """A line on standard error, which a terminal shows in one place."""
 
     def __init__(self) -> None:
         self._stream, self._written = sys.stderr, False
@@ -34,7 +34,7 @@ class _Line:
 
 @contextmanager
 def bar(name: str = "", every: float = 0.0) -> Iterator[Progress]:
-    """Show how far a task is, and the time left; give what is told of it. `every` [s]: the time between two lines."""
+    """Show the progress of a task and the time left; yields the function to report to. `every` [s]: time between lines."""
     line, start = _Line(), time.monotonic()
     said, pause = start, every if line.watched else _SELDOM
 
@@ -63,7 +63,7 @@ def part(progress: Progress, start: float, end: float) -> Progress:
 
 @contextmanager
 def counted(total: int, before: int = 0) -> Iterator[Callable[[int], None]]:
-    """Show how many of many runs are done, of which some were before; give what counts, which any thread may call."""
+    """Show how many of many runs are done, `before` of them earlier; yields the counter, which any thread may call."""
     done, start = before, time.monotonic()
     with bar(every=_PATIENCE) as progress:
 

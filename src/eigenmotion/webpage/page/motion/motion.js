@@ -1,4 +1,4 @@
-// motion.js: what a run found, row by row and between rows.
+// motion.js: the motion of a run: its rows, and interpolation between them.
 
 class Motion {
   constructor(about, table, width, end) {
