@@ -34,7 +34,7 @@ class _Line:
 
 @contextmanager
 def bar(name: str = "", every: float = 0.0) -> Iterator[Progress]:
-    """Show the progress of a task and the time left; yields the function to report to. `every` [s]: time between lines."""
+    """Show the progress of a task and the time left; yield the function to report to. `every` [s]: between lines."""
     line, start = _Line(), time.monotonic()
     said, pause = start, every if line.watched else _SELDOM
 
