@@ -76,7 +76,7 @@ EM_NOINLINE int em_set_mode(double *c, const em_state_of_switch *mode, em_fault 
         const em_switch *const s = &switches[k];
         same &= c[s->holds] == mode[k].holds && c[s->idles] == mode[k].idles;
         parameters[s->holds] = mode[k].holds, parameters[s->idles] = mode[k].idles;
-        if (em_is_contact(s)) continue;
+        if (s->slides < 0) continue; /* a contact */
         same &= c[s->slides] == mode[k].slides;
         parameters[s->slides] = mode[k].slides;
         for (int i = 0; i < 2 * em_is_cone(s); ++i) {

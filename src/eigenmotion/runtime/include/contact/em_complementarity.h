@@ -55,7 +55,7 @@ struct em_mixed {
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
     double size[EM_MIXED_ROWS];       /* the sum of the magnitudes of the terms in q */
-    double p[EM_MIXED_ROWS], w[EM_MIXED_ROWS];
+    double p[EM_MIXED_ROWS + 1], w[EM_MIXED_ROWS + 1]; /* and one, for compilers that take every row for a cone's */
     double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation of any mode */
     int clash[2], tried;              /* rows whose conditions are violated in the closest modes */
     int (*lasts)(const void *where, const em_mixed *s); /* whether resting rows follow from others nearby, too; or

@@ -39,7 +39,7 @@ typedef struct em_shared {
 /* Z <- the vanishing combinations of rows that hold; basic (k) <- 1 for independent rows. Returns their number. */
 EM_NOINLINE int em_vanishing_forces(const em_mixed *s, double *Z, int *basic) {
     double Delta[EM_MIXED_ROWS * EM_MIXED_ROWS], L[EM_MIXED_ROWS * EM_MIXED_ROWS], D[EM_MIXED_ROWS], z[EM_MIXED_ROWS];
-    int rows[EM_MIXED_ROWS], order[EM_MIXED_ROWS], m = 0;
+    int rows[EM_MIXED_ROWS] = {0}, order[EM_MIXED_ROWS] = {0}, m = 0;
     for (int i = 0; i < s->k; ++i) {
         basic[i] = 0;
         if (em_row_holds(s, i)) rows[m++] = i;

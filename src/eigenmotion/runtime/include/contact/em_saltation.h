@@ -64,8 +64,8 @@ EM_NOINLINE void em_impact_rate_along(const em_acting *a, const em_impact *b, co
 EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_impact *b, const double *change, int event) {
     const em_directions *const d = a->along;
     const int columns = d->columns;
-    double D[(N + N_ROWS) * N_ARGUMENTS], E[(N_POSITIONS + N_ROWS + 1) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
-    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS], I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS];
+    double D[(N + N_ROWS) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
+    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS] = {0.0}, I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS];
     double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_IMPACT_ROWS * columns];
     double level[EM_LEVELS * EM_SOME_SWITCHES * columns], impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE * columns];
     const em_impact_partials of = {balance, rates, level, impact_data};
@@ -75,11 +75,14 @@ EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_imp
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_LAW_NOT_DERIVED, NAN);
     for (int row = 0; row < N_ROWS; ++row) impulse[row] = -b->s.p[row];
     impact_balance_partials(a->t, a->x, change, impulse, r->c, D);
-    if (N_ROWS > 0) constraint_partials(a->t, a->x, a->v, r->c, E);
+#if N_ROWS > 0
+    double E[(N_POSITIONS + N_ROWS) * N_ARGUMENTS];
+    constraint_partials(a->t, a->x, a->v, r->c, E);
+    em_along(d, N_POSITIONS + N_ROWS, E, rates);
+#endif
     level_partials(a->t, a->x, a->v, a->c, a->u, L);
     impact_partials(a->t, a->x, a->v, a->c, a->u, I);
     em_along(d, N + N_ROWS, D, balance);
-    em_along(d, N_ROWS > 0 ? N_POSITIONS + N_ROWS : 0, E, rates);
     em_along(d, EM_LEVELS * N_SWITCHES, L, level);
     em_along(d, EM_SOME_IMPACTS * EM_IMPACT_SIZE, I, impact_data);
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)

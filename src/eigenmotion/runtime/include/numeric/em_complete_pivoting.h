@@ -14,7 +14,7 @@
  * the sign of the determinant. */
 EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
     int column[EM_MIXED_ROWS], turns = 0;
-    double y[EM_MIXED_ROWS];
+    double y[EM_MIXED_ROWS] = {0.0};
     for (int k = 0; k < count; ++k) column[k] = k;
     for (int k = 0; k < count; ++k) {
         int row = k, best = k;
@@ -42,10 +42,11 @@ EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
         }
     }
     for (int k = count - 1; k >= 0; --k) {
-        for (int j = k + 1; j < count; ++j) x[k] -= A[k * count + j] * y[j];
-        y[k] = x[k] / A[k * count + k];
+        for (int j = k + 1; j < count; ++j) x[k] -= A[k * count + j] * x[j];
+        x[k] /= A[k * count + k];
     }
-    for (int k = 0; k < count; ++k) x[column[k]] = y[k];
+    for (int k = 0; k < count; ++k) y[column[k]] = x[k];
+    memcpy(x, y, count * sizeof *x);
     if (sign) *sign = turns % 2 ? -1 : 1;
     return 0;
 }
