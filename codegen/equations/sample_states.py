@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from ..calculus.derivatives import Tangent
 from ..calculus.error_bound import Rounding
 from ..calculus.evaluation import At
 from ..graph.graph import Graph
@@ -77,11 +78,18 @@ class Samples:
 
     def _sizes(self, column: int) -> Iterator[float]:
         """How far a coordinate may go before it alone makes up for the terms of a row, at any turn of the angles."""
+        along = Tangent(self.graph, {list(self.start)[column]: self.graph.one})
         for phi, row in zip(self.phi, self.A, strict=False):
-            pairs = [(place(self._rounding(phi)), abs(place(row[column]))) for place in self._turned]
-            terms, rates = (math.fsum(part) for part in zip(*pairs, strict=True))
+            terms = self._turned_sum(self._rounding(phi))
+            rates, bends = self._turned_sum(row[column]), self._turned_sum(along(row[column]))
             if 0 < terms < math.inf and 0 < rates < math.inf:
                 yield terms / rates
+            elif 0 < terms < math.inf and 0 < bends < math.inf:
+                yield math.sqrt(terms / bends)
+
+    def _turned_sum(self, node: Node) -> float:
+        """The magnitudes of a term at any turn of the angles, added."""
+        return math.fsum(abs(place(node)) for place in self._turned)
 
     @cached_property
     def _rounding(self) -> Rounding:

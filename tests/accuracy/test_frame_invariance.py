@@ -13,6 +13,7 @@ from functools import cache, cached_property
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.equations.derive import derive
 
 from eigenmotion import Model, ModelError, System
 
@@ -168,6 +169,18 @@ def test_the_first_step_from_rest_knows_no_origin(name, method):
     first = [np.ptp(frame.run(system, 2.0, *TOLERANCE, **given).solution.t) for frame in moving]
     np.testing.assert_allclose(first, first[0], rtol=0.02)
     assert first[0] > 1e-4
+
+
+def test_weights_know_units_of_coordinates_that_start_at_0():
+    """Two numbers of the quaternion do. They were taken to be of order 1, in whatever unit."""
+    model = seen_from(moving(BY_NAME["quaternion_top"]), FRAMES["units of each"])
+    mechanics = derive(model)
+    values = {symbol.name: value for symbol, value in model.parameters}
+    values |= zip((x.name for x in mechanics.x), model.initial_x, strict=True)
+    symbols = (*mechanics.parameters, *mechanics.x, mechanics.time)
+    M = np.array(mechanics.factored.subs({s: values.get(s.name, 0.0) for s in symbols}).tolist(), dtype=float)
+    size = np.sqrt(M.diagonal())
+    assert np.linalg.cond(M / size[:, None] / size) < 100
 
 
 def test_weights_far_from_their_start_are_named():
