@@ -41,7 +41,9 @@ def test_all_is_the_same(name, formulation):
     assert OF_ITS_OWN not in sources.files[1].text
     once, twice = loaded(sources, "-O0"), system_of(name, formulation)
     for x, _, t in states(twice, 3):
-        np.testing.assert_array_equal(once.mass_matrix(x, t), twice.mass_matrix(x, t))
+        found, right = once.mass_matrix(x, t), twice.mass_matrix(x, t)
+        size = np.sqrt(np.outer(right.diagonal(), right.diagonal()))
+        np.testing.assert_allclose(found / size, right / size, rtol=0, atol=1e-15)  # sums that kernels share differ
     ends = [system.simulate((0.0, 1.0), method="dop853", rtol=1e-7) for system in (once, twice)]
     assert ends[0].success
     assert ends[0].n_bounded == ends[1].n_bounded
