@@ -72,7 +72,7 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
         "", "Blocks of the mass matrix", *blocks,
         "", "Operations of the model-specific straight-line part", *(f"  {line}" for line in made.costs),
         "", "Lanes: states side by side in one vector, for steps by nodes", *(f"  {line}" for line in _lanes(made)),
-        *_breaks(made),
+        *_time_events(made),
         "", "Left out", *(f"  {line}" for line in made.left_out or ("nothing",)),
     ])  # fmt: skip
 
@@ -86,15 +86,15 @@ def _lanes(made: Program) -> tuple[str, ...]:
     return ("the whole right-hand side", rest)
 
 
-def _breaks(made: Program) -> tuple[str, ...]:
-    """What the model does at times that follow from its parameters alone."""
-    breaks, lines = made.kernels.breaks, []
-    if breaks.named:
-        lines += ["", "Breaks: steps end where a condition in the time alone changes, t =",
-                  *(f"  {at}" for at in breaks.named)]  # fmt: skip
-    if breaks.unsolved:
-        lines += ["", "Conditions in the time alone that steps may pass over, since they are not solved for it",
-                  *(f"  {condition}" for condition in breaks.unsolved)]  # fmt: skip
+def _time_events(made: Program) -> tuple[str, ...]:
+    """Return lines about the time events, and about conditions on time alone that were not solved."""
+    found, lines = made.kernels.time_events, []
+    if found.named:
+        lines += ["", "Time events: steps end where a condition on time alone changes, t =",
+                  *(f"  {at}" for at in found.named)]  # fmt: skip
+    if found.unsolved:
+        lines += ["", "Conditions on time alone that steps may pass over, since they are not solved for it",
+                  *(f"  {condition}" for condition in found.unsolved)]  # fmt: skip
     return tuple(lines)
 
 

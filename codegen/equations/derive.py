@@ -17,7 +17,7 @@ from ..graph.store import Node
 from ..model.model import Model, ModelError
 from ..model.normalise import name_of
 from ..model.statement.drawing import Shape
-from .event_actions import Deeds, Impact, Reset
+from .event_actions import EventActions, Impact, Reset
 from .mass_regularisation import weights
 from .plain_symbols import Names
 
@@ -142,8 +142,8 @@ class _Derivation:
         momenta = gradient(self.graph, T, [v.name for v in names.v])
         M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
         back = partial(map, self.to_sympy)
-        deeds = Deeds(model, self.graph, names, self.node, self.to_sympy)
-        Q, taken = deeds.forces()
+        actions = EventActions(model, self.graph, names, self.node, self.to_sympy)
+        Q, taken = actions.forces()
         A = sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)])
         norms = tuple(dict.fromkeys(switch.presses for switch in model.switches if switch.presses))
         P = A.col_join(sympy.ImmutableDenseMatrix.zeros(len(norms), len(names.x))) - taken
@@ -158,8 +158,8 @@ class _Derivation:
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
-            drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(deeds.impacts()), resets=tuple(deeds.resets()),
-            norms=norms, levels=tuple(deeds.levels()),
+            drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(actions.impacts()),
+            resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()),
         )  # fmt: skip
 
     def shape(self, given: Shape) -> Shape:

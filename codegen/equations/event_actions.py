@@ -19,7 +19,7 @@ from .plain_symbols import Names
 
 @dataclass(frozen=True, slots=True)
 class Impact:
-    """What strikes as event number `event` happens: N v + rate, at which phi changes, becomes -restitution of that.
+    """An impact at event number `event`: the rate of phi, N v + rate, is multiplied by -restitution.
 
     N : (n,) dphi/dx; rate : dphi/dt
     """
@@ -32,15 +32,15 @@ class Impact:
 
 @dataclass(frozen=True, slots=True)
 class Reset:
-    """What event number `event` sets: after (2 n,), x and v, or x and quasi-velocities (3) where `quasi`."""
+    """A reset at event number `event`: after (2 n,) is the new x and v, or x and quasi-velocities (3) if `quasi`."""
 
     event: int
     after: tuple[sympy.Expr, ...]
     quasi: bool
 
 
-class Deeds:
-    """Reads them off a model."""
+class EventActions:
+    """The event actions of a model, and the forces without multipliers."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class Deeds:
         self.model, self.graph, self.names, self.node, self.to_sympy = model, graph, names, node, to_sympy
 
     def forces(self) -> tuple[list[Node], sympy.ImmutableDenseMatrix]:
-        """Return Q without multipliers, and (m + r, n) by which they, and r norms of them, enter it."""
+        """Return Q (n) without multipliers, and dQ/d(multipliers, norms of multipliers) transposed, (m + r, n)."""
         names = [symbol.name for symbol in (*self.names.multipliers, *self.names.norms.values())]
         Q = [self.node(force.xreplace(self.names.norms)) for force in self.model.forces]
         by = [gradient(self.graph, force, names) for force in Q]
@@ -68,7 +68,7 @@ class Deeds:
         return list(map(without, Q)), sympy.ImmutableDenseMatrix(len(Q), len(names), entries).T
 
     def impacts(self) -> Iterator[Impact]:
-        """Yield what strikes, event by event."""
+        """Yield the impacts, in the order of events."""
         names = [x.name for x in self.names.x]
         at_rest = Tangent(self.graph, {self.names.time.name: self.graph.one})
         for number, (_, event) in enumerate(self.model.events):
@@ -78,7 +78,7 @@ class Deeds:
                 yield Impact(number, N, self.to_sympy(at_rest(phi)), self.to_sympy(restitution))
 
     def resets(self) -> Iterator[Reset]:
-        """Yield what is set, event by event."""
+        """Yield the resets, in the order of events."""
         model = self.model
         for number, (_, event) in enumerate(model.events):
             if event.reset:
@@ -88,7 +88,7 @@ class Deeds:
                 yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
 
     def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-        """Yield, switch by switch, up to which level it holds, and up to which force it sticks."""
+        """Yield `level` and `at_rest` of each contact and friction: see `Switch`."""
         for switch in self.model.switches:
             level, at_rest = (self.to_sympy(self.node(expression)) for expression in (switch.level, switch.at_rest))
             yield level, at_rest

@@ -18,7 +18,7 @@ from ..graph.rewrite import Rewriter
 from ..graph.store import Node
 from ..schedule.schedule import weight
 from .specialise import Scene
-from .time_events import Breaks
+from .time_events import TimeEvents
 
 ONE, MINUS, HALF = 1, -1, Fraction(1, 2)
 Rows = tuple[tuple[Node, ...], ...]
@@ -132,14 +132,14 @@ class Terms:
         return self._plus_rows(min(forms, key=self._weight), self.W, self.A, map(self.graph.negative, self.gamma))
 
     @cached_property
-    def breaks(self) -> Breaks:
-        """When conditions in the time alone change, of all that motion and events hang on."""
+    def time_events(self) -> TimeEvents:
+        """The time events of everything that motion and events depend on."""
         mechanics, node = self.mechanics, self.node
         acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
                 *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
         roots = [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
                  *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
-        return Breaks(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], roots)
+        return TimeEvents(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], roots)
 
     # -- pieces --------------------------------------------------------------------------------------------------
 

@@ -1,10 +1,11 @@
-"""Breaks: the times at which a condition in the time alone changes, or a kink in it lies.
+"""Time events: the times at which a condition on time alone changes, or at which a function of time has a kink.
 
-Of Piecewise((F, t < c), (0, True)), Max(0, t - c), Abs, sign, Heaviside, floor (so Mod): steps end there, since what
-is smooth on both sides is not across. A condition changes where the difference of its sides vanishes. That is solved
-for t where it is affine in t, a product of such factors, quadratic, or one sine, cosine, tangent or exponential of such
-an argument; kinks inside are tried on all their branches, a floor is a whole number k, with which times come back:
-at + k period. So times may be found at which nothing changes, which costs a step; what cannot be solved is named.
+They come from Piecewise((F, t < c), (0, True)), Max(0, t - c), Abs, sign, Heaviside and floor (so Mod too). Steps end
+at them, because the right-hand side is smooth on either side but not across. A condition changes where the difference
+of its two sides vanishes. This is solved for t if it is affine or quadratic in t, a product of such factors, or one
+sine, cosine, tangent or exponential of such an argument. Kinks inside are solved on all their branches. A floor becomes
+an integer k, so its times recur: at + k period. Some times may be found at which nothing changes; each costs a step.
+Conditions that cannot be solved are reported.
 """
 
 from __future__ import annotations
@@ -26,12 +27,12 @@ COMPARED = frozenset({"<", "<=", ">", ">=", "==", "!=", "min", "max"})
 KINKED = frozenset({"abs", "sign", "step"})
 WHOLE = frozenset({"floor", "ceil"})
 MOST_BRANCHES = 64
-"""What has more combinations of branches than these is not solved."""
+"""Conditions with more combinations of branches are not solved."""
 
 
 @dataclass(frozen=True, slots=True)
-class Break:
-    """Times at + k period, k whole; period 0: one time. terms: eps times that is the rounding of `at`."""
+class TimeEvent:
+    """Times at + k period for integers k; period 0: a single time. The rounding error of `at` is eps times `terms`."""
 
     at: Node
     period: Node
@@ -39,14 +40,14 @@ class Break:
 
 
 class UnsolvedError(Exception):
-    """A condition whose times are not found."""
+    """The times of a condition cannot be found."""
 
 
-class Breaks:
-    """The breaks of expressions.
+class TimeEvents:
+    """The time events of expressions.
 
-    times : in the order in which they were found, each once
-    unsolved : conditions in nothing but the time, parameters and inputs whose times are not found
+    times : each once, in the order in which they were found
+    unsolved : conditions on time, parameters and inputs alone whose times cannot be found
     """
 
     def __init__(self, graph: Graph, time: str, inputs: Sequence[str], roots: Iterable[Node]) -> None:
@@ -60,10 +61,10 @@ class Breaks:
                 found.update(dict.fromkeys(self._of(node)))
             except (UnsolvedError, ZeroDivisionError):
                 self.unsolved.append(node)
-        self.times = tuple(Break(at, period, self._rounding(at)) for at, period in found)
+        self.times = tuple(TimeEvent(at, period, self._rounding(at)) for at, period in found)
 
     def _rounding(self, at: Node) -> Node:
-        """Of what is infinitely steep, as asin(1) and log(0), that of the time itself: no number tells more."""
+        """Return `terms` of a time; zero where its derivative is infinite, as of asin(1) and log(0)."""
         try:
             return self._terms(at)
         except ZeroDivisionError:
@@ -88,7 +89,7 @@ class Breaks:
         return [time for way in ways for time in self._zeros(way)]
 
     def _whole(self, node: Node) -> Node:
-        """Return a symbol that stands for a whole number."""
+        """Return a symbol for the integer value of a floor, or for the turns of a periodic function."""
         return self.graph.symbol(f"whole {node}")
 
     # -- where an expression without kinks vanishes: (at, period) -------------------------------------------------
@@ -115,7 +116,7 @@ class Breaks:
             raise UnsolvedError from error
 
     def _affine(self, node: Node, rate: Node) -> tuple[Node, Node]:
-        """Solve rate t + rest = 0, where the rest may be affine in one whole number."""
+        """Solve rate t + rest = 0, where rest may be affine in one integer symbol."""
         graph = self.graph
         rest = self._at(node, **{self.time: graph.zero})
         whole = sorted(name for name in self._names(rest) if name.startswith("whole "))
@@ -136,7 +137,7 @@ class Breaks:
         return {operands[0] for kind, operands in records if kind is Kind.SYMBOL}
 
     def _quadratic(self, node: Node, rate: Node, bend: Node) -> list[tuple[Node, Node]]:
-        """Solve bend t^2 / 2 + slope t + rest = 0; nothing cancels where parameters make bend small, or 0."""
+        """Solve bend t^2 / 2 + slope t + rest = 0 without cancellation, also where parameters make bend small or 0."""
         graph = self.graph
         slope, rest = (self._at(part, **{self.time: graph.zero}) for part in (rate, node))
         if graph.varies(slope) or graph.varies(rest):
@@ -178,7 +179,7 @@ class Breaks:
         return found.pop()
 
     def _arguments(self, name: str, value: Node, call: Node) -> list[Node]:
-        """Return where a function has a value; with its whole turns."""
+        """Return the arguments at which a function has the value; an integer symbol counts the periods."""
         graph = self.graph
         turns = graph.scale(self._whole(call), 2.0 * math.pi)
         if name == "sin":
@@ -207,7 +208,7 @@ class _Replaced(Rewriter):
 
 
 class _Branches(Fold[tuple[Node, ...]]):
-    """What an expression of the time may be between its kinks; raises where that is too many."""
+    """The smooth branches of a function of time between its kinks; raises if there are too many."""
 
     def __init__(self, graph: Graph, time: str, whole: Callable[[Node], Node]) -> None:
         super().__init__(graph)
@@ -248,7 +249,7 @@ class _Branches(Fold[tuple[Node, ...]]):
         return None
 
     def _rebuilt(self, node: Node, way: tuple[Node, ...]) -> Node:
-        """Rebuild a node of other parts."""
+        """Return the node with other operands."""
         graph = self.graph
         kind, operands = graph.records[node]
         if way == graph.children(node):

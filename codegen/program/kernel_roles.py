@@ -8,7 +8,7 @@ from ..schedule.operations import Cost
 
 @dataclass(frozen=True, slots=True)
 class Stages:
-    """Kernels of one function: the second needs velocities that follow from the first. None: there is nothing to do."""
+    """The two kernels of a function: `motion` needs velocities that follow from `masses`. None: nothing to compute."""
 
     masses: Kernel | None
     motion: Kernel | None
@@ -25,11 +25,11 @@ class Stages:
 
 
 @dataclass(frozen=True, slots=True)
-class BreakKernel:
-    """When conditions in the time alone change: at, period, terms of each.
+class TimeEventKernel:
+    """The kernel of time events: `at`, `period` and `terms` of each.
 
-    times : None where there are none; count : of them
-    named : them, for readers; unsolved : conditions whose times are not found, for readers
+    times : the kernel, None without time events; count : their number
+    named : their formulas as text; unsolved : conditions whose times cannot be found, as text
     """
 
     times: Kernel | None
@@ -40,14 +40,14 @@ class BreakKernel:
 
 @dataclass(frozen=True, slots=True)
 class PartialKernels:
-    """Partial derivatives, row-major; None: there are no such rows.
+    """Kernels of partial derivatives, row-major; None: there are no such rows.
 
     state, forcing : of the residuals of motion at fixed a, lambda: by x, v; by inputs, parameters, time
     constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
     outputs : by a, lambda and these
-    impacts, resets, levels : of what events do, as Kernels has them
-    breaks : of at and period of each break, by the arguments
-    mass_matrix, factored : of M and of what is factored in its place, if anything is, by x (n, n, n)
+    impacts, resets, levels : of the event actions, as Kernels has them
+    time_events : of at and period of each time event, by the arguments
+    mass_matrix, factored : of M, and of M + A^T W A if that is factored instead, by x (n, n, n)
     blow : of M a + A^T lambda and A a at fixed a, lambda
     """
 
@@ -61,7 +61,7 @@ class PartialKernels:
     resets: Kernel | None
     levels: Kernel | None
     blow: Kernel | None
-    breaks: Kernel | None
+    time_events: Kernel | None
     mass_matrix: Kernel
     factored: Kernel | None
 
@@ -71,16 +71,16 @@ class Kernels:
     """The model-specific straight-line part of each function.
 
     impacts : N, dphi/dt and the restitution of each; resets : x and v after each
-    levels : what switches are held against; pushes : the rows P by which multipliers push
-    published, triangular : of the right-hand sides; settled : of what follows an accepted step
-    asks_the_root : whether settled are those of the triangular root, with M below its diagonal alone
-    mass_matrix : None where settled.masses tell all of it; factored : M + A^T W A, None where it is M
-    partials : None where they are left for later
-    breaks : when conditions in the time alone change
+    levels : the bounds that contacts and frictions are compared with; pushes : the rows P by which multipliers act
+    published, triangular : right-hand sides in modes 0 and 1; settled : the treatment of an accepted state
+    asks_the_root : whether `settled` are the kernels of the triangular root, with M below its diagonal alone
+    mass_matrix : None where settled.masses computes all of it; factored : M + A^T W A, None where it is M
+    partials : None where they are compiled on demand
+    time_events : the times at which conditions on time alone change
     """
 
     prepared: Kernel
-    breaks: BreakKernel
+    time_events: TimeEventKernel
     mass_matrix: Kernel | None
     factored: Kernel | None
     pfaffian: Kernel

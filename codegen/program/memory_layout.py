@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..choices import Choices
 from ..equations.specialise import Block, Kind, Scene
-from .program import BlockView, Place, RowGroup, Slice
+from .program import BlockCoordinate, BlockView, RowGroup, Slice
 
 
 class _Store:
@@ -71,7 +71,9 @@ def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int]
     L, r = (prepared.take(square), prepared.take(size)) if fixed else _kept(block, choices, memory)
     return BlockView(
         number=block.number, size=size, coordinates=block.coordinates,
-        places=tuple(Place(k, local, _scale(scene, choices, k)) for local, k in enumerate(block.coordinates)),
+        block_coordinates=tuple(
+            BlockCoordinate(k, local, _scale(scene, choices, k)) for local, k in enumerate(block.coordinates)
+        ),
         names=", ".join(scene.mechanics.x[k].name for k in block.coordinates),
         turning=block.kind is Kind.TURNING, single=block.kind is Kind.SINGLE, fixed=fixed,
         constrained=block.constrained, home=_home(block, choices), C=C, s=s, L=L, r=r,

@@ -1,4 +1,4 @@
-"""Kernels of partial derivatives: dense blocks, in which what is not zero is assigned."""
+"""Kernels of partial derivatives: dense blocks whose nonzero entries are assigned."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
 
 
 def partial_kernels(terms: Terms, symbols: Symbols) -> PartialKernels:
-    """Write them. What is made of parameters only is computed in place: nobody prepares what few ask for."""
+    """Return the kernels. They compute functions of the parameters themselves: rare calls need no preparation."""
     return _Writing(terms, symbols).kernels()
 
 
@@ -30,22 +30,22 @@ class _Writing:
             [self.terms.node(expression) for _, expression in named]
             for named in (mechanics.outputs, mechanics.events, mechanics.quasi_velocities)
         )
-        breaks = [node for one in self.terms.breaks.times for node in (one.at, one.period)]
+        times = [node for one in self.terms.time_events.times for node in (one.at, one.period)]
         return PartialKernels(
             state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
             forcing=self.dense("forcing_partials", partials.residual, partials.given, *MOTION),
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
-            breaks=self.if_any("time_event_partials", breaks, arguments, "c"),
+            time_events=self.if_any("time_event_partials", times, arguments, "c"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
             mass_matrix=self.gradient("mass_matrix_gradient", self.terms.dM),
             factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
-            **self.deeds(),
+            **self.event_actions(),
         )
 
-    def deeds(self) -> dict[str, Kernel | None]:
-        """Those of what events do, where any does something."""
+    def event_actions(self) -> dict[str, Kernel | None]:
+        """Return the kernels of the event actions; None for each if no event acts."""
         mechanics, partials = self.terms.mechanics, self.partials
         rows = {
             "impacts": [(*one.N, one.rate, one.restitution) for one in mechanics.impacts],
@@ -67,7 +67,7 @@ class _Writing:
         return self.dense(name, roots, columns, *arguments) if roots else None
 
     def dense(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel:
-        """D (roots, columns)."""
+        """Return the kernel that assigns the nonzero entries of D (roots, columns)."""
         graph, D = self.terms.graph, Array("D", "")
         flat = [entry for row in self.partials.of(roots, columns) for entry in row]
         expanded = [(k, self.terms.expanded(entry)) for k, entry in enumerate(flat)]
@@ -75,7 +75,7 @@ class _Writing:
         return self.one(name, entries, *arguments, "D")
 
     def gradient(self, name: str, dM: Sequence[Rows]) -> Kernel:
-        """What is not zero, since the rest is cleared before."""
+        """Return the kernel that assigns the nonzero entries of a gradient; the caller clears the array first."""
         zero, expanded = self.terms.graph.zero, self.terms.expanded
         given = [entry for k, M in enumerate(dM) for entry in both_triangles("dM", k * len(M) ** 2, M)]
         entries = [replace(entry, node=expanded(entry.node)) for entry in given if entry.node != zero]

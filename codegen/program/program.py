@@ -9,7 +9,7 @@ from .kernel_roles import Kernels
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BlockCoordinate:
     """Coordinate k is number `local` of its block; its velocity there is multiplied by `scale` ("" or "2.0*")."""
 
     k: int
@@ -21,7 +21,7 @@ class Place:
 class BlockView:
     """A block of M as the templates see it.
 
-    number, size, coordinates, places, names : which coordinates
+    number, size, coordinates, block_coordinates, names : which coordinates
     turning, single, fixed : how its eigenfactors come about (one is true)
     constrained : whether a constraint row holds one of them
     home : where its root is: an em_home
@@ -31,7 +31,7 @@ class BlockView:
     number: int
     size: int
     coordinates: tuple[int, ...]
-    places: tuple[Place, ...]
+    block_coordinates: tuple[BlockCoordinate, ...]
     names: str
     turning: bool
     single: bool
@@ -44,12 +44,12 @@ class BlockView:
     r: int
 
     @property
-    def root_place(self) -> str:
+    def root_array(self) -> str:
         """The array that holds its triangular root."""
         return "memory" if self.home in ("EM_IN_STATE", "EM_IN_MEMORY") else "c"
 
     @property
-    def factor_place(self) -> str:
+    def factor_array(self) -> str:
         """The array that holds its C and s."""
         return "y" if self.home == "EM_IN_STATE" else "c"
 
@@ -229,9 +229,9 @@ class Program:
         return bool(self.n_impacts or self.resets or self.switches)
 
     @property
-    def n_breaks(self) -> int:
+    def n_time_events(self) -> int:
         """How many times, or series of them, there are at which conditions in the time alone change."""
-        return self.kernels.breaks.count
+        return self.kernels.time_events.count
 
     @property
     def pushed(self) -> str:

@@ -1,4 +1,4 @@
-"""The kernel that says when conditions in the time alone change."""
+"""The kernel of time events: the times at which conditions on time alone change."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sympy
 from ..equations.terms import Terms
 from ..graph.convert import ToSympy
 from ..kernel.kernel import Array, Draft, Entry, Symbols, written
-from .kernel_roles import BreakKernel
+from .kernel_roles import TimeEventKernel
 
 
 class _AnySymbol(dict[str, sympy.Symbol]):
@@ -17,9 +17,9 @@ class _AnySymbol(dict[str, sympy.Symbol]):
         return sympy.Symbol(name)
 
 
-def break_kernel(terms: Terms, symbols: Symbols) -> BreakKernel:
-    """Write it. What is made of parameters is computed in place, for no step asks."""
-    graph, found = terms.graph, terms.breaks
+def time_event_kernel(terms: Terms, symbols: Symbols) -> TimeEventKernel:
+    """Return the kernel. It computes what depends on parameters alone itself, since no step calls it."""
+    graph, found = terms.graph, terms.time_events
     nodes = [node for one in found.times for node in (one.at, one.period, one.terms)]
     entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, node in enumerate(nodes)]
     kernel = written(graph, [Draft("model_time_events", entries, ("c", "at"))], symbols, None)[0] if nodes else None
@@ -27,4 +27,4 @@ def break_kernel(terms: Terms, symbols: Symbols) -> BreakKernel:
     named = (
         str(text(one.at)) + (f" + k*({text(one.period)})" if one.period != graph.zero else "") for one in found.times
     )
-    return BreakKernel(kernel, len(found.times), tuple(named), tuple(str(text(node)) for node in found.unsolved))
+    return TimeEventKernel(kernel, len(found.times), tuple(named), tuple(str(text(node)) for node in found.unsolved))

@@ -1,4 +1,4 @@
-"""Breaks: what changes at times that follow from parameters alone is neither stepped over nor smeared."""
+"""Time events: what changes at times that follow from parameters alone is neither stepped over nor smeared."""
 
 import numpy as np
 import pytest
@@ -289,10 +289,10 @@ def test_what_is_not_solved_is_said():
     words = compiler.explain(driven("unsolved", Piecewise((1, t**3 + t < DUTY), (0, True)), {DUTY: 1.0}))
     assert "that steps may pass over" in words
     assert "t**3 + t" in words
-    assert "Breaks" not in words
+    assert "Time events" not in words
 
 
 def test_what_is_solved_is_said_and_others_pay_nothing():
     assert "t0 + d" in compiler.explain(PULSED) or "d + t0" in compiler.explain(PULSED)
     plain = compiler.generate(driven("plain", sin(t))).files
-    assert not any("breaks" in part.text.lower() for part in plain)
+    assert not any("time_event" in part.text.lower() for part in plain)

@@ -17,7 +17,7 @@ from eigenmotion.codegen.kernel.kernel import Kernel
 from eigenmotion.codegen.program import kernel_roles
 from eigenmotion.codegen.program import program as codegen_program
 from eigenmotion.codegen.program.kernel_roles import Kernels, Stages
-from eigenmotion.codegen.program.program import BlockView, EventView, Place, Program, Slice
+from eigenmotion.codegen.program.program import BlockCoordinate, BlockView, EventView, Program, Slice
 from eigenmotion.codegen.render.emit import TEMPLATES, environment
 from jinja2 import meta, nodes
 from sympy import Rational, cos, sin
@@ -79,7 +79,7 @@ def test_every_function_says_what_it_is(systems):
 
 # --- templates and the record they get --------------------------------------------------------------------------------
 
-RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": Place, "kernel": Kernel,
+RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": BlockCoordinate, "kernel": Kernel,
            "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
 OTHERS = tuple(kind for kind in {**vars(codegen_program), **vars(kernel_roles)}.values() if is_dataclass(kind))
 
@@ -109,7 +109,7 @@ def test_templates_read_no_field_that_is_not_there():
         )  # slots, and what follows from them
 
 
-@pytest.mark.parametrize("record", [Program, BlockView, Kernels, Place])
+@pytest.mark.parametrize("record", [Program, BlockView, Kernels, BlockCoordinate])
 def test_templates_read_every_field(record):
     variables = {name for name, kind in RECORDS.items() if kind is record}
     read = {attribute for variable, attribute in attributes() if variable in variables or variable not in RECORDS}

@@ -8,9 +8,9 @@ from ..arguments.members import Asked, Members
 from ..arguments.methods import METHODS
 from ..arguments.options import TO_DERIVE
 from ..codegen.model.normalise import ModelError
-from ..results.batch_arrays import REASONS, Found
+from ..results.batch_arrays import REASONS, BatchArrays
 from ..results.solution import Solution
-from ..results.trajectory import Leg
+from ..results.trajectory import Segment
 from ..runtime import COUNTS, EvaluationError, StopReason
 from ..runtime.ensemble import Chunk, Stop
 from ..simulation.simulate import run_task
@@ -21,15 +21,15 @@ _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFU
 _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
 
 
-def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
+def run_chunk(asked: Asked, members: Members, stop: Stop) -> BatchArrays:
     """Return what comes of members. `stop` ends their runs early."""
     model = asked.model
     if _one_by_one(asked):
-        found = Found.none(asked, members.count)
+        found = BatchArrays.none(asked, members.count)
         doubtful = list(range(members.count))
     else:
         chunk = Chunk(asked, members, stop)
-        found = replace(Found.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
+        found = replace(BatchArrays.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
             doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python
@@ -48,7 +48,7 @@ def _one_by_one(asked: Asked) -> bool:
     return bool(asked.model.switches) or in_one_run(asked)
 
 
-def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop, shifts: Shifts) -> None:
+def _look_again(asked: Asked, members: Members, k: int, found: BatchArrays, stop: Stop, shifts: Shifts) -> None:
     """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
     try:
         task = task_of(asked, members, k)
@@ -66,7 +66,7 @@ def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop
             stop.set()
 
 
-def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
+def _keep(asked: Asked, k: int, solution: Solution, found: BatchArrays) -> None:
     """Take over a run of its own."""
     found.status[k], found.words[k] = REASONS.index(solution.stop), solution.message
     rows = solution.y.T
@@ -75,7 +75,7 @@ def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
     found.y[k, : len(rows)] = rows
     found.t_end[k] = _reached(asked, solution)
     if solution.modes:
-        found.legs[k] = _legs(solution, end_only=asked.end_only)
+        found.segments[k] = _segments(solution, end_only=asked.end_only)
     found.counts[k] = [solution[name] for name in COUNTS]
     if solution.t_events is None:
         return
@@ -85,12 +85,12 @@ def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
     found.events = np.insert(found.events, place, np.concatenate(solution.y_events), axis=0)
 
 
-def _legs(solution: Solution, *, end_only: bool) -> tuple[Leg, ...]:
+def _segments(solution: Solution, *, end_only: bool) -> tuple[Segment, ...]:
     """Return the modes of a run; the row of its end is the only one, and of the last."""
     rows = solution._rows
     if rows is None or not end_only:
-        return () if rows is None else rows.legs
-    return tuple((0, t, parameters) for _, t, parameters in rows.legs)
+        return () if rows is None else rows.segments
+    return tuple((0, t, parameters) for _, t, parameters in rows.segments)
 
 
 def _reached(asked: Asked, solution: Solution) -> float:

@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from ..arguments.members import Asked, Members
 from ..codegen.model.normalise import ModelError
-from ..results.batch_arrays import Collection, Found
+from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
 from .chunk import run_chunk
 from .threads import Report, pieces
@@ -39,7 +39,7 @@ def _asked(packed: bytes) -> Asked:
     return asked
 
 
-def timed_chunk(packed: bytes, members: Members) -> tuple[Found, float]:
+def timed_chunk(packed: bytes, members: Members) -> tuple[BatchArrays, float]:
     """Run members in a worker, in one thread; return what came of them, and the seconds it took."""
     asked = _asked(packed)
     start = time.perf_counter()
@@ -47,7 +47,7 @@ def timed_chunk(packed: bytes, members: Members) -> tuple[Found, float]:
     return found, time.perf_counter() - start
 
 
-def in_executor(asked: Asked, members: Members, executor: Executor, report: Report) -> Found:
+def in_executor(asked: Asked, members: Members, executor: Executor, report: Report) -> BatchArrays:
     """Run all members in the executor's workers; Ctrl-C gives up what is not done."""
     work = _Work(asked, members, executor, report)
     try:
@@ -71,7 +71,7 @@ class _Work:
     def __init__(self, asked: Asked, members: Members, executor: Executor, report: Report) -> None:
         self.packed, self.members, self.executor, self.report = _packed(asked), members, executor, report
         self.found, self.seconds = Collection(asked, members.count), 0.0
-        self.waiting: dict[Future[tuple[Found, float]], tuple[int, int]] = {}
+        self.waiting: dict[Future[tuple[BatchArrays, float]], tuple[int, int]] = {}
         self.tries: dict[tuple[int, int], int] = {}
 
     def submit(self, parts: list[tuple[int, int]]) -> None:
@@ -91,7 +91,7 @@ class _Work:
             for future in done:
                 self._take(future, self.waiting.pop(future))
 
-    def _take(self, future: Future[tuple[Found, float]], part: tuple[int, int]) -> None:
+    def _take(self, future: Future[tuple[BatchArrays, float]], part: tuple[int, int]) -> None:
         """Take over a chunk, or hand it out again where it was lost with its worker."""
         try:
             self._put(part, future.result())
@@ -102,7 +102,7 @@ class _Work:
             _log.warning("members %d to %d are run again: %s", part[0], part[1] - 1, error)
             self.submit([part])
 
-    def _put(self, part: tuple[int, int], done: tuple[Found, float]) -> None:
+    def _put(self, part: tuple[int, int], done: tuple[BatchArrays, float]) -> None:
         found, seconds = done
         self.found.put(part[0], found)
         self.seconds += seconds

@@ -7,7 +7,7 @@ from ..arguments.methods import METHODS
 from ..arguments.named_values import Vector
 from ..arguments.options import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError
-from ..results.batch_arrays import REASONS, Found
+from ..results.batch_arrays import REASONS, BatchArrays
 from ..results.solution import Solution
 from ..runtime import EvaluationError, StopReason, explain
 from ..runtime.ensemble import Stop
@@ -26,7 +26,7 @@ def in_one_run(asked: Asked) -> bool:
     return asked.differentiated is not None and asked.name not in _TWICE
 
 
-def vary_members(asked: Asked, members: Members, found: Found, stop: Stop) -> Shifts:
+def vary_members(asked: Asked, members: Members, found: BatchArrays, stop: Stop) -> Shifts:
     """Run members again for what is between their rows; and as `vary`."""
     shifts: Shifts = {}
     for k in range(members.count):
@@ -42,7 +42,7 @@ def vary_members(asked: Asked, members: Members, found: Found, stop: Stop) -> Sh
     return shifts
 
 
-def vary(asked: Asked, k: int, task: Task, solution: Solution, found: Found, shifts: Shifts) -> None:
+def vary(asked: Asked, k: int, task: Task, solution: Solution, found: BatchArrays, shifts: Shifts) -> None:
     """Fill `S` of a member and its `shifts`; where a run that did well has none, say why in `words`."""
     by = asked.differentiated
     if by is None:
@@ -59,12 +59,12 @@ def vary(asked: Asked, k: int, task: Task, solution: Solution, found: Found, shi
         shifts[k] = np.array([np.concatenate([*(one.dt_events or ()), np.empty(0)]) for one in rows]).T
 
 
-def _none(asked: Asked, k: int, found: Found, error: Exception) -> None:
+def _none(asked: Asked, k: int, found: BatchArrays, error: Exception) -> None:
     words = found.words.get(k, explain(REASONS[found.status[k]], asked.model.coordinates))
     found.words[k] = f"{words} It has no sensitivities: {error}"
 
 
-def together(found: Found, shifts: Shifts, names: int) -> Vector:
+def together(found: BatchArrays, shifts: Shifts, names: int) -> Vector:
     """Return the shifts of all events of a chunk (events, names), NaN of members without."""
     made = np.full((len(found.event_times), names), np.nan)
     ends = np.cumsum(found.event_counts.sum(axis=1))

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 
 from ..arguments.members import Asked, Members
-from ..results.batch_arrays import Collection, Found
+from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
 from .chunk import run_chunk
 
@@ -31,7 +31,7 @@ def shares(count: int, workers: int) -> list[tuple[int, int]]:
     return found
 
 
-def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
+def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> BatchArrays:
     """Run all members; Ctrl-C ends the runs, and what is done is returned."""
     stop, parts = Stop(), shares(members.count, workers)
     if len(parts) == 1:

@@ -10,20 +10,20 @@ from numpy.typing import NDArray
 from ..arguments.members import Asked, Members
 from ..arguments.named_values import Vector
 from ..runtime import COUNTS, CompiledModel, StopReason
-from .trajectory import Leg
+from .trajectory import Segment
 
 REASONS = tuple(StopReason)
 _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts", "S")
 
 
 @dataclass(eq=False)
-class Found:
+class BatchArrays:
     """What came of some members: as `Chunk` has it, and what its numbers do not tell.
 
     counts : (K, 7), the COUNTS of a Solution
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
     words : member -> how it ended, of those that run or are refused one by one
-    legs : member -> its modes, as of `Trajectory`, of models with contacts
+    segments : member -> its modes, as of `Trajectory`, of models with contacts
     """
 
     y: Vector
@@ -39,10 +39,10 @@ class Found:
     S: Vector
     dt_events: Vector
     words: dict[int, str] = field(default_factory=dict)
-    legs: dict[int, tuple[Leg, ...]] = field(default_factory=dict)
+    segments: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
 
     @classmethod
-    def none(cls, asked: Asked, count: int) -> "Found":
+    def none(cls, asked: Asked, count: int) -> "BatchArrays":
         """Return members none of which has run."""
         model, columns = asked.model, len(asked.differentiated.names) if asked.differentiated else 0
         interrupted = REASONS.index(StopReason.INTERRUPTED)
@@ -69,7 +69,7 @@ class Found:
         parts = []
         for k, columns in enumerate(zip(*others, strict=True)):
             parameters = np.tile(members.row("parameters", k), (t.shape[1], 1))
-            for first, _, of_mode in self.legs.get(k, ()):
+            for first, _, of_mode in self.segments.get(k, ()):
                 parameters[first:] = of_mode
             alone = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
             parts.append(function(*alone, parameters, least_norm))
@@ -80,18 +80,18 @@ class Collection:
     """What comes of members, part by part in any order: room for all is taken at once."""
 
     def __init__(self, asked: Asked, count: int) -> None:
-        self._whole, self._events = Found.none(asked, count), dict[int, tuple[Vector, ...]]()
+        self._whole, self._events = BatchArrays.none(asked, count), dict[int, tuple[Vector, ...]]()
 
-    def put(self, start: int, part: Found) -> None:
+    def put(self, start: int, part: BatchArrays) -> None:
         """Take over the members from `start` on."""
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
-        self._whole.legs |= {start + k: legs for k, legs in part.legs.items()}
+        self._whole.segments |= {start + k: segments for k, segments in part.segments.items()}
         self._events[start] = part.event_times, part.events, part.dt_events
 
     @property
-    def whole(self) -> Found:
+    def whole(self) -> BatchArrays:
         """All of them."""
         parts = [self._events[start] for start in sorted(self._events)]
         if parts:

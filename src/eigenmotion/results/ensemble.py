@@ -14,7 +14,7 @@ from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
-from .batch_arrays import REASONS, Found, nothing
+from .batch_arrays import REASONS, BatchArrays, nothing
 from .columns import columns
 from .multiplier_uniqueness import shared
 from .sensitivity import Sensitivity
@@ -50,7 +50,7 @@ class Ensemble:
     ((3, 1, 1), array([0.5, 1. , 2. ]), 1)
     """
 
-    def __init__(self, asked: Asked, members: Members, found: Found) -> None:
+    def __init__(self, asked: Asked, members: Members, found: BatchArrays) -> None:
         self._asked, self._members, self._found = asked, members, found
         self._model = asked.model
 
@@ -244,9 +244,9 @@ class Ensemble:
         t = self._times[k if asked.end_only else 0][there]
         rows, stop = np.ascontiguousarray(found.y[k][there]), REASONS[found.status[k]]
         t_events, y_events = self._events(k)
-        legs = found.legs.get(k, ())
+        segments = found.segments.get(k, ())
         ended = stop, self.message(k), asked.name, tuple(found.counts[k].tolist())
-        fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, legs))
+        fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, segments))
         if asked.differentiated is not None:
             fields["sensitivity"] = self._sensitivity(k, there)
         if stop is StopReason.START_REFUSED:
@@ -254,7 +254,7 @@ class Ensemble:
         prepared = self._model.prepare(members.row("parameters", k))
         task = asked.task(prepared, members.inputs_of(k), members.row("x", k))
         fields |= shared(task, fields["message"])
-        return Solution(Trajectory(task, t, rows, legs), fields)
+        return Solution(Trajectory(task, t, rows, segments), fields)
 
     def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:
         n, S, pieces = self._model.n, self._found.S[k][there].T, self._event_pieces(k)

@@ -16,7 +16,7 @@ from ..presentation.notebook import image, table
 from ..runtime import CompiledModel, StopReason
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times, still
 from .pictures.moving_shapes import Drawing, require_drawing
-from .trajectory import Leg, Trajectory
+from .trajectory import Segment, Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
 
@@ -37,7 +37,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "drawing": lambda rows: rows.drawing,
 }
 
-_UNSAID: dict[str, Any] = {
+_DEFAULTS: dict[str, Any] = {
     "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
     "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
@@ -134,10 +134,10 @@ class Solution(dict[str, Any]):
     __slots__ = ("__weakref__", "_source")
     __setattr__ = dict.__setitem__
     __delattr__ = dict.__delitem__
-    _source: Trajectory | tuple[Task, tuple[Leg, ...]] | None
+    _source: Trajectory | tuple[Task, tuple[Segment, ...]] | None
 
-    def __init__(self, rows: Trajectory | tuple[Task, tuple[Leg, ...]] | None, fields: dict[str, Any]) -> None:
-        """A run's task and legs say enough of its rows: many a run is asked for t and y alone."""
+    def __init__(self, rows: Trajectory | tuple[Task, tuple[Segment, ...]] | None, fields: dict[str, Any]) -> None:
+        """A run's task and segments say enough of its rows: many a run is asked for t and y alone."""
         dict.update(self, fields)
         _keep(self, rows)
 
@@ -151,8 +151,8 @@ class Solution(dict[str, Any]):
     def _rows(self) -> Trajectory | None:
         source = self._source
         if isinstance(source, tuple):
-            task, legs = source
-            source = Trajectory(task, self["t"], self["y"].T, legs)
+            task, segments = source
+            source = Trajectory(task, self["t"], self["y"].T, segments)
             _keep(self, source)
         return source
 
@@ -162,10 +162,10 @@ class Solution(dict[str, Any]):
         return None if self._rows is None else self._rows.model
 
     def __missing__(self, name: str) -> Any:
-        if name in _UNSAID:
-            return _UNSAID[name]
+        if name in _DEFAULTS:
+            return _DEFAULTS[name]
         if self._rows is None or name not in _DERIVED:
-            raise KeyError(self._place(name))
+            raise KeyError(self._hint(name))
         self[name] = value = _DERIVED[name](self._rows)
         return value
 
@@ -175,7 +175,7 @@ class Solution(dict[str, Any]):
         except KeyError as error:
             raise AttributeError(*error.args) from error
 
-    def _place(self, name: str) -> str:
+    def _hint(self, name: str) -> str:
         """Say where to find a name that is no field: a coordinate's, or an output's."""
         if self._rows is None:
             return name
@@ -186,12 +186,12 @@ class Solution(dict[str, Any]):
         return f"{name!r} is an output: outputs[{name!r}]" if name in model.outputs else name
 
     def __contains__(self, name: object) -> bool:
-        return super().__contains__(name) or name in _UNSAID or (self._rows is not None and name in _DERIVED)
+        return super().__contains__(name) or name in _DEFAULTS or (self._rows is not None and name in _DERIVED)
 
     def __iter__(self) -> Iterator[str]:
         found = list(super().__iter__())
         yield from found
-        yield from (name for name in (*_UNSAID, *(_DERIVED if self._rows is not None else ())) if name not in found)
+        yield from (name for name in (*_DEFAULTS, *(_DERIVED if self._rows is not None else ())) if name not in found)
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

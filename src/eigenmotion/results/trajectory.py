@@ -12,7 +12,7 @@ from ..arguments.options import Task
 from ..runtime import CompiledModel, Prepared
 from .pictures.moving_shapes import Drawing
 
-Leg = tuple[int, float, tuple[float, ...]]
+Segment = tuple[int, float, tuple[float, ...]]
 
 
 class Trajectory:
@@ -22,22 +22,22 @@ class Trajectory:
     ----------
     t : (k,) [s]
     rows : (k, n_state), published meaning
-    legs : where modes change: first row, time and parameters of each mode; () where there is one
+    segments : where modes change: first row, time and parameters of each mode; () where there is one
     """
 
-    def __init__(self, task: Task, t: Vector, rows: Vector, legs: tuple[Leg, ...] = ()) -> None:
-        self.task, self.model, self.t, self.rows, self.legs = task, task.model, t, rows, legs
+    def __init__(self, task: Task, t: Vector, rows: Vector, segments: tuple[Segment, ...] = ()) -> None:
+        self.task, self.model, self.t, self.rows, self.segments = task, task.model, t, rows, segments
 
     @cached_property
-    def _legs(self) -> list[tuple[slice, Prepared]]:
-        """Which rows each leg has, and its prepared parameters."""
-        return _pieces(self.task, len(self.t), self.legs)
+    def _segments(self) -> list[tuple[slice, Prepared]]:
+        """Which rows each segment has, and its prepared parameters."""
+        return _segment_rows(self.task, len(self.t), self.segments)
 
     def _by_segment(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of a function of (columns, prepared parameters), each in its own mode."""
-        if len(self._legs) == 1:
-            return function(*columns, self._legs[0][1])
-        parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self._legs]
+        if len(self._segments) == 1:
+            return function(*columns, self._segments[0][1])
+        parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self._segments]
         if isinstance(parts[0], tuple):
             return tuple(map(np.concatenate, zip(*parts, strict=True)))
         return np.concatenate(parts)
@@ -128,11 +128,11 @@ class Trajectory:
         """x (k, n) at t (k,) between the rows, for the eye: cubics that have the velocities of both ends."""
         sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
         turns = np.flatnonzero(np.diff(self.t) == 0) + 1  # what acts leaves a row before and one after
-        legs = [rows for rows in np.split(np.arange(len(self.t)), turns) if len(rows) > 1]
+        segments = [rows for rows in np.split(np.arange(len(self.t)), turns) if len(rows) > 1]
         found, last = np.repeat(self.x[:1], len(t), axis=0), np.full(len(t), -1)
-        for number, rows in enumerate(legs):
+        for number, rows in enumerate(segments):
             last[sign * t >= sign * self.t[rows[0]]] = number
-        for number, rows in enumerate(legs):
+        for number, rows in enumerate(segments):
             cubics = scipy.interpolate.CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
             found[last == number] = cubics(sign * t[last == number])
         return found
@@ -147,13 +147,13 @@ class Trajectory:
         return self.model.output_rows(t, x, v, u, c, self.task.least_norm)
 
 
-def _pieces(task: Task, count: int, legs: tuple[Leg, ...]) -> list[tuple[slice, Prepared]]:
-    """Return which rows each leg has, and its prepared parameters."""
-    if not legs:
+def _segment_rows(task: Task, count: int, segments: tuple[Segment, ...]) -> list[tuple[slice, Prepared]]:
+    """Return which rows each segment has, and its prepared parameters."""
+    if not segments:
         return [(slice(0, count), task.prepared)]
-    ends = [first for first, _, _ in legs[1:]] + [count]
-    made = {parameters: task.model.prepare(np.array(parameters)) for _, _, parameters in legs}
-    return [(slice(first, end), made[parameters]) for (first, _, parameters), end in zip(legs, ends, strict=True)]
+    ends = [first for first, _, _ in segments[1:]] + [count]
+    made = {parameters: task.model.prepare(np.array(parameters)) for _, _, parameters in segments}
+    return [(slice(first, end), made[parameters]) for (first, _, parameters), end in zip(segments, ends, strict=True)]
 
 
 def _carried_blocks(model: CompiledModel) -> list[list[int]]:

@@ -16,7 +16,7 @@ from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matri
 import numpy as np
 
 from .status.stop_reasons import EvaluationError, StopReason, named_rows
-from .status.refusals import told
+from .status.refusals import refusal
 
 _REASONS = tuple(StopReason)
 
@@ -149,7 +149,7 @@ cdef class PointModel:
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
-        return EvaluationError(f"{self.name}: {told(self, stop, fault.first, fault.second, fault.size)}", stop)
+        return EvaluationError(f"{self.name}: {refusal(self, stop, fault.first, fault.second, fault.size)}", stop)
 
     # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 

@@ -15,7 +15,7 @@ from ...compiled.compiled_system import CompiledSystem
 from ...compiled.projection import ConsistentState, Projection, check_resolved, length
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ..state.active_contacts import Surfaces, Switch, holding
-from ..state.operating_point import Place
+from ..state.operating_point import OperatingPoint
 from ..state.tangent_space import solved
 
 _STARTS = 30
@@ -126,7 +126,7 @@ def _closed(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
 def _apart(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, held: list[int]) -> Vector:
     """Return the nearest that is closed and inside no contact: what would be inside is on the surface."""
     touching: list[Switch] = []
-    there = Place(c, prepared, t, x, v, c.input_defaults)
+    there = OperatingPoint(c, prepared, t, x, v, c.input_defaults)
     for _ in range(len(c.switches) + 1):
         at = holding(there, touching) if touching else there
         try:
@@ -167,7 +167,7 @@ class _Loop:
         return min(closed, key=lambda x: float(np.linalg.norm((x - self.x) * self._inertia())))
 
     def _inertia(self) -> Vector:
-        return Place(self.c, self.prepared, self.t, self.x, self.v, self.c.input_defaults).inertia
+        return OperatingPoint(self.c, self.prepared, self.t, self.x, self.v, self.c.input_defaults).inertia
 
     def _whole(self, q: Vector) -> Vector:
         x = self.x.copy()

@@ -15,7 +15,7 @@ from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
 from ...runtime import EvaluationError
 from ..state.active_contacts import Surfaces, Switch, decided, holding, mode_of, opened, switches_of
-from ..state.operating_point import Place
+from ..state.operating_point import OperatingPoint
 from .equilibrium_equations import Balance
 
 _MODES = 50
@@ -52,7 +52,7 @@ def sought(balance: Balance) -> tuple[Balance, Vector]:
         below, q, holds = _with_modes(*_downhill(here, start))
         found += [(below, q)] * holds
     if found:
-        unit = balance.place(start).inertia[list(balance.free)] if balance.of_coordinates_alone else 1.0
+        unit = balance.point(start).inertia[list(balance.free)] if balance.of_coordinates_alone else 1.0
         return min(found, key=lambda one: float(np.linalg.norm(unit * (one[1] - start))))
     guessed = (_with_modes(begin, start) for begin in islice(_guesses(balance), _GUESSES))
     return next(((begin, q) for begin, q, holds in guessed if holds), (first, solution))
@@ -60,19 +60,19 @@ def sought(balance: Balance) -> tuple[Balance, Vector]:
 
 def _mode(balance: Balance) -> list[float]:
     """Return the values of the parameters that say what holds."""
-    at = balance.place(balance.start)
+    at = balance.point(balance.start)
     return list(mode_of(at.model, at.prepared).values())
 
 
 def _guesses(balance: Balance) -> Iterator[Balance]:
     """Return it with any contacts held."""
-    at = opened(balance.place(balance.start))
+    at = opened(balance.point(balance.start))
     contacts = [one for one in switches_of(at.model) if one.is_contact]
     for held in chain.from_iterable(combinations(contacts, count) for count in range(len(contacts) + 1)):
         yield _in_mode(balance, holding(at, list(held)))
 
 
-def _in_mode(balance: Balance, at: Place) -> Balance:
+def _in_mode(balance: Balance, at: OperatingPoint) -> Balance:
     """Return the balance in the mode of a place."""
     count = len(at.model.parameters)
     given = balance.given.copy()
@@ -85,7 +85,7 @@ def _in_mode(balance: Balance, at: Place) -> Balance:
 
 def _begun(balance: Balance) -> Balance:
     """Return the balance in the mode of the state that is given, on the surfaces that it is inside of."""
-    at = balance.place(balance.start)
+    at = balance.point(balance.start)
     inside = [one for one, _ in Surfaces(at).inside()]
     try:
         return _in_mode(balance, decided(_touching(at)))
@@ -102,7 +102,7 @@ def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
             q = balance.solved(q)
             if not balance.satisfied(q, start):
                 return balance, q, False
-            at = balance.place(q)
+            at = balance.point(q)
             if entered := [one for one, _ in Surfaces(at).inside()]:
                 balance = _in_mode(balance, holding(at, entered))
                 continue
@@ -114,7 +114,7 @@ def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
     return balance, q, False
 
 
-def _touching(at: Place) -> Place:
+def _touching(at: OperatingPoint) -> OperatingPoint:
     """Return the place where all that it touches counts as held before, so that no rounding opens a gap."""
     values = at.prepared.parameters
     near = [one for one in Surfaces(at).closed() if not values[one.holds] and not values[one.idles]]
@@ -128,7 +128,7 @@ def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
     """Follow dx/dt = a(x) by implicit steps, in the mode of each place, to where it touches and to a rest."""
     step, before = 0.0, np.inf
     try:
-        at = decided(_touching(balance.place(q)))
+        at = decided(_touching(balance.point(q)))
         for _ in range(_STEPS):
             slope, push = _scaled(at)
             left = float(np.linalg.norm(push))
@@ -144,7 +144,7 @@ def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
     return _in_mode(balance, at), at.x
 
 
-def _scaled(at: Place) -> tuple[Vector, Vector]:
+def _scaled(at: OperatingPoint) -> tuple[Vector, Vector]:
     n = at.model.n
     return at.inertia[:, None] * at.slopes[:, :n] / at.inertia, at.inertia * at.motion[0]
 
@@ -156,7 +156,7 @@ def _next_step(step: float, slope: float, slower: float) -> float:
     return step * (2.0 if step * slope <= _STRAIGHT else min(2.0, slower))
 
 
-def _moved(at: Place, dx: Vector) -> Place:
+def _moved(at: OperatingPoint, dx: Vector) -> OperatingPoint:
     """Return the place dx further in its mode, or where it first touches something, in the mode that it has there."""
     values = at.prepared.parameters
     open_ = [one for one in switches_of(at.model) if one.is_contact and not values[one.holds] and not values[one.idles]]
@@ -169,7 +169,7 @@ def _moved(at: Place, dx: Vector) -> Place:
     return decided(_touching(there))
 
 
-def _first_touch(at: Place, dx: Vector, contacts: list[Switch]) -> tuple[float, list[Switch]]:
+def _first_touch(at: OperatingPoint, dx: Vector, contacts: list[Switch]) -> tuple[float, list[Switch]]:
     """Return the part of dx after which the first of these closes, and which; 1 and none."""
     if not contacts:
         return 1.0, []

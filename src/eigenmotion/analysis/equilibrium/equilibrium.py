@@ -18,7 +18,7 @@ from ..linear.linearize import linearize, linearized
 from ..state.active_contacts import held_words, mode_of
 from ..state.contact_bounds import is_within, settled, sticking
 from ..state.contact_mode import check_apart
-from ..state.operating_point import Place
+from ..state.operating_point import OperatingPoint
 from .contact_equilibrium import sought
 from .equilibrium_equations import Balance
 
@@ -148,7 +148,7 @@ def _places(given: object, names: tuple[str, ...], what: str) -> tuple[int, ...]
 
 def _found(balance: Balance, q: Vector) -> Equilibrium:
     system, wrong = balance.system, balance.unsatisfied(q, balance.start)
-    at, bounds = balance.place(q), list[str]()
+    at, bounds = balance.point(q), list[str]()
     multipliers = at.motion[1]
     if not wrong.any():
         at, bounds = _settled(at)
@@ -168,12 +168,12 @@ def _found(balance: Balance, q: Vector) -> Equilibrium:
     )
 
 
-def _settled(at: Place) -> tuple[Place, list[str]]:
+def _settled(at: OperatingPoint) -> tuple[OperatingPoint, list[str]]:
     found, bounds = settled(sticking(at))
     return found, [words for _, words in bounds]
 
 
-def _inside(at: Place) -> str:
+def _inside(at: OperatingPoint) -> str:
     """Say what the place is inside of; nothing: of nothing."""
     try:
         check_apart(at)
@@ -182,12 +182,12 @@ def _inside(at: Place) -> str:
     return ""
 
 
-def _stays(at: Place) -> bool:
+def _stays(at: OperatingPoint) -> bool:
     """Whether a motion goes on as it is: accelerations may vanish for an instant only."""
     return not at.v.any() or linearized(at).steady
 
 
-def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
+def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
            residuals: tuple[Vector, ...]) -> str:  # fmt: skip
     held = held_words(at)
     if steady:
@@ -205,7 +205,7 @@ def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, 
     return f"no equilibrium found by varying {free}; what is left is {left}{where}{_rounded(at)}"
 
 
-def _rounded(at: Place) -> str:
+def _rounded(at: OperatingPoint) -> str:
     if not (names := at.unresolved):
         return ""
     return f". So large are {', '.join(names)} that the next number after them is another place: begin nearer to 0"

@@ -10,7 +10,7 @@ from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import EvaluationError
-from ..state.operating_point import Place
+from ..state.operating_point import OperatingPoint
 
 _SATISFIED = 1e-9
 """What may be left of an equation, relative to its terms or to what it was at the start."""
@@ -52,17 +52,17 @@ class Balance:
         z[list(self.free)] = q
         return z
 
-    def place(self, q: Vector) -> Place:
+    def point(self, q: Vector) -> OperatingPoint:
         n, k = self.system.n, len(self.system.compiled.inputs)
         x, v, u, p = np.split(self.arguments(q), [n, 2 * n, 2 * n + k])
-        return Place(self.system.compiled, self.system.prepare(p), self.t, x, v, u)
+        return OperatingPoint(self.system.compiled, self.system.prepare(p), self.t, x, v, u)
 
     def equations(self, q: Vector) -> tuple[Vector, Vector, Vector]:
         """What shall vanish, its derivatives by all arguments, and the size of its terms.
 
         Accelerations in units of inertia, constraints in units of their rows, so that no unit of the user's counts.
         """
-        at = self.place(q)
+        at = self.point(q)
         n, h = at.model.n, at.model.h
         a, da = at.motion[0], at.slopes
         D = at.constraints
@@ -108,7 +108,7 @@ class Balance:
 
     def _scale(self, start: Vector) -> Vector:
         """Units of what is solved for: those of inertia for coordinates and rates, so that none is taken for far."""
-        at, n = self.place(start), self.system.n
+        at, n = self.point(start), self.system.n
         slope = self.equations(start)[1]
         inertia = at.inertia / np.linalg.norm(at.inertia) * np.sqrt(n)
         rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * at.slopes[:, :n] / at.inertia)) or 1.0
@@ -148,7 +148,7 @@ class Balance:
         q, n, step, before = start, self.system.n, 0.0, np.inf
         for _ in range(_STEPS):
             try:
-                at = self.place(q)
+                at = self.point(q)
                 slope, push = at.inertia[:, None] * at.slopes[:, :n] / at.inertia, at.inertia * at.motion[0]
             except EvaluationError:
                 break
@@ -176,6 +176,6 @@ class Balance:
         most, count = np.maximum(np.maximum(size, here), np.abs(first)), len(self.rows)
         limits = np.repeat([most[:count].max(initial=0.0), most[count:].max(initial=0.0)],
                            [count, len(value) - count])  # fmt: skip
-        if value.any() and self.place(q).unresolved:
+        if value.any() and self.point(q).unresolved:
             limits = np.zeros_like(limits)
         return np.asarray(~(np.abs(value) <= _SATISFIED * limits + _LEAST))

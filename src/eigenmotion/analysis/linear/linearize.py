@@ -15,7 +15,7 @@ from ...runtime.variations import output_partials
 from ...simulation.initial_state.consistency import check_consistent
 from ..state.active_contacts import mode_of
 from ..state.contact_mode import in_mode
-from ..state.operating_point import Place, place
+from ..state.operating_point import OperatingPoint, operating_point
 from ..state.tangent_space import Tangent, tangent
 from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
@@ -57,20 +57,20 @@ def linearize(
     EvaluationError
         M is singular, constraint rows contradict each other, or no mode of contacts and frictions is consistent.
     """
-    at = place(self, x, v, t, parameters, inputs)
+    at = operating_point(self, x, v, t, parameters, inputs)
     with np.errstate(all="ignore"):  # what is not finite has a name of its own
         at = in_mode(at, mode)
         check_consistent(at.model, at.prepared, at.t, at.x, at.v)
         return linearized(at)
 
 
-def linearized(at: Place) -> Linearization:
+def linearized(at: OperatingPoint) -> Linearization:
     """Return the same of a place that is consistent, in its mode."""
     _check_differentiable(at)
     return _linearized(at)
 
 
-def _linearized(at: Place) -> Linearization:
+def _linearized(at: OperatingPoint) -> Linearization:
     basis, steady = _chosen(at)
     full = _full(at)
     Z = np.linalg.qr(basis.Z)[0]
@@ -82,7 +82,7 @@ def _linearized(at: Place) -> Linearization:
     )  # fmt: skip
 
 
-def _check_differentiable(at: Place) -> None:
+def _check_differentiable(at: OperatingPoint) -> None:
     n, names = at.model.n, at.model.coordinates
     derivatives = at.motion[2][:, : 2 * n + at.model.n_inputs]
     if np.isfinite(derivatives).all():
@@ -93,7 +93,7 @@ def _check_differentiable(at: Place) -> None:
                      "Linearise beside it, or write what is not smooth there another way")  # fmt: skip
 
 
-def _full(at: Place) -> StateSpace:
+def _full(at: OperatingPoint) -> StateSpace:
     """Return A, B, C, D of all 2 n numbers (x, v)."""
     n, m, k = at.model.n, at.model.m, at.model.n_inputs
     a, multipliers, da, dm = at.motion
@@ -105,7 +105,7 @@ def _full(at: Place) -> StateSpace:
     return StateSpace(at.jacobian, B, whole[:, : 2 * n], whole[:, 2 * n : 2 * n + k])
 
 
-def _refuse_shared_reactions(at: Place, by_multipliers: Vector) -> None:
+def _refuse_shared_reactions(at: OperatingPoint, by_multipliers: Vector) -> None:
     held = np.argwhere(by_multipliers)
     n, h = at.model.n, at.model.h
     dependent = at.model.m - (n - sum(k >= n for k in tangent(at).free))
@@ -117,12 +117,12 @@ def _refuse_shared_reactions(at: Place, by_multipliers: Vector) -> None:
         )
 
 
-def _reduced(at: Place, basis: Tangent) -> Reduced:
+def _reduced(at: OperatingPoint, basis: Tangent) -> Reduced:
     """Return the system of independent coordinates and velocities, without those that only follow."""
     return reduced(_of_independent(at, basis))
 
 
-def _of_independent(at: Place, basis: Tangent) -> Vector:
+def _of_independent(at: OperatingPoint, basis: Tangent) -> Vector:
     """Return J Z in the rows of the independent numbers, zero where it is rounding beside the rest of its row."""
     numbers = list(basis.free)
     matrix, unit = at.jacobian[numbers] @ basis.Z, at.units[numbers]
@@ -130,7 +130,7 @@ def _of_independent(at: Place, basis: Tangent) -> Vector:
     return np.where(sizes > _ROUNDING * sizes.max(axis=1, keepdims=True, initial=0.0), matrix, 0.0)
 
 
-def _chosen(at: Place) -> tuple[Tangent, bool]:
+def _chosen(at: OperatingPoint) -> tuple[Tangent, bool]:
     """Return a tangent space in numbers that stay the same where there are such, and whether they do.
 
     On a circle x' and y' of a rolling wheel change, but its spin and its lean do not: which velocities are independent
@@ -148,7 +148,7 @@ def _chosen(at: Place) -> tuple[Tangent, bool]:
     return best, False
 
 
-def _is_steady(at: Place, basis: Tangent) -> bool:
+def _is_steady(at: OperatingPoint, basis: Tangent) -> bool:
     """Whether the independent numbers stay what they are along the motion, and the equations of their deviations, too.
 
     Coordinates on which nothing depends may change: those of a cyclic angle, or where a wheel is on the ground.
@@ -172,7 +172,7 @@ def _is_steady(at: Place, basis: Tangent) -> bool:
     return True
 
 
-def _moved(at: Place, basis: Tangent, ahead: float) -> Vector | None:
+def _moved(at: OperatingPoint, basis: Tangent, ahead: float) -> Vector | None:
     """Return the system in the same numbers a little later, or None where there is none."""
     a = at.motion[0]
     there = at.at(at.t + ahead, at.x + ahead * at.v + ahead**2 / 2 * a, at.v + ahead * a)
@@ -183,7 +183,7 @@ def _moved(at: Place, basis: Tangent, ahead: float) -> Vector | None:
     return found if found is not None and np.isfinite(found).all() else None
 
 
-def _same_numbers(there: Place, basis: Tangent) -> Vector | None:
+def _same_numbers(there: OperatingPoint, basis: Tangent) -> Vector | None:
     """Return the system in the same independent numbers elsewhere, or None where these are not independent."""
     n = there.model.n
     dependent = [k for k in range(n) if n + k not in basis.free]

@@ -11,7 +11,7 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...runtime import CompiledModel, Prepared
 from ...runtime.variations import act_along, constraint_partials
-from .operating_point import Place
+from .operating_point import OperatingPoint
 
 TOUCHES = 1e-9
 """The part of its terms by which a gap or a slip may be off zero: as much as constraints may be where a run starts."""
@@ -43,26 +43,26 @@ def switches_of(model: CompiledModel) -> list[Switch]:
     return [Switch._make(one) for one in model.switches]
 
 
-def with_parameters(at: Place, values: Mapping[int, float]) -> Place:
+def with_parameters(at: OperatingPoint, values: Mapping[int, float]) -> OperatingPoint:
     """Return the place with other values of some parameters, by their places: in another mode."""
     parameters = np.array(at.prepared.parameters)
     parameters[list(values)] = list(values.values())
     return replace(at, prepared=at.model.prepare(parameters))
 
 
-def opened(at: Place) -> Place:
+def opened(at: OperatingPoint) -> OperatingPoint:
     """Return the place where nothing holds and nothing rubs."""
     return with_parameters(at, {k: 0.0 for one in switches_of(at.model) for k in (one.holds, one.slides, one.idles)
                                 if k >= 0})  # fmt: skip
 
 
-def holding(at: Place, held: list[Switch]) -> Place:
+def holding(at: OperatingPoint, held: list[Switch]) -> OperatingPoint:
     """Return the place where these hold, whatever else does."""
     changes = {one.holds: 1.0 for one in held} | {one.idles: 0.0 for one in held}
     return with_parameters(at, changes | {one.slides: 0.0 for one in held if not one.is_contact})
 
 
-def decided(at: Place) -> Place:
+def decided(at: OperatingPoint) -> OperatingPoint:
     """Return the place in the mode that the state calls for, as the start of a run has it: on the surfaces it touches.
 
     Where several are consistent, that is taken which changes the fewest of what holds in `at`.
@@ -76,7 +76,7 @@ def decided(at: Place) -> Place:
     none, nowhere = np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
     x, v, prepared, _ = act_along(c, at.t, at.x, at.v, at.prepared, at.u, True, none, nowhere[: 2 * n],
                                   nowhere[2 * n :])  # fmt: skip
-    return Place(c, prepared, at.t, x, v, at.u)
+    return OperatingPoint(c, prepared, at.t, x, v, at.u)
 
 
 def mode_of(model: CompiledModel, prepared: Prepared) -> dict[str, float]:
@@ -100,10 +100,10 @@ def named_modes(model: CompiledModel, values: Mapping[str, float]) -> dict[str, 
 class Surfaces:
     """The rows of all contacts and frictions at a state, whether they hold or not."""
 
-    at: Place
+    at: OperatingPoint
 
     @cached_property
-    def all(self) -> Place:
+    def all(self) -> OperatingPoint:
         return holding(self.at, switches_of(self.at.model))
 
     @cached_property
@@ -166,7 +166,7 @@ class Surfaces:
         return bool(abs(rate[one.row]) <= within[one.row])
 
 
-def held_words(at: Place) -> str:
+def held_words(at: OperatingPoint) -> str:
     """Say what holds, sticks and slides."""
     mode: dict[str, Any] = mode_of(at.model, at.prepared)
     names, said = at.model.parameters, []

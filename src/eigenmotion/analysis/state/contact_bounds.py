@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from .active_contacts import Surfaces, Switch, holding, switches_of
-from .operating_point import Place
+from .operating_point import OperatingPoint
 
 _AT_BOUND = 1e-9
 """The part of the forces that act below which one is none, or at its limit."""
@@ -19,13 +19,13 @@ class Bounds:
     what is possible at once counts. The conditions are concave in the forces, so that each may have its own witness.
     """
 
-    def __init__(self, at: Place) -> None:
+    def __init__(self, at: OperatingPoint) -> None:
         self.at = at
         self.surfaces = Surfaces(at)
         self.units = self.surfaces.units
         self.size = self.surfaces.push + float(np.abs(at.motion[1] * self.units).sum())
 
-    def _margins(self, at: Place) -> dict[Switch, float]:
+    def _margins(self, at: OperatingPoint) -> dict[Switch, float]:
         """Of what holds at a place."""
         values = at.prepared.parameters
         watched = at.model.event_rows(np.array([at.t]), at.x[None], at.v[None], at.u[None], at.prepared)[0]
@@ -87,7 +87,7 @@ class Bounds:
         return said
 
 
-def settled(at: Place) -> tuple[Place, list[tuple[Switch, str]]]:
+def settled(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]]]:
     """Return the place in its mode with all that can hold at once, and what of that is at a bound, in words.
 
     A beam on three supports rests on one of them, and touches the others without force; or on all three, with forces.
@@ -108,7 +108,7 @@ def settled(at: Place) -> tuple[Place, list[tuple[Switch, str]]]:
     return all_of_them.at, []
 
 
-def sticking(at: Place) -> Place:
+def sticking(at: OperatingPoint) -> OperatingPoint:
     """Return the place where frictions without slip stick, those at their limit, too."""
     values, surfaces = at.prepared.parameters, Surfaces(at)
     slides = [
@@ -120,7 +120,7 @@ def sticking(at: Place) -> Place:
     return there if slides and not Bounds(there).missed() and is_within(there) else at
 
 
-def is_within(at: Place) -> bool:
+def is_within(at: OperatingPoint) -> bool:
     """Whether the forces of a place, as its rows share them, are within the bounds of all that holds."""
     bounds = Bounds(at)
     return all(margin >= -_AT_BOUND * bounds.size for margin in bounds.own.values())

@@ -10,13 +10,13 @@ from ...compiled.projection import Projection
 from ...simulation.initial_state.consistency import check_consistent
 from .active_contacts import Surfaces, Switch, decided, holding, opened, switches_of, with_parameters
 from .contact_bounds import Bounds, settled
-from .operating_point import Place
+from .operating_point import OperatingPoint
 
 _INSIDE = 1e-10
 """The tolerance of a run in whose start a gap may be off by as much as a state that is linearised."""
 
 
-def in_mode(at: Place, mode: Mapping[Any, float] | None) -> Place:
+def in_mode(at: OperatingPoint, mode: Mapping[Any, float] | None) -> OperatingPoint:
     """Return the place in its mode, on the surfaces that it touches.
 
     Raises
@@ -40,7 +40,7 @@ def in_mode(at: Place, mode: Mapping[Any, float] | None) -> Place:
     return found
 
 
-def check_apart(at: Place) -> None:
+def check_apart(at: OperatingPoint) -> None:
     """Refuse a state inside a contact, or where an impact lets nothing come."""
     if not at.model.acts:
         return
@@ -51,7 +51,7 @@ def check_apart(at: Place) -> None:
                          "Give a state where it is at least 0")  # fmt: skip
 
 
-def _on_surfaces(at: Place) -> Place:
+def _on_surfaces(at: OperatingPoint) -> OperatingPoint:
     """Return the place moved onto the surfaces on which it rests, but for what typing and saving leave; these hold."""
     surfaces = Surfaces(at)
     touching = [*surfaces.closed(), *(one for one in switches_of(at.model) if not one.is_contact)]
@@ -63,7 +63,7 @@ def _on_surfaces(at: Place) -> Place:
     return there.at(at.t, x, v)
 
 
-def _named(at: Place, mode: Mapping[Any, float] | None) -> dict[int, float]:
+def _named(at: OperatingPoint, mode: Mapping[Any, float] | None) -> dict[int, float]:
     """Return values of parameters, by their places."""
     if mode is None:
         return {}
@@ -79,7 +79,7 @@ def _named(at: Place, mode: Mapping[Any, float] | None) -> dict[int, float]:
     return {names.index(name): value for name, value in given.items()}
 
 
-def _with_mode(at: Place, named: dict[int, float]) -> Place:
+def _with_mode(at: OperatingPoint, named: dict[int, float]) -> OperatingPoint:
     """Return the place in the mode named; what is not named is as it is."""
     changes: dict[int, float] = {}
     for one in switches_of(at.model):
@@ -95,7 +95,7 @@ def _of_contact(one: Switch, named: dict[int, float]) -> dict[int, float]:
     return {one.holds: named[one.holds]}
 
 
-def _of_friction(at: Place, one: Switch, named: dict[int, float]) -> dict[int, float]:
+def _of_friction(at: OperatingPoint, one: Switch, named: dict[int, float]) -> dict[int, float]:
     side = named.get(one.slides, at.prepared.parameters[one.slides])
     holds = named.get(one.holds, 0.0 if side else at.prepared.parameters[one.holds])
     if holds and named.get(one.slides):
@@ -103,7 +103,7 @@ def _of_friction(at: Place, one: Switch, named: dict[int, float]) -> dict[int, f
     return {one.idles: 0.0, one.holds: holds, one.slides: 0.0 if holds else side}
 
 
-def _is_unloaded(at: Place, one: Switch) -> bool:
+def _is_unloaded(at: OperatingPoint, one: Switch) -> bool:
     """Whether a friction that holds can take no force: the contact that presses it is open."""
     values = at.prepared.parameters
     if one.is_contact or not values[one.holds]:
@@ -113,7 +113,7 @@ def _is_unloaded(at: Place, one: Switch) -> bool:
     return bool(bounds.margins[one] + force <= 1e-9 * bounds.size)
 
 
-def _checked(at: Place) -> Place:
+def _checked(at: OperatingPoint) -> OperatingPoint:
     """Return the place, or refuse a mode that does not hold there."""
     check_consistent(at.model, at.prepared, at.t, at.x, at.v)
     if missed := Bounds(at).missed():
@@ -121,7 +121,7 @@ def _checked(at: Place) -> Place:
     return at
 
 
-def _meeting(at: Place, bounds: list[tuple[Switch, str]]) -> str:
+def _meeting(at: OperatingPoint, bounds: list[tuple[Switch, str]]) -> str:
     """Say which modes meet, and how to name one."""
     one, names = bounds[0][0], at.model.parameters
     ways = (

@@ -19,7 +19,7 @@ _ROUNDED = 256 * np.finfo(float).eps
 
 
 @dataclass(frozen=True)
-class Place:
+class OperatingPoint:
     """A state, and what acts there. x, v : (n,); u : (n_inputs,)"""
 
     model: CompiledModel
@@ -29,9 +29,9 @@ class Place:
     v: Vector
     u: Vector
 
-    def at(self, t: float, x: Vector, v: Vector) -> "Place":
+    def at(self, t: float, x: Vector, v: Vector) -> "OperatingPoint":
         """Return another state of the same system."""
-        return Place(self.model, self.prepared, t, x, v, self.u)
+        return OperatingPoint(self.model, self.prepared, t, x, v, self.u)
 
     @cached_property
     def motion(self) -> tuple[Vector, Vector, Vector, Vector]:
@@ -124,14 +124,14 @@ class Place:
         return np.concatenate([self.inertia / self.time, self.inertia])
 
 
-def place(
+def operating_point(
     system: CompiledSystem,
     x: Mapping[Any, float] | ArrayLike | None,
     v: Mapping[Any, float] | ArrayLike | None,
     t: float,
     parameters: Any,
     inputs: Mapping[Any, Any] | ArrayLike | None,
-) -> Place:
+) -> OperatingPoint:
     """Return the state that arguments of users name."""
     prepared, t = system.prepare(parameters), number(t, "t")
-    return Place(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))
+    return OperatingPoint(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))

@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 
 from ...arguments.named_values import Vector
-from .operating_point import Place
+from .operating_point import OperatingPoint
 
 _DEPENDENT = 3e-6
 """What a row of length one must add to others to be independent of them: the root of EM_DEPENDENT (em_rank.h)."""
@@ -27,7 +27,7 @@ class Tangent:
     free: tuple[int, ...]
 
 
-def tangent(at: Place, dependent: Sequence[int] = ()) -> Tangent:
+def tangent(at: OperatingPoint, dependent: Sequence[int] = ()) -> Tangent:
     """Return the tangent space of the constraints.
 
     Of coordinates that are compared by their inertia those are dependent that the constraints determine best, or those

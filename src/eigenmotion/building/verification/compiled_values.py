@@ -1,4 +1,4 @@
-"""Values of a compiled model at many places; NaN where it declines to answer."""
+"""Values of a compiled model at many points; NaN where it declines to answer."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from ...arguments.named_values import Vector
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ...system.system import System
 from .rounding_bounds import EPS
-from .test_points import Places
+from .test_points import Points
 
 _STRIDE = 1e-4
 """What differences along the motion are over, relative to how long it takes a coordinate to become another."""
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
-    """Answers at k places, the places first.
+class CompiledValues:
+    """Answers at k points, the points first.
 
     M, factored (k, n, n); factored_rate, rate_off (k, n, n), along the motion, by differences, and their bounds;
     A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
@@ -50,15 +50,15 @@ class Found:
     least_norm: Vector
 
 
-def ask(system: System, places: Places) -> Found:
+def ask(system: System, points: Points) -> CompiledValues:
     """Ask a model everything at every place."""
-    columns = zip(places.t, places.x, places.v, places.u, places.p, strict=True)
+    columns = zip(points.t, points.x, points.v, points.u, points.p, strict=True)
     rows = [_ask(system.compiled, *place) for place in columns]
-    return Found(*(np.array(column) for column in zip(*rows, strict=True)))
+    return CompiledValues(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
 def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
-    """Return the fields of Found at one place."""
+    """Return the fields of CompiledValues at one place."""
     try:
         prepared = c.prepare(p)
     except EvaluationError:
@@ -112,7 +112,7 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) 
 
 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
-    """Shapes of the fields of Found at one place."""
+    """Shapes of the fields of CompiledValues at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
     return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
             (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

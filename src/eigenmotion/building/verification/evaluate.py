@@ -44,7 +44,7 @@ class _Truth:
 
 
 class Evaluation:
-    """Values of expressions at many places at once; each subexpression is computed once.
+    """Values of expressions at many points at once; each subexpression is computed once.
 
     Parameters
     ----------

@@ -91,7 +91,7 @@ def _off(system: System, run: Solution) -> float:
 def _rests(system: System, run: Solution) -> bool:
     """Whether it starts at rest where nothing pushes, then or by its end, by more than rounding.
 
-    Rounding is what x moved in its last places makes of accelerations, or what is left of reactions that cancel forces.
+    Rounding is what x moved in its last points makes of accelerations, or what is left of reactions that cancel forces.
     """
     x, v = run.x[:, 0], run.v[:, 0]
     near = x * (1 + 4 * np.finfo(float).eps)

@@ -10,10 +10,10 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...codegen.model import Model
 from ...codegen.model.normalise import name_of
-from .compiled_values import Found
+from .compiled_values import CompiledValues
 from .rounding_bounds import EPS, Rounded, applied, geometric, rounded
 from .solve_errors import Errors
-from .symbolic_values import Stated
+from .symbolic_values import SymbolicValues
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +33,7 @@ class Identity:
     always: bool = False
 
 
-def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterator[Identity]:
+def expressions(model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
     """What is the value or a derivative of one expression; v (k, n)."""
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
@@ -58,7 +58,9 @@ def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterat
     yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], found.drawn, stated.drawn)
 
 
-def motion(model: Model, v: Vector, found: Found, stated: Stated, errors: Errors) -> Iterator[Identity]:
+def motion(
+    model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
+) -> Iterator[Identity]:
     """Lagrange's equations (7), constraints differentiated, and outputs, which are made of their solution; v (k, n)."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
     yield Identity(names, equations(found, stated), errors.solved, errors.solved / EPS)
@@ -68,7 +70,7 @@ def motion(model: Model, v: Vector, found: Found, stated: Stated, errors: Errors
     yield Identity([f"outputs[{name}]" for name, _ in model.outputs], [rounded(found.outputs), -stated.outputs])
 
 
-def equations(found: Found, stated: Stated) -> list[Rounded]:
+def equations(found: CompiledValues, stated: SymbolicValues) -> list[Rounded]:
     """The terms of d/dt dT/dxdot - dT/dx + dV/dx - Q + A^T lambda, (k, n) each."""
     push = applied(stated.A.turned, rounded(found.multipliers))
     return [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, push]

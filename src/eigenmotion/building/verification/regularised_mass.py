@@ -9,13 +9,15 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...system.system import System
-from .compiled_values import Found
+from .compiled_values import CompiledValues
 from .identities import Identity, flat
 from .rounding_bounds import EPS, geometric, rounded
-from .symbolic_values import Stated
+from .symbolic_values import SymbolicValues
 
 
-def factored(system: System, found: Found, stated: Stated) -> tuple[Stated, Iterator[Identity]]:
+def factored(
+    system: System, found: CompiledValues, stated: SymbolicValues
+) -> tuple[SymbolicValues, Iterator[Identity]]:
     """Return the statement with M + A^T W A and its rate in place of M's, and that the model factors that.
 
     Any weights will do, of which those that fit are taken, and so are rates of theirs; where M itself is factored, all

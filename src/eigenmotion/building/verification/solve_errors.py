@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.named_values import Vector
-from .compiled_values import Found
+from .compiled_values import CompiledValues
 from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, rounded
-from .symbolic_values import Stated
+from .symbolic_values import SymbolicValues
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Bounds at k places.
+    """Bounds at k points.
 
     solved : (k, n) of M a = f - A^T lambda, where a comes from a root of M: what is left of it
     a : (k, n) of accelerations
@@ -26,7 +26,7 @@ class Errors:
     rows: Vector
 
 
-def errors(found: Found, stated: Stated, terms: list[Rounded]) -> Errors:
+def errors(found: CompiledValues, stated: SymbolicValues, terms: list[Rounded]) -> Errors:
     """Bounds of what is found by lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), in eps of each term.
 
     Here M is what is factored, and `terms` those of Lagrange's equations.

@@ -9,11 +9,11 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...system.system import System
-from .compiled_values import Found
+from .compiled_values import CompiledValues
 from .identities import Identity, flat
 from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, root, rounded
 from .solve_errors import Errors
-from .symbolic_values import Stated
+from .symbolic_values import SymbolicValues
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,9 @@ class Factors:
     s_rate: Vector
 
 
-def rates(system: System, v: Vector, found: Found, stated: Stated, errors: Errors) -> Iterator[Identity]:
+def rates(
+    system: System, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
+) -> Iterator[Identity]:
     """Identities of y and dy, for v (k, n)."""
     n, layout, names = system.n, system.layout, system.coordinates
     back = rounded(v).off(EPS * recovered(system, v, found))
@@ -44,19 +46,19 @@ def rates(system: System, v: Vector, found: Found, stated: Stated, errors: Error
         yield from _of_delta(system, found, stated)
 
 
-def recovered(system: System, v: Vector, found: Found) -> Vector:
+def recovered(system: System, v: Vector, found: CompiledValues) -> Vector:
     """(k, n): eps of it is what velocities are off by that come back from the state: from eta, a root of M times v."""
     return np.abs(v) if "v" in system.layout else speeds(v, found)
 
 
-def speeds(v: Vector, found: Found) -> Vector:
+def speeds(v: Vector, found: CompiledValues) -> Vector:
     """(k, n): how large each could be, alone, with the kinetic energy of v (k, n)."""
     W = np.einsum("kii->ki", inverse(rounded(found.factored)).value)
     energy = np.einsum("ki,kij,kj->k", v, found.factored, v)
     return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
 
 
-def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: Stated) -> Identity:
+def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: SymbolicValues) -> Identity:
     """eta = L^T v, M = L L^T: the rate of L by that of M."""
     L = root(stated.M)
     back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
@@ -73,7 +75,9 @@ def _all(terms: Sequence[Rounded]) -> Vector:
     return np.asarray(sum(np.abs(term.value) for term in terms).max(axis=1, keepdims=True))
 
 
-def _of_eigenfactors(system: System, v: Rounded, a: Rounded, found: Found, stated: Stated) -> Iterator[Identity]:
+def _of_eigenfactors(
+    system: System, v: Rounded, a: Rounded, found: CompiledValues, stated: SymbolicValues
+) -> Iterator[Identity]:
     """eta = S C v (17), M = C^T S^2 C, in units of `scales`."""
     unit, names = rounded(1.0 / system.scales), system.coordinates
     both = system.scales[:, None] * system.scales
@@ -91,7 +95,7 @@ def _of_eigenfactors(system: System, v: Rounded, a: Rounded, found: Found, state
     yield Identity([f"the rate of eta number {k}" for k in range(system.n)], terms, more, _all(terms))
 
 
-def _factors_of(system: System, found: Found, M_rate: Vector) -> Factors:
+def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factors:
     """Those the state carries; of the other blocks, which do not turn, those of M."""
     C, s, C_rate = found.C.copy(), found.s.copy(), np.zeros_like(found.C)
     s_rate = np.einsum("kij,kjl,kil->ki", C, M_rate, C) / (2.0 * s)
@@ -149,7 +153,7 @@ def _wide(size: Vector) -> Vector:
     return size.reshape(len(size), -1)
 
 
-def _of_delta(system: System, found: Found, stated: Stated) -> Iterator[Identity]:
+def _of_delta(system: System, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
     """Delta = A M^-1 A^T (47) and the eigenfactors of its parts."""
     A, W = stated.A, inverse(stated.M)
     P = A @ W

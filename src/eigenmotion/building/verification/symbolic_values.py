@@ -1,4 +1,4 @@
-"""Values of the user's own expressions at many places, in hyper-dual numbers."""
+"""Values of the user's own expressions at many points, in hyper-dual numbers."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import sympy
 
 from ...arguments.named_values import Vector
 from ...codegen.model import Model, multiplier, t
-from .compiled_values import Found
+from .compiled_values import CompiledValues
 from .evaluate import Evaluation
 from .hyperdual import HyperDual, given
 from .rounding_bounds import EPS, Rounded, joined, rounded
-from .test_points import Places
+from .test_points import Points
 
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
 _AT_ONCE = 30_000
@@ -23,8 +23,8 @@ _AT_ONCE = 30_000
 
 
 @dataclass(frozen=True, slots=True)
-class Stated:
-    """Values at k places, the places first, for the accelerations and multipliers that the compiled model found.
+class SymbolicValues:
+    """Values at k points, the points first, for the accelerations and multipliers that the compiled model found.
 
     M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum_rate (k, n) = d/dt dT/dxdot; T_x, V_x, Q (k, n)
     A, A_rate (k, m, n); row (k, m) = A xdot + b; row_rate (k, m) its rate; phi (k, h); quasi (k, n or 0)
@@ -53,28 +53,28 @@ class Stated:
     unknown: frozenset[str]
 
 
-def evaluate(model: Model, places: Places, found: Found, speed: Vector) -> Stated:
+def evaluate(model: Model, points: Points, found: CompiledValues, speed: Vector) -> SymbolicValues:
     """Evaluate everything a model states; velocities are off by eps of `speed` (k, n)."""
-    statement = _Statement(model, places, found, speed)
+    statement = _Values(model, points, found, speed)
     with np.errstate(all="ignore"):
         energies, along = statement.energies(), statement.along()
         across, twice = statement.across(), statement.twice()
         holonomic = {name: joined([across[name], along[name]], axis=1) for name in ("A", "A_rate", "row")}
         row_rate = joined([twice, along.pop("row_rate")], axis=1)
     parts = energies | across | along | holonomic
-    return Stated(**parts, row_rate=row_rate, unknown=statement.unknown)
+    return SymbolicValues(**parts, row_rate=row_rate, unknown=statement.unknown)
 
 
-class _Statement:
-    """Evaluations of one model at the same places, with different parts varied."""
+class _Values:
+    """Evaluations of one model at the same points, with different parts varied."""
 
-    def __init__(self, model: Model, places: Places, found: Found, speed: Vector) -> None:
-        self.model, self.places, self.found = model, places, found
-        self.k, self.n = places.x.shape
-        self.x = _columns(rounded(places.x))
-        self.v = _columns(Rounded(places.v, EPS * np.maximum(np.abs(places.v), speed)))
+    def __init__(self, model: Model, points: Points, found: CompiledValues, speed: Vector) -> None:
+        self.model, self.points, self.found = model, points, found
+        self.k, self.n = points.x.shape
+        self.x = _columns(rounded(points.x))
+        self.v = _columns(Rounded(points.v, EPS * np.maximum(np.abs(points.v), speed)))
         self.a, self.each = _columns(rounded(found.a)), _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0)
-        self.time = rounded(places.t[:, None])
+        self.time = rounded(points.t[:, None])
         self._evaluations: list[Evaluation] = []
 
     @property
@@ -149,13 +149,13 @@ class _Statement:
         rows: slice = slice(None),
     ) -> Evaluation:
         """Return an evaluation in which coordinates, rates and the time have these values."""
-        model, places = self.model, self.places
+        model, points = self.model, self.points
         values: dict[sympy.Basic, HyperDual] = {t: time}
         values |= zip(model.coordinates, x, strict=True)
         values |= zip(model.rates, v, strict=False)
         values |= zip((rate.diff(t) for rate in model.rates), map(HyperDual, self.a), strict=True)
         values |= zip((p for p, _ in model.parameters), map(HyperDual, self._parameters(rows)), strict=True)
-        values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(places.u[rows]))), strict=True)
+        values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(points.u[rows]))), strict=True)
         values |= {multiplier(row): given(self.found.multipliers[:, row, None]) for row in range(model.m)}
         value = Evaluation(values)
         for y, P_xdot in model.quasi_velocities if v else ():
@@ -166,7 +166,7 @@ class _Statement:
 
     def _parameters(self, rows: slice) -> list[Rounded]:
         """Return their values; whole ones are exact, such as those that say which contacts hold."""
-        p = self.places.p[rows]
+        p = self.points.p[rows]
         return _columns(Rounded(p, np.where(p == np.round(p), 0.0, EPS * np.abs(p))))
 
     def _table(self, values: Iterable[Rounded | None]) -> Rounded:
@@ -193,7 +193,7 @@ def _filled(part: Rounded | None, shape: tuple[int, int]) -> Rounded:
     return (part or _ZERO).filled(shape)
 
 
-def _units(found: Found) -> Vector:
+def _units(found: CompiledValues) -> Vector:
     """Velocities (k, n) of as much kinetic energy each as there is at rest, so that nothing is lost beside the rest."""
     diagonal, T0 = np.einsum("kii->ki", found.M), np.abs(found.energies[:, 2:3])
     unit = np.sqrt(np.where(T0 > 0.0, T0, 1.0) / np.abs(diagonal))

@@ -15,8 +15,8 @@ SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
 
 
 @dataclass(frozen=True, slots=True)
-class Places:
-    """k places: t (k,), x and v (k, n), u (k, n_inputs), p (k, n_parameters)."""
+class Points:
+    """k points: t (k,), x and v (k, n), u (k, n_inputs), p (k, n_parameters)."""
 
     t: Vector
     x: Vector
@@ -35,10 +35,10 @@ class Places:
         return ", ".join(f"{name} = {value:.6g}" for name, value in values)
 
 
-def draw(system: System, attempt: int) -> Places:
+def draw(system: System, attempt: int) -> Points:
     """Draw states of both signs about 0, of different sizes and of the start's, others about the start, and the start.
 
-    What follows a failed attempt lies closer to the start. Some places have other parameters than the defaults.
+    What follows a failed attempt lies closer to the start. Some points have other parameters than the defaults.
     """
     random = np.random.default_rng(attempt)
     c, n, start = system.compiled, system.n, np.concatenate(system.initial)
@@ -56,7 +56,7 @@ def draw(system: System, attempt: int) -> Places:
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
     for row in p:
         _keep_declared(c, row)
-    return Places(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
+    return Points(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
 
 
 def _keep_declared(model: CompiledModel, p: Vector) -> None:

@@ -1,4 +1,4 @@
-"""The proof of a build: a compiled model's answers at random places against the user's own expressions."""
+"""The proof of a build: a compiled model's answers at random points against the user's own expressions."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from ...arguments.named_values import Vector
 from ...codegen.model import Model
 from ...system.system import System
 from ..errors import BuildError
-from .compiled_values import Found, ask
+from .compiled_values import CompiledValues, ask
 from .first_steps import first_steps
 from .identities import Identity, equations, expressions, motion
 from .regularised_mass import factored
 from .rounding_bounds import FACTOR
 from .solve_errors import errors
 from .state_rates import rates, recovered
-from .symbolic_values import Stated, evaluate
-from .test_points import Places, draw
+from .symbolic_values import SymbolicValues, evaluate
+from .test_points import Points, draw
 
 KNOWN = 1e-3
 """What rounding leaves less of than this part of the terms says nothing of them."""
@@ -45,7 +45,7 @@ class ProofError(BuildError):
 
 
 def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
-    """Hold a compiled model against what the user stated, at random places.
+    """Hold a compiled model against what the user stated, at random points.
 
     Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;
     M, A, energies, quasi-velocities, outputs and events are those of the expressions; the right-hand side is the
@@ -74,7 +74,7 @@ def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
 
 
 def _prove_identities(model: Model, system: System) -> None:
-    """Try places until each term had a value somewhere, and name those that had none."""
+    """Try points until each term had a value somewhere, and name those that had none."""
     for attempt in range(_ATTEMPTS):
         unproved, silent = _compare(model, system, draw(system, attempt))
         if not unproved:
@@ -85,29 +85,31 @@ def _prove_identities(model: Model, system: System) -> None:
         _log.info("%s: not proved: %s has no value, or is all rounding, at the states tried", model.name, name)
 
 
-def _compare(model: Model, system: System, places: Places) -> tuple[list[str], bool]:
-    """Return what the places say nothing about, by the first names, and whether nothing moves at any of them."""
-    found = ask(system, places)
-    stated = evaluate(model, places, found, recovered(system, places.v, found))
+def _compare(model: Model, system: System, points: Points) -> tuple[list[str], bool]:
+    """Return what the points say nothing about, by the first names, and whether nothing moves at any of them."""
+    found = ask(system, points)
+    stated = evaluate(model, points, found, recovered(system, points.v, found))
     if stated.unknown:
         _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(stated.unknown)))
     unproved: list[str] = []
     with np.errstate(all="ignore"):
-        for identity in _identities(model, system, places, found, stated):
+        for identity in _identities(model, system, points, found, stated):
             left, bound, size = _judged(identity)
-            _refuse(model, system, places, identity, left, bound)
+            _refuse(model, system, points, identity, left, bound)
             blind = ~(FACTOR * bound <= KNOWN * size).any(axis=0)
             unproved += np.array(identity.names)[blind][:1].tolist()
     return unproved, bool(np.isnan(found.a).all())
 
 
-def _identities(model: Model, system: System, places: Places, found: Found, stated: Stated) -> Iterator[Identity]:
-    yield from expressions(model, places.v, found, stated)
+def _identities(
+    model: Model, system: System, points: Points, found: CompiledValues, stated: SymbolicValues
+) -> Iterator[Identity]:
+    yield from expressions(model, points.v, found, stated)
     whole, added = factored(system, found, stated)
     yield from added
     off = errors(found, whole, equations(found, stated))
-    yield from motion(model, places.v, found, stated, off)
-    yield from rates(system, places.v, found, whole, off)
+    yield from motion(model, points.v, found, stated, off)
+    yield from rates(system, points.v, found, whole, off)
 
 
 def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
@@ -125,7 +127,7 @@ def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
     return left, bound, size
 
 
-def _refuse(model: Model, system: System, places: Places, identity: Identity, left: Vector, bound: Vector) -> None:
+def _refuse(model: Model, system: System, points: Points, identity: Identity, left: Vector, bound: Vector) -> None:
     """Raise ProofError where more is left than rounding leaves."""
     wrong = np.argwhere(left > FACTOR * bound)
     if len(wrong) == 0:
@@ -133,7 +135,7 @@ def _refuse(model: Model, system: System, places: Places, identity: Identity, le
     place, row = max(wrong.tolist(), key=lambda at: (-at[0], left[tuple(at)] / bound[tuple(at)]))
     raise ProofError(
         f"{model.name}: what was compiled is not the model: {identity.names[row]} is off by {left[place, row]:.1e}, "
-        f"where rounding makes {bound[place, row]:.1e}, at {places.described(place, system)} {_rest(system)}"
+        f"where rounding makes {bound[place, row]:.1e}, at {points.described(place, system)} {_rest(system)}"
     )
 
 

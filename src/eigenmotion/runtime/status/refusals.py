@@ -5,7 +5,7 @@ from typing import Any
 from .stop_reasons import StopReason, explain
 
 
-def told(model: Any, stop: StopReason, first: int, second: int, size: float) -> str:
+def refusal(model: Any, stop: StopReason, first: int, second: int, size: float) -> str:
     """Say what happened to a compiled model, as `explain` does; or which symbol was given none of its values."""
     if stop is not StopReason.VALUE_REFUSED:
         return explain(stop, model.coordinates, first, second, size, model.events, model.row_names)
