@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:186c0319a23779d589d3853d02539abb4879f8df02f52063265fdeae07968184 */
+/* body sha256:4ee34a95057ed76d43d57b5a6f57605b67dc0657f1fcdce7e61b02d41b5882d7 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1351,7 +1351,7 @@ const em_model dual_link_model = {
     .lanes = &dual_link_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

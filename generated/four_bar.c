@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:a38f8863df14efeb7175253e40059835d10d98c9df6fb5536639f8df239cf15a */
+/* body sha256:c7230ff0489eba2147e34a71e7cd2968c1d1bf76541fb629519373e3295d76fb */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1270,7 +1270,7 @@ const em_model four_bar_model = {
     .lanes = &four_bar_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:74991226e28941262e8de2da18a34bbd496c1806fdf8866cf8c9c88f684f40f0 */
+/* body sha256:ef9881fc20560219e0ed415b00541746a7f354f52ea22fb9104cc3358e0360b8 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -545,7 +545,7 @@ const em_model pendulum_model = {
     .lanes = &pendulum_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:ee1c85b06f811851adc0ef30c79afb1bc83f9243befc5fe87c49f8c7fbffedb2 */
+/* body sha256:0fe3a20390386f3f6eb40f6d03cb5524515910acbc92adf9c30d562090b50d55 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1318,7 +1318,7 @@ const em_model rolling_disk_model = {
     .lanes = &rolling_disk_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:70a8a2747c9c4586374cbb287635d2f071ef1fd8e3da38cb2146ab32529556ed */
+/* body sha256:81e615f73a114c30b40472a7d18c49434e75c2a7bc473330d7de208e69ae1009 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -1119,7 +1119,7 @@ const em_model dual_link_model = {
     .lanes = &dual_link_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:34ab8dbf83f6db7813abf87fb0dffa92ae6a68533f0fbc81bdb5077401f4fe31 */
+/* body sha256:3dacbe56bd671aa9b9a8f02ba9f8d074f7cbbb2cacf7dfccf8b7f08cbaddb116 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -1091,7 +1091,7 @@ const em_model dual_link_model = {
     .lanes = &dual_link_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

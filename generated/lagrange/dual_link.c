@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:440c0ce56a267c0b111dbb3a12387ee118c17d82fbe4dca286838f78f3bdc052 */
+/* body sha256:87d4869680235d142f460e0cbf2714202d7ced028de6dd066c12727470013e2f */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -1063,7 +1063,7 @@ const em_model dual_link_model = {
     .lanes = &dual_link_lanes,
     .enter = enter,
     .load = em_member_load,
-    .look = em_member_check,
+    .check_step = em_member_check,
     .open = open_run,
     .advance = em_handle_advance,
     .now = em_handle_now,

@@ -141,7 +141,7 @@ typedef struct em_model {
                                                                   mode */
     /* Checks a step of the run. 0: it continues; 1: it has ended; 2: it continues in the other mode; -1: restart it
      * with scalar steps. */
-    int (*look)(void *run_state, em_lane_group *f, int lane, em_landing landing);
+    int (*check_step)(void *run_state, em_lane_group *f, int lane, em_landing landing);
 
     /* A run that advances to times of the caller's choice (em_control.h calls these; all memory is allocated as it
      * opens). */

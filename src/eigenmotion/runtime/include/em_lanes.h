@@ -34,7 +34,7 @@ typedef struct em_lane_group {
     int always;           /* every step is checked by the scalar code */
     int pauses;           /* the other group is to continue first */
     /* Checks the step that a lane has made. 0: its run continues; else the lane now holds another run, or none. */
-    int (*look)(struct em_lane_group *f, int lane, em_landing landing);
+    int (*check_step)(struct em_lane_group *f, int lane, em_landing landing);
     int (*stopped)(struct em_lane_group *f); /* whether all runs are to end */
     void *with;           /* the owner of the group */
 } em_lane_group;

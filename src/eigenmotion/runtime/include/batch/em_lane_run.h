@@ -132,7 +132,7 @@ EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int
     return 0;
 }
 
-/* em_model.look: the checks of em_land and em_advance for an accepted step. */
+/* em_model.check_step: the checks of em_land and em_advance for an accepted step. */
 EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing) {
     em_run_state *const w = run_state;
     int terminal = 0;

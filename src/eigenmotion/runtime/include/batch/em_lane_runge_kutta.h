@@ -275,17 +275,17 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
     const em_truth due = f->always ? small : small & (em_group_due(f, w, small) | ~found.settled);
     *w->h_next = fabs(*w->h) * found.factor;
     *w->last_error = em_where(small, em_lane_max(found.error, em_real(-9.2)), *w->last_error);
-    const em_truth lost = em_group_lost(f, w, &found, small), looks = live & (lost | due);
-    em_truth stays = live & ~looks;
-    for (int lane = 0; lane < EM_LANES && em_any(looks); ++lane) {
+    const em_truth lost = em_group_lost(f, w, &found, small), checked = live & (lost | due);
+    em_truth stays = live & ~checked;
+    for (int lane = 0; lane < EM_LANES && em_any(checked); ++lane) {
         const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
-        if (looks[lane] && f->look(f, lane, landing) == 0) stays[lane] = -1;
+        if (checked[lane] && f->check_step(f, lane, landing) == 0) stays[lane] = -1;
     } /* if its run does not continue, the lane now holds another member, or none */
     em_group_commit(w, stays, stays & small);
 }
 
-/* Steps as long as the group has members and the other group is not to continue first; f->look loads members into
- * lanes. */
+/* Steps as long as the group has members and the other group is not to continue first; f->check_step loads members
+ * into lanes. */
 static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,

@@ -116,12 +116,12 @@ static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
     f->h_next[lane] = 0.0;
 }
 
-/* em_lane_group.look */
-static int em_ensemble_look(em_lane_group *f, int lane, em_landing landing) {
+/* em_lane_group.check_step */
+static int em_ensemble_check_step(em_lane_group *f, int lane, em_landing landing) {
     enum { ANEW = -1, GOES_ON, ENDED, CHANGES };
     em_lane_scheduler *const w = f->with;
     em_slot *const slot = w->in_lane[f->mode][lane];
-    const int came = landing == EM_LOST ? ANEW : w->e->model->look(slot->run_state, f, lane, landing);
+    const int came = landing == EM_LOST ? ANEW : w->e->model->check_step(slot->run_state, f, lane, landing);
     if (came == GOES_ON) return 0;
     f->live[lane] = 0;
     --f->n_live;
@@ -183,7 +183,8 @@ static void em_group_tables(em_lane_group *f, const em_model *model, double *pla
 static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
     const em_run *const task = &w->e->task;
     em_lane_group *const f = &w->groups[mode];
-    *f = (em_lane_group){.task = task, .mode = mode, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = w};
+    *f = (em_lane_group){.task = task, .mode = mode, .with = w};
+    f->check_step = em_ensemble_check_step, f->stopped = em_ensemble_all_stop;
     f->rtol = task->rtol > 100.0 * DBL_EPSILON ? task->rtol : 100.0 * DBL_EPSILON;
     f->direction = task->t_end < task->t_start ? -1.0 : 1.0;
     f->stretch = pow(f->rtol, -1.0 / 8.0);

@@ -20,7 +20,8 @@ typedef struct em_isolation {
 /* The Chebyshev nodes, in [0, 1]. */
 static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
 
-static int em_look(em_run_state *w, em_isolation *s, double t) {
+/* Appends t and g(t) to the points. */
+static int em_evaluate_at(em_run_state *w, em_isolation *s, double t) {
     s->t[s->count] = t;
     return em_events_inside(w, t, s->g + s->count++ * w->n_events);
 }
@@ -45,13 +46,13 @@ static int em_isolate_roots(em_run_state *w, em_isolation *s) {
     for (int i = 0; i < w->n_events; ++i) zero |= w->side[i] == 0;
     if (zero && em_quarters(w, &quarters)) return -1;
     s->count = 0;
-    if (em_look(w, s, w->t)) return -1;
+    if (em_evaluate_at(w, s, w->t)) return -1;
     for (; quarters > 2; --quarters)
-        if (em_look(w, s, w->t + ldexp(w->h, -2 * quarters))) return -1;
+        if (em_evaluate_at(w, s, w->t + ldexp(w->h, -2 * quarters))) return -1;
     s->near = s->count - 1;
     for (int j = 1; j < EM_NODES - 1; ++j)
-        if (em_look(w, s, w->t + em_node(j) * w->h)) return -1;
-    return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
+        if (em_evaluate_at(w, s, w->t + em_node(j) * w->h)) return -1;
+    return em_evaluate_at(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
 }
 
 static double em_at_node(const em_isolation *s, int j, int i) { return s->g[(j > 0 ? j + s->near : 0) * s->n_events + i]; }
@@ -118,7 +119,7 @@ static int em_next_low(const double *a, em_way *way, double side, double *theta,
 
 /* Whether g_i has the other sign near a minimum *theta, which then becomes such a point: by parabolas through ever
  * closer points, at first `apart` from each other. 1, 0, or -1 and w->reason. */
-static int em_dips(em_run_state *w, int i, double side, double apart, double *theta, double *value) {
+static int em_crosses_at_minimum(em_run_state *w, int i, double side, double apart, double *theta, double *value) {
     double f[3], g[em_some(w->n_events)];
     for (int n = 0; n < 8; ++n) {
         *theta = em_min(1.0 - apart, em_max(apart, *theta));
@@ -144,9 +145,9 @@ static int em_enters(const em_run_state *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
-/* Whether a segment begins by entering a contact: its first step is then too long for a gap that opens as slowly as
- * t^3. */
-static int em_is_rash(const em_run_state *w, int i, double g) {
+/* Whether the first step of a segment enters the contact that it left: a gap that opens as slowly as t^3 needs a
+ * shorter step. */
+static int em_first_step_too_long(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
     return w->fresh == EM_NEXT_SEGMENT && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
@@ -172,14 +173,14 @@ static int em_search_way(em_run_state *w, const em_isolation *s, int i, int k, c
     em_way way = em_way_to(w, s, k);
     double theta = 0.0, low;
     while (w->side_new[i] != 0 && em_next_low(a, &way, w->side_new[i], &theta, &low)) {
-        em_point dip;
+        em_point minimum;
         if (!(low < close * size)) continue;
-        const int dips = em_dips(w, i, w->side_new[i], em_min(coarse, 0.5 * way.part), &theta, &dip.g);
-        if (dips < 0) return -1;
-        dip.t = w->t + theta * w->h;
-        if (!dips || !(theta > way.left && theta < way.right && (dip.t - before->t) * w->direction > 0.0)) continue;
-        em_pass(w, i, before, &dip);
-        *before = dip;
+        const int crosses = em_crosses_at_minimum(w, i, w->side_new[i], em_min(coarse, 0.5 * way.part), &theta, &minimum.g);
+        if (crosses < 0) return -1;
+        minimum.t = w->t + theta * w->h;
+        if (!crosses || !(theta > way.left && theta < way.right && (minimum.t - before->t) * w->direction > 0.0)) continue;
+        em_pass(w, i, before, &minimum);
+        *before = minimum;
     }
     return 0;
 }
@@ -197,7 +198,7 @@ static int em_search(em_run_state *w, const em_isolation *s, int i) {
     for (int k = 0; k < s->count; ++k) {
         const em_point here = {s->t[k], s->g[k * s->n_events + i]};
         if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
-        if (em_is_rash(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+        if (em_first_step_too_long(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
         em_pass(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
     }
