@@ -1,4 +1,4 @@
-"""Names that motions are differentiated by, as users give them."""
+"""Names of the parameters, inputs and initial values by which motions are differentiated."""
 
 from collections.abc import Sequence
 from functools import lru_cache

@@ -17,12 +17,12 @@ Column = float | Signal | Vector | list[Any]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Asked:
-    """What all members share. t_eval (nt,): times of the rows; else as `Task`.
+    """What all members of an ensemble share. t_eval (nt,): times of the rows; the other fields are those of `Task`.
 
     method : em_method of em_run.h; None where the method is not compiled
     iterates : whether its steps are found by iteration
-    end_only : the one row of a run is where it ends
-    differentiated : by what, or None
+    end_only : whether each run keeps only its last row
+    differentiated : the variables of differentiation, or None
     """
 
     model: CompiledModel
@@ -53,12 +53,12 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Members:
-    """K members. Where an array has one row, or an input is one number or Signal, all share it.
+    """K members. An array with one row, and an input that is one number or Signal, is shared by all members.
 
     parameters (K or 1, n_parameters), x, v (K or 1, n)
     signals : for each input a number or a Signal for all, (K,) numbers, or a list of K numbers and Signals
-    refused : (K,) whether a member cannot start, for a reason found before its run
-    swept : names of what differs from member to member -> (K,)
+    refused : (K,) whether a member cannot start for a reason found before its run
+    swept : name -> (K,) values of each argument that differs between members
     """
 
     count: int
@@ -85,7 +85,7 @@ class Members:
 
     @property
     def inputs(self) -> tuple[Any, ...]:
-        """As compiled runs take them: an `em_signal`, an array of numbers, or a list of `em_signal`, for each input."""
+        """Return each input for compiled runs: an `em_signal`, an array of numbers, or a list of `em_signal`."""
         return tuple(
             one if isinstance(one, np.ndarray)
             else [Inputs((each,)).compiled[0] for each in one] if isinstance(one, list)
@@ -94,7 +94,7 @@ class Members:
         )  # fmt: skip
 
     def inputs_of(self, k: int) -> Inputs:
-        """Return those of one member."""
+        """Return the inputs of one member."""
         chosen = (one[k] if isinstance(one, list | np.ndarray) else one for one in self.signals)
         return Inputs(tuple(one if isinstance(one, Signal) else float(one) for one in chosen))
 

@@ -1,6 +1,6 @@
-"""The methods there are: the one table that all others are made from.
+"""Integration methods: the table from which all other tables are made.
 
-All are compiled; what they do stands in em_methods.h, under the same names and numbers.
+All methods are compiled. em_methods.h implements them under the same names and numbers.
 """
 
 from collections.abc import Mapping
@@ -14,13 +14,13 @@ from .options import choice
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A way to integrate.
+    """An integration method.
 
     name : as users write it, in upper or lower case
-    order : the power of the step size that the error of a run falls with
+    order : p, where the error of a run is proportional to h^p for steps h
     number : em_method of em_run.h
     implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
-    iterates : whether its rates are found by iteration, which ends at the tolerances and no sooner
+    iterates : whether its stages are solved by iteration, which converges to the tolerances only
     """
 
     name: str
@@ -45,9 +45,9 @@ METHODS = _table(
 AUTO = "auto"
 """The name by which users leave the choice to method_selection.py."""
 FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
-"""Of steppers alone: their steps are as long as told, all alike, and nothing says how large their error is."""
+"""Methods of fixed step, for steppers only: the caller chooses the step, and there is no error estimate."""
 STEPPED = _table(*METHODS.values(), *FIXED.values())
-"""All that steppers have."""
+"""All methods of steppers."""
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
 _ELSEWHERE = MappingProxyType({
     **{name: ("SciPy's", "radau9", f"{name!r}, jac=system.jacobian") for name in ("Radau", "BDF", "LSODA")},
@@ -55,16 +55,16 @@ _ELSEWHERE = MappingProxyType({
     "RK45": ("SciPy's", "dopri5", "'RK45'"),
     "RK23": ("SciPy's", "rk34", "'RK23'"),
 })  # fmt: skip
-"""Solvers that step outside of runs: whose they are, what is compiled in their place, how they are called."""
+"""Solvers of other packages: the package, the compiled method that replaces each, and the call of the solver."""
 
 
 def method_of(given: object, known: Mapping[str, Any]) -> Any:
-    """Return what the name of a method stands for, whatever its case.
+    """Return the method of a name, in upper or lower case.
 
     Raises
     ------
     ModelError
-        Not one of the known names: lists them; of SciPy's and SUNDIALS' solvers, says what serves.
+        The name is unknown: lists the known ones; for solvers of SciPy and SUNDIALS, names the compiled method.
     """
     found = [name for name in _ELSEWHERE if isinstance(given, str) and name.lower() == given.lower()]
     if not found:
@@ -78,9 +78,9 @@ def method_of(given: object, known: Mapping[str, Any]) -> Any:
 
 
 def checker_of(method: Method) -> Method:
-    """Return the method that checks runs of another: of its kind the one of the highest order.
+    """Return the method for the run that estimates the error of another: of its kind the one of highest order.
 
-    None that iterates: near rounding its errors are larger than its order says.
+    Methods that iterate are excluded: close to rounding their errors exceed those of their order.
     """
     direct = (m for m in METHODS.values() if m.implicit == method.implicit and not m.iterates)
     return max(direct, key=lambda m: m.order)

@@ -1,4 +1,4 @@
-"""Values given by name: overlaid on defaults, with unknown names refused in words that help."""
+"""Values by name: defaults with the values given, and errors that suggest the nearest known name."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -20,14 +20,14 @@ def spelled(key: object) -> str:
 
 
 def rate_name(key: object) -> str:
-    """Return the name of a key; the rate of a coordinate, as in `initial`, goes by the coordinate's."""
+    """Return the name of a key; for the rate of a coordinate, as in `initial`, the name of the coordinate."""
     text = spelled(key)
     rate = re.fullmatch(r"Derivative\((.+)\(t\), t\)", text)
     return rate[1] if rate else text
 
 
 def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Mapping[str, str] | None = None) -> str:
-    """Say which names are not known, which are, and which is nearest; or what another tool's names are here."""
+    """Return a message: the unknown names, the known ones and the nearest; or our name for another tool's option."""
     wrong, places = sorted(names), elsewhere or {}
     if foreign := [f"in place of {name!r} of SciPy: {places[name]}" for name in wrong if name in places]:
         return f"unknown {what} {', '.join(map(repr, wrong))}; {'; '.join(foreign)}."
@@ -38,7 +38,7 @@ def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Ma
 
 
 def is_named(given: object) -> TypeGuard[Mapping[Any, Any]]:
-    """Say whether values come by name: in a mapping, or in what labels them by texts (pandas' Series, DataFrame)."""
+    """Return whether values have names: a mapping, or a pandas Series or DataFrame with labels that are strings."""
     if isinstance(given, Mapping):
         return True
     if not (hasattr(given, "keys") and hasattr(given, "items")):
@@ -47,7 +47,7 @@ def is_named(given: object) -> TypeGuard[Mapping[Any, Any]]:
 
 
 def by_spelling(given: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
-    """Return the mapping with its keys as strings; none may be there twice, by its name and as a symbol."""
+    """Return the mapping with its keys as strings. A key given twice, as a string and as a symbol, is an error."""
     spelt = {spelling(key): value for key, value in given.items()}
     if len(spelt) < len(given.keys()):
         raise ModelError(f"{what}: one of {', '.join(map(repr, spelt))} is given twice, by name and as a symbol")
@@ -69,14 +69,14 @@ def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[s
 
 
 def _rates_go_elsewhere(wrong: Iterable[str], known: Sequence[str]) -> str:
-    """Say where the rate of a coordinate belongs, by the names that `initial` and --set give it."""
+    """Return a hint that the rate of a coordinate belongs in v0, for the names that `initial` and --set use."""
     rates = {name: rate_name(name.removesuffix("'")) for name in sorted(wrong)}
     found = [(name, rate) for name, rate in rates.items() if rate != name and rate in known]
     return "".join(f" {name!r} is a rate: give it as v0={{{rate!r}: ...}}." for name, rate in found)
 
 
 def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str) -> Vector:
-    """Return one number for each name: from an array in their order, or from a mapping over the defaults.
+    """Return one number for each name: from an array in that order, or the defaults updated by a mapping.
 
     Raises
     ------
@@ -93,24 +93,24 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
         values = vector(given, what)
     if values.shape != (len(names),):
         raise ModelError(f"{what}: an array of shape {values.shape}, but {len(names)} are needed: {', '.join(names)}")
-    if not all(map(isfinite, values.tolist())):  # quicker than NumPy for as many numbers as a mechanism has
+    if not all(map(isfinite, values.tolist())):  # faster than NumPy for the few numbers of a mechanism
         raise ModelError(f"{what} {names[int(np.argmin(np.isfinite(values)))]!r} is not a finite number")
     return values
 
 
 def vector(given: object, what: str) -> Vector:
-    """Return real numbers as a new float64 array, whatever its shape; infinite ones and NaN too.
+    """Return real numbers as a new float64 array of the same shape; infinity and NaN are allowed.
 
     Raises
     ------
     ModelError
-        Ragged, of texts, truth values, complex numbers or objects, masked, or beyond a double; shows it.
+        The array is ragged or masked, or contains strings, booleans, complex numbers, objects or too large numbers.
     """
     if type(given) is np.ndarray and given.dtype == np.float64:
         return given.copy()
     try:
         array = np.asarray(given)
-    except Exception as error:  # ragged, or what an object of the user's raises
+    except Exception as error:  # a ragged array, or an exception of the user's object
         raise ModelError(f"{what} is {shown(given)}, not an array of real numbers") from error
     if array.dtype.kind == "O" and array.ndim:  # SymPy's numbers, fractions
         numbers = [real(value, f"{what}[{k}]") for k, value in enumerate(array.flat)]
@@ -122,5 +122,5 @@ def vector(given: object, what: str) -> Vector:
 
 
 def _has_truths(given: object) -> bool:
-    """Say whether a list holds True or False: in NumPy's eyes they are 1 and 0 beside numbers."""
+    """Return whether a list contains True or False, which NumPy converts to 1 and 0 if numbers stand beside them."""
     return isinstance(given, list | tuple) and any(isinstance(value, bool | np.bool_) for value in given)

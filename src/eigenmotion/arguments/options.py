@@ -18,16 +18,16 @@ SHARED_FROM_START = DEPENDENT["auto"]
 
 
 class OptionError(ModelError, TypeError):
-    """An option that `simulate` does not know: a TypeError as Python's own, and a ValueError as every other mistake."""
+    """An unknown option of `simulate`: a TypeError as Python's own, and a ValueError as all our argument errors."""
 
 
 def is_system(given: object) -> bool:
-    """Whether it is a compiled model, in Python's terms."""
+    """Return whether an object is a `System`."""
     return isinstance(getattr(given, "compiled", None), CompiledModel)
 
 
 def no_system(call: str, given: object, more: str = "") -> OptionError:
-    """Return what says that a call needs a System; `more` are its other arguments."""
+    """Return the error of a call without a System; `more` are the other arguments of the call."""
     return OptionError(
         f"{call}: system is {shown(given)}, not a System. Compile the model, or the file that defines it, "
         f"first: {call}(em.build(model){more})"
@@ -35,7 +35,7 @@ def no_system(call: str, given: object, more: str = "") -> OptionError:
 
 
 TO_DERIVE = 2
-"""Task.dense: what is between rows is kept for derivatives, which do without steps as short as states there need."""
+"""Value of Task.dense: keep the dense output for sensitivities, which need no steps shortened for its accuracy."""
 
 
 class Task(NamedTuple):
@@ -44,10 +44,10 @@ class Task(NamedTuple):
     y : (n_state,), published meaning, at t_start
     atol : (n,), of x_k [u_k] and of its velocity [u_k / s]
     t_eval : (k,) in the direction of time, or None: a row for every accepted step
-    dense : 1 to keep what is between rows, to be asked for states; TO_DERIVE to keep it as it is
-    first_step : 0 where it is chosen
-    stabilise : whether constraints and eigenfactors are restored on the way
-    least_norm : what becomes of dependent constraint rows, a value of DEPENDENT
+    dense : 1 to keep the dense output for states between rows; TO_DERIVE to keep it for sensitivities
+    first_step : [s]; 0: estimated
+    stabilise : whether accepted states are projected onto the constraints and eigenfactors are restored
+    least_norm : the treatment of dependent constraint rows, a value of DEPENDENT
     """
 
     model: CompiledModel
@@ -74,16 +74,16 @@ SCIPY_OPTIONS = {
     "jac": "nothing: implicit methods have their Jacobian",
     "y0": "x0 and v0, by name or as arrays",
 }
-"""What `solve_ivp` calls things that have another name here, or another place."""
+"""Options of `solve_ivp` -> the corresponding argument here."""
 
 
 def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
-    """Return what a word stands for, whatever its case; `known` are in lower case.
+    """Return the value of an option's word, in upper or lower case; the keys of `known` are in lower case.
 
     Raises
     ------
     ModelError
-        Not one of the known words; lists them.
+        The word is unknown; lists the known ones.
     """
     if type(given) is str and given in known:
         return known[given]
@@ -95,13 +95,13 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
 
 
 def least_norm_of(dependent_constraints: str) -> int:
-    """Whether dependent constraint rows get multipliers of least norm: em_dependent of em_run.h."""
+    """Return the treatment of dependent constraint rows, em_dependent of em_run.h: e.g. multipliers of least norm."""
     chosen: int = choice(dependent_constraints, DEPENDENT, "dependent_constraints")
     return chosen
 
 
 def span(t_span: tuple[float, float]) -> tuple[float, float]:
-    """Return start and end: two finite numbers."""
+    """Return the start and end of a time span, two finite numbers [s]."""
     try:
         start, end = t_span
     except (TypeError, ValueError) as error:
@@ -155,7 +155,7 @@ def _absolute(model: CompiledModel, atol: float | Mapping[Any, float] | ArrayLik
 
 
 def step_limits(first_step: float | None, max_step: float, max_steps: int, length: float) -> tuple[float, float, int]:
-    """Return first_step (0: chosen), max_step and max_steps."""
+    """Return first_step (0: estimated), max_step and max_steps."""
     first = 0.0 if first_step is None else real(first_step, "first_step")
     if first_step is not None and not (0 < first <= length):
         raise ModelError(f"first_step is {first}, but must be above 0 and at most the length of t_span, {length:g}")

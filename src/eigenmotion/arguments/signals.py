@@ -19,7 +19,7 @@ _KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Signal:
-    """Samples u(t_k) = u_k and what happens between them.
+    """Samples u(t_k) = u_k and their interpolation.
 
     Parameters
     ----------
@@ -48,12 +48,12 @@ class Signal:
     kind: Literal["hold", "linear", "cubic"] = "linear"
     _fitted: list[tuple[Any, Vector]] = field(
         init=False, repr=False, default_factory=list
-    )  # the spline, once it has been asked for
+    )  # the spline, computed at the first call
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
             numbers = vector(getattr(self, name), f"{name} of a signal")
-            numbers.flags.writeable = False  # runs read them where they are
+            numbers.flags.writeable = False  # runs read these arrays without a copy
             object.__setattr__(self, name, numbers)
         times, values = np.asarray(self.times), np.asarray(self.values)
         if not isinstance(self.kind, str) or self.kind not in _KINDS:
@@ -68,7 +68,7 @@ class Signal:
             raise ModelError("a signal's times must increase strictly")
 
     def __call__(self, t: ArrayLike) -> Vector:
-        """Return u at t, any shape. Beyond the samples: the nearest one's value, as in compiled runs."""
+        """Return u at times t of any shape. Before the first and after the last sample u is constant, as in runs."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         inside = np.clip(t, times[0], times[-1])
         if self.kind == "hold":
@@ -79,7 +79,7 @@ class Signal:
 
     @property
     def compiled(self) -> Compiled:
-        """Kind, times and values as `em_signal` has them."""
+        """Return the kind, times and values of the `em_signal`."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
             values = self._spline[1]
@@ -101,7 +101,7 @@ class Signal:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sampled:
-    """A controller inside a run: an input that a function is asked for every period, and that holds in between.
+    """A sampled controller: a function that computes an input once every period; the input is constant in between.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ class Sampled:
             object.__setattr__(self, "initial", number(self.initial, "the initial value of a Sampled input"))
 
     def before(self, default: float) -> float:
-        """Return what holds before the first answer."""
+        """Return the value of the input before the first answer of the function takes effect."""
         return default if self.initial is None else self.initial
 
 
@@ -158,7 +158,7 @@ class Inputs:
 
     @cached_property
     def compiled(self) -> tuple[Compiled, ...]:
-        """One `em_signal` for each input; what those are that are sampled is known in a run alone."""
+        """Return one `em_signal` for each input; sampled inputs have no values outside a run."""
         return tuple(
             signal.compiled if isinstance(signal, Signal) else (0, np.empty(0), np.array([signal]))
             for signal in self.signals
@@ -166,7 +166,7 @@ class Inputs:
 
     @cached_property
     def sampled(self) -> bool:
-        """Whether there are controllers to be asked."""
+        """Whether some inputs are sampled controllers."""
         return any(isinstance(signal, Sampled) for signal in self.signals)
 
     @property
@@ -185,7 +185,7 @@ class Inputs:
         return np.unique(times[(times > min(start, end)) & (times < max(start, end))])
 
     def uncovered(self, start: float, end: float) -> tuple[int, str] | None:
-        """Return the first input, and in words how, whose samples do not cover the span; held samples last for ever."""
+        """Return the first input whose samples do not cover the span, and a message. Held samples last forever."""
         for k, signal in enumerate(self.signals):
             if not isinstance(signal, Signal):
                 continue
@@ -196,7 +196,7 @@ class Inputs:
 
 
 def check_samples(model: CompiledModel, inputs: Inputs) -> None:
-    """Raise EvaluationError where an input is given a value that its symbol was not declared to have."""
+    """Raise EvaluationError if the value of an input contradicts the assumptions of its symbol."""
     for k, signal in enumerate(inputs.signals if any(model.declared) else ()):
         given = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Sampled) else (signal,)
         u = np.array(model.input_defaults)
@@ -205,7 +205,7 @@ def check_samples(model: CompiledModel, inputs: Inputs) -> None:
 
 
 def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
-    """Read a run's inputs: name -> number, (times, values) (linear), Signal or Sampled; the others at their defaults.
+    """Return the inputs of a run: name -> number, (times, values) (linear), Signal or Sampled; others have defaults.
 
     Raises
     ------

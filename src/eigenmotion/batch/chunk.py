@@ -1,4 +1,4 @@
-"""A chunk of members, in this thread: compiled, or one by one in Python."""
+"""Execution of a chunk of members in the calling thread: in compiled code, or one by one in Python."""
 
 from dataclasses import replace
 
@@ -22,7 +22,7 @@ _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event
 
 
 def run_chunk(asked: Asked, members: Members, stop: Stop) -> BatchArrays:
-    """Return what comes of members. `stop` ends their runs early."""
+    """Run the members and return their results. `stop` ends the runs early."""
     model = asked.model
     if _one_by_one(asked):
         found = BatchArrays.none(asked, members.count)
@@ -32,7 +32,7 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> BatchArrays:
         found = replace(BatchArrays.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
-            doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python
+            doubtful = list(range(members.count))  # eigenvalues that coincide at the start are handled in Python
     shifts: Shifts = {}
     for k in doubtful:
         if not stop:
@@ -44,7 +44,7 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> BatchArrays:
 
 
 def _one_by_one(asked: Asked) -> bool:
-    """Whether each run is one of `simulate`: with modes of its own, or with derivatives."""
+    """Return whether each member needs a run of `simulate`, because of contact modes or sensitivities."""
     return bool(asked.model.switches) or in_one_run(asked)
 
 
@@ -67,7 +67,7 @@ def _look_again(asked: Asked, members: Members, k: int, found: BatchArrays, stop
 
 
 def _keep(asked: Asked, k: int, solution: Solution, found: BatchArrays) -> None:
-    """Take over a run of its own."""
+    """Copy the results of a single run into the arrays of the chunk."""
     found.status[k], found.words[k] = REASONS.index(solution.stop), solution.message
     rows = solution.y.T
     if asked.end_only:
@@ -86,7 +86,7 @@ def _keep(asked: Asked, k: int, solution: Solution, found: BatchArrays) -> None:
 
 
 def _segments(solution: Solution, *, end_only: bool) -> tuple[Segment, ...]:
-    """Return the modes of a run; the row of its end is the only one, and of the last."""
+    """Return the segments of a run; if only the last row is kept, each begins at row 0."""
     rows = solution._rows
     if rows is None or not end_only:
         return () if rows is None else rows.segments
@@ -94,7 +94,7 @@ def _segments(solution: Solution, *, end_only: bool) -> tuple[Segment, ...]:
 
 
 def _reached(asked: Asked, solution: Solution) -> float:
-    """Return where a run came to, as far as its rows tell."""
+    """Return the time that a run reached, according to its rows."""
     if solution.stop is StopReason.FINISHED:
         return asked.t_end
     if solution.get("sol") is not None:

@@ -1,6 +1,6 @@
 """Chunks of members for other processes, on this machine or others: any `concurrent.futures.Executor`.
 
-A chunk takes about a second, so that what travels costs little; one that is lost with its worker is run again.
+A chunk takes about a second, so that the transfer costs little. A chunk whose worker was lost is run again.
 """
 
 import logging
@@ -18,9 +18,9 @@ from .chunk import run_chunk
 from .threads import Report, pieces
 
 _log = logging.getLogger("eigenmotion")
-_PILOT = 16  # members that tell how long others may take
+_PILOT = 16  # members whose run time predicts that of the others
 _SECONDS = 1.0  # a chunk
-_AHEAD = 4  # chunks at least for each core here, where there are members enough: then no worker waits for one
+_AHEAD = 4  # least number of chunks for each core, if there are enough members, so that no worker is idle
 _TRIES = 3
 _TICK = 0.5  # [s] between two looks at signals
 
@@ -34,13 +34,13 @@ def _packed(asked: Asked) -> bytes:
 
 @lru_cache(maxsize=8)
 def _asked(packed: bytes) -> Asked:
-    """Make what is asked of all, its model with it: once a process, not once a chunk."""
+    """Unpickle what all members share, including the model: once per process, not once per chunk."""
     asked: Asked = pickle.loads(packed)
     return asked
 
 
 def timed_chunk(packed: bytes, members: Members) -> tuple[BatchArrays, float]:
-    """Run members in a worker, in one thread; return what came of them, and the seconds it took."""
+    """Run members in one thread of a worker; return their results and the seconds it took."""
     asked = _asked(packed)
     start = time.perf_counter()
     found = run_chunk(asked, members, Stop())
@@ -48,7 +48,7 @@ def timed_chunk(packed: bytes, members: Members) -> tuple[BatchArrays, float]:
 
 
 def in_executor(asked: Asked, members: Members, executor: Executor, report: Report) -> BatchArrays:
-    """Run all members in the executor's workers; Ctrl-C gives up what is not done."""
+    """Run all members in the workers of the executor; Ctrl-C cancels the chunks that have not finished."""
     work = _Work(asked, members, executor, report)
     try:
         pilot = min(_PILOT, members.count)
@@ -66,7 +66,7 @@ def in_executor(asked: Asked, members: Members, executor: Executor, report: Repo
 
 
 class _Work:
-    """Chunks on their way."""
+    """Chunks submitted to an executor."""
 
     def __init__(self, asked: Asked, members: Members, executor: Executor, report: Report) -> None:
         self.packed, self.members, self.executor, self.report = _packed(asked), members, executor, report
@@ -75,7 +75,7 @@ class _Work:
         self.tries: dict[tuple[int, int], int] = {}
 
     def submit(self, parts: list[tuple[int, int]]) -> None:
-        """Hand chunks (start, stop) out; where the executor takes none any more, run them here."""
+        """Submit chunks (start, stop); if the executor accepts no more, run them in this process."""
         for part in parts:
             members = self.members.part(*part)
             try:
@@ -85,14 +85,14 @@ class _Work:
                 self._put(part, timed_chunk(self.packed, members))
 
     def finish(self) -> None:
-        """Wait for all that is on its way."""
+        """Wait for all submitted chunks."""
         while self.waiting:
             done, _ = wait(self.waiting, _TICK, return_when="FIRST_COMPLETED")
             for future in done:
                 self._take(future, self.waiting.pop(future))
 
     def _take(self, future: Future[tuple[BatchArrays, float]], part: tuple[int, int]) -> None:
-        """Take over a chunk, or hand it out again where it was lost with its worker."""
+        """Store the results of a chunk, or submit it again if its worker was lost."""
         try:
             self._put(part, future.result())
         except (Exception, CancelledError) as error:
@@ -109,6 +109,6 @@ class _Work:
         self.report(part[1] - part[0])
 
     def cancel(self) -> None:
-        """Give up what has not begun."""
+        """Cancel the chunks that have not begun."""
         for future in self.waiting:
             future.cancel()

@@ -1,4 +1,4 @@
-"""Derivatives of the members of a chunk, each along a run that keeps what is between its rows."""
+"""Sensitivities of the members of a chunk, each along a run with dense output."""
 
 import numpy as np
 
@@ -16,18 +16,18 @@ from ..simulation.simulate import run_task
 from .member_start import task_of
 
 Shifts = dict[int, Vector]
-"""Member -> how the times of its events change, (events, names)."""
+"""Member -> derivatives of its event times, (events, names)."""
 _TWICE = ("dop853", "rk34")
-"""Methods that evaluate more to keep what is between rows; and runs of dop853 side by side are rounded otherwise."""
+"""Methods with extra evaluations for dense output. Runs of dop853 in lanes also differ from single ones by rounding."""
 
 
 def in_one_run(asked: Asked) -> bool:
-    """Whether a run that keeps what is between its rows is, bit for bit, what a chunk makes of a member."""
+    """Return whether a run with dense output has bit for bit the rows that a chunk computes for the member."""
     return asked.differentiated is not None and asked.name not in _TWICE
 
 
 def vary_members(asked: Asked, members: Members, found: BatchArrays, stop: Stop) -> Shifts:
-    """Run members again for what is between their rows; and as `vary`."""
+    """Run members again with dense output, and compute their sensitivities as `vary` does."""
     shifts: Shifts = {}
     for k in range(members.count):
         if stop or REASONS[found.status[k]] is StopReason.START_REFUSED:
@@ -43,7 +43,7 @@ def vary_members(asked: Asked, members: Members, found: BatchArrays, stop: Stop)
 
 
 def vary(asked: Asked, k: int, task: Task, solution: Solution, found: BatchArrays, shifts: Shifts) -> None:
-    """Fill `S` of a member and its `shifts`; where a run that did well has none, say why in `words`."""
+    """Store `S` and `shifts` of a member; if a successful run has no sensitivities, store the reason in `words`."""
     by = asked.differentiated
     if by is None:
         return
@@ -65,7 +65,7 @@ def _none(asked: Asked, k: int, found: BatchArrays, error: Exception) -> None:
 
 
 def together(found: BatchArrays, shifts: Shifts, names: int) -> Vector:
-    """Return the shifts of all events of a chunk (events, names), NaN of members without."""
+    """Return the derivatives of all event times of a chunk, (events, names); NaN for members without sensitivities."""
     made = np.full((len(found.event_times), names), np.nan)
     ends = np.cumsum(found.event_counts.sum(axis=1))
     for k, own in shifts.items():

@@ -12,7 +12,7 @@ def task_of(asked: Asked, members: Members, k: int) -> Task:
     Raises
     ------
     ModelError
-        It cannot start.
+        The member cannot start.
     """
     if k in members.reasons:
         raise ModelError(f"{asked.model.name}: {members.reasons[k]}")

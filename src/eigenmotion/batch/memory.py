@@ -1,4 +1,4 @@
-"""Memory of an ensemble's rows, stated before it is allocated."""
+"""Memory that the rows of an ensemble need, checked before it is allocated."""
 
 import logging
 import os
@@ -6,17 +6,17 @@ import os
 from ..arguments.members import Asked
 from ..codegen.model.normalise import ModelError
 
-_LITTLE = 10**7  # [byte] that are there, without a look
+_LITTLE = 10**7  # [byte] up to which no check is made
 _log = logging.getLogger("eigenmotion")
 
 
 def check(asked: Asked, count: int) -> None:
-    """Say what the rows of so many runs take.
+    """Check that the rows of the runs fit into memory.
 
     Raises
     ------
     ModelError
-        More than there is.
+        They need more memory than is available.
     """
     model = asked.model
     columns = len(asked.differentiated.names) if asked.differentiated else 0
@@ -33,7 +33,7 @@ def check(asked: Asked, count: int) -> None:
 
 
 def shortage(needed: float) -> str:
-    """Say that so many bytes take more than there is; nothing where they do not."""
+    """Return a message if so many bytes exceed the available memory, else ""."""
     there = available() if needed > _LITTLE else None
     if there is None or needed <= there:
         return ""
@@ -41,7 +41,7 @@ def shortage(needed: float) -> str:
 
 
 def available() -> int | None:
-    """Return how many bytes are free, None where the system does not say."""
+    """Return the number of available bytes; None if the system does not report it."""
     try:
         with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123, no path of a user's
             found = {name: rest for name, _, rest in (line.partition(":") for line in lines)}

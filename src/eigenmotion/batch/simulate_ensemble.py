@@ -145,7 +145,7 @@ def _differentiated(system: CompiledSystem, given: Any, v0: Any) -> Differentiat
 
 
 def _check_constant(system: CompiledSystem, asked: Asked, members: Members) -> None:
-    """Refuse to differentiate by inputs that are sampled."""
+    """Raise ModelError if runs are to be differentiated by an input that is a signal."""
     names = asked.differentiated.names if asked.differentiated else ()
     for name, column in zip(system.inputs, members.signals, strict=True):
         if name in names and any(isinstance(one, Signal) for one in (column if isinstance(column, list) else [column])):
@@ -153,7 +153,7 @@ def _check_constant(system: CompiledSystem, asked: Asked, members: Members) -> N
 
 
 def _silent(_: int) -> None:
-    """Report to nobody."""
+    """Report nothing."""
 
 
 def _threads(workers: object) -> int:
@@ -173,7 +173,7 @@ def _executor(executor: Any, workers: object) -> Executor:
 
 
 def _check_signals(system: CompiledSystem, members: Members, start: float, end: float) -> None:
-    """Refuse signals that do not cover the span: for all members, or the one whose it is."""
+    """Check that signals cover the span: a shared one raises ModelError, one of a member refuses that member."""
     for name, column in zip(system.inputs, members.signals, strict=True):
         for k, signal in enumerate(column if isinstance(column, list) else [column]):
             if not isinstance(signal, Signal) or (gap := Inputs((signal,)).uncovered(start, end)) is None:

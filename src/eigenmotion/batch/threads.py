@@ -1,4 +1,4 @@
-"""Chunks of members for threads of this process, which take the next one as they come to it."""
+"""Execution of an ensemble by threads of this process, each of which takes the next chunk of members."""
 
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
@@ -9,7 +9,7 @@ from ..runtime.ensemble import Stop
 from .chunk import run_chunk
 
 Report = Callable[[int], None]
-_PART = 3  # of what is left for a thread, the part that is its next chunk: the last are short, and all end together
+_PART = 3  # the next chunk is this part of a thread's share of what is left: the last are short, so all end together
 _LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
 _TICK = 0.05  # [s] between two looks at signals
 
@@ -20,7 +20,7 @@ def pieces(count: int, size: int) -> list[tuple[int, int]]:
 
 
 def shares(count: int, workers: int) -> list[tuple[int, int]]:
-    """Return (start, stop) of chunks for so many threads, ever shorter: each takes Python some time."""
+    """Return (start, stop) of chunks of decreasing length for so many threads; each costs some time in Python."""
     if workers == 1:
         return pieces(count, _MOST)
     least, found, start = min(_LEAST, -(-count // workers)), list[tuple[int, int]](), 0
@@ -32,7 +32,7 @@ def shares(count: int, workers: int) -> list[tuple[int, int]]:
 
 
 def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> BatchArrays:
-    """Run all members; Ctrl-C ends the runs, and what is done is returned."""
+    """Run all members; Ctrl-C ends the runs, and the results so far are returned."""
     stop, parts = Stop(), shares(members.count, workers)
     if len(parts) == 1:
         only = run_chunk(asked, members, stop)
@@ -59,7 +59,7 @@ def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> 
 
 
 def _await(futures: list[Future[None]], stop: Stop) -> None:
-    """Wait for all; a signal is seen here, in the main thread, and ends their runs."""
+    """Wait for all threads; the main thread handles signals here, and ends the runs."""
     waiting = set(futures)
     while waiting:
         try:

@@ -40,8 +40,8 @@ class ErrorEstimate:
     x_largest, v_largest : (n,) the largest at any row
     scaled, scaled_largest : max over coordinates of |error of x_k| / (1 + |x_k|), at the last row and at any
     t : the last row compared [s]
-    message : "" where every row was compared and the second run is clearly the more accurate one; else what to mind.
-        Rows at the very moment of an impact, where the two runs are on either side of its jump, are not compared
+    message : "" if every row was compared and the second run is clearly more accurate; else a caution. Rows at the time
+        of an impact are not compared if the two runs are on different sides of its jump
     """
 
     x: Vector
@@ -56,7 +56,7 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True)
 class ErrorCost:
-    """What the second run was and took.
+    """The second run of an error estimate, and its cost.
 
     Attributes
     ----------
@@ -73,13 +73,13 @@ class ErrorCost:
 
 
 def with_error_estimate(task: Task, method: Method, checker: CompiledModel | None, run: Runner) -> Solution:
-    """Run a task, and again more accurately; the solution gets `error_estimate` and `error_cost`.
+    """Run a task twice, the second time more accurately; the solution gets `error_estimate` and `error_cost`.
 
     Parameters
     ----------
     checker
-        The same model in another formulation for the second run, or None: the same program. What a formulation itself
-        got wrong shows only against another one.
+        The same model in another formulation for the second run; None: the same program. Only another formulation can
+        show an error of the formulation itself.
     """
     solution, first = _clocked(run, task, method)
     checking = checker_of(method)
@@ -103,7 +103,7 @@ def _clocked(run: Runner, task: Task, method: Method) -> tuple[Solution, float]:
 
 
 def _tighter(task: Task, solution: Solution, wanted: float) -> Task:
-    """Return the second run: over the rows of the first, up to where that got."""
+    """Return the second run: at the times of the first, up to the time that the first reached."""
     factor = wanted if task.rtol == 0 else min(1.0, max(wanted, FINEST / task.rtol))
     return task._replace(
         rtol=task.rtol * factor, atol=task.atol * factor, dense=False, first_step=0.0,
@@ -140,7 +140,7 @@ def _compared(task: Task, solution: Solution, second: Solution, rtol: float) -> 
 
 
 def _on_one_side(task: Task, solution: Solution, second: Solution, rows: int) -> NDArray[np.bool_]:
-    """Return (rows,) whether both runs are on the same side of every event that acts."""
+    """Return (rows,) booleans: whether both runs are on the same side of every event that acts."""
     same = np.ones(rows, dtype=bool)
     if not task.model.acts:
         return same
@@ -177,7 +177,7 @@ def _nothing(task: Task, at: float, words: str) -> ErrorEstimate:
 
 
 def _blank(solution: Solution, task: Task) -> Solution:
-    """The run has no rows after its start: there is nothing to compare."""
+    """Return the estimate of a run without rows after its start: nothing can be compared."""
     at = float(solution.t[-1]) if len(solution.t) else task.t_start
     solution["error_estimate"] = _nothing(task, at, "There are no rows to compare.")
     solution["error_cost"] = ErrorCost(task.model.formulation, "none", task.rtol, 0, 0, 0.0, 0.0)

@@ -1,6 +1,7 @@
 """Selection of a method for a run with method="auto".
 
-As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, benchmarks/ensemble.py, docs/theory.md).
+The limits were measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, benchmarks/ensemble.py,
+docs/theory.md).
 """
 
 from math import inf, sqrt
@@ -34,10 +35,10 @@ _NONE = np.empty(0)
 
 
 def automatic_of_run(task: Task) -> tuple[Method, str]:
-    """Return a stiff method, and why in words, where the scene is stiff at its start; else as `automatic`, and "".
+    """Return a stiff method and the reason as text if the motion is stiff at its start; else `automatic` and "".
 
-    What may come later, a contact, say, the start does not tell: an explicit run says so at its end. Nor does it where
-    a controller is still to be asked.
+    Stiffness that begins later, for example in a contact, is not detected here: the message of an explicit run reports
+    it. Neither is it detected before a controller has given its first value.
     """
     fast = 0.0 if task.inputs.sampled else _dying_rate(task)
     if not fast:
@@ -49,9 +50,9 @@ def automatic_of_run(task: Task) -> tuple[Method, str]:
 
 
 def _dying_rate(task: Task) -> float:
-    """Return the rate by which stability would keep explicit steps short, and not their error; 0: there is none.
+    """Return the rate [1/s] at which stability, not accuracy, limits explicit steps; 0: it does not.
 
-    From the eigenvalues of the motion's Jacobian at the start, which do not depend on units or coordinates.
+    It follows from eigenvalues of the Jacobian of the motion at the start, which do not depend on units or coordinates.
     """
     span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
     u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
@@ -75,27 +76,27 @@ def _dying_rate(task: Task) -> float:
 
 
 def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
-    """Return steps by nodes where their length pays, else dop853.
+    """Return ra15 if its longer steps pay, else dop853.
 
-    It does at tight tolerances, where the processor evaluates four nodes and more at once.
+    They pay at tight tolerances, if the processor evaluates four nodes or more in one vector.
     """
     side_by_side = model.lanes >= _LEAST_LANES and not least_norm
     return METHODS["ra15" if side_by_side and rtol <= _nodes_pay(model) else "dop853"]
 
 
 def _nodes_pay(model: CompiledModel) -> float:
-    """Return the tolerance from which on they do."""
+    """Return the tolerance below which steps of ra15 pay."""
     factors = model.n_state - 2 * model.n
     otherwise = _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
     return next((rtol for many, rtol in _TIGHT_WITH_MANY.get(model.lanes, ()) if factors > many), otherwise)
 
 
 def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
-    """Return dop853 where lanes hold a run each, which is quicker than one run's nodes in them; else as of one run."""
+    """Return dop853 if each lane can hold a run, which is faster than the nodes of one run; else `automatic`."""
     in_lanes = model.lane_groups and not least_norm and rtol > _longer_steps_pay(model.h)
     return METHODS["dop853"] if in_lanes else automatic(model, rtol, least_norm)
 
 
 def _longer_steps_pay(positions: int) -> float:
-    """Return the tolerance up to which they do: steps are put on positions number by number, not in lanes."""
+    """Return the tolerance up to which longer steps pay: the projection of positions does not run in lanes."""
     return next((rtol for least, rtol in _PLACED if positions >= least), 0.0)

@@ -1,4 +1,4 @@
-"""Controllers inside a run: inputs that Python is asked for every period, and that hold in between."""
+"""Sampled controllers of a run: Python functions that are called once a period; inputs are constant in between."""
 
 from dataclasses import dataclass
 from heapq import heappop, heappush
@@ -9,16 +9,16 @@ from ..arguments.signals import Inputs, Sampled, Signal
 from ..codegen.model.normalise import number
 from ..runtime import RunInParts
 
-_VALUE, _QUESTION = 0, 1  # what may be due at one time, in this order
+_VALUE, _QUESTION = 0, 1  # actions that may be due at the same time, in this order
 
 
 @dataclass
 class Held:
-    """One sampled input of a run: what it is and has been.
+    """One sampled input of a run: its present value and its history.
 
     place : of the input in the model
-    times, values : (k,) since when it has held what
-    count : how often its function has been called
+    times, values : (k,) the times of its changes, and the values from then on
+    count : the number of calls of its function
     """
 
     place: int
@@ -29,16 +29,16 @@ class Held:
     count: int = 0
 
     def ask(self, t: float, x: Vector, v: Vector) -> float:
-        """Return what the function says."""
+        """Return the value that the function gives."""
         said = self.sampled.function(t, x, v)
         return number(said, f"input {self.name!r} at t = {t:.9g}: a number is needed; what its function returned")
 
     def time(self, start: float, periods: float) -> float:
-        """Return when so many periods more have passed."""
+        """Return the time after so many more periods."""
         return start + (self.count + periods) * self.sampled.period
 
     def note(self, t: float, value: float) -> None:
-        """Hold a value from t on."""
+        """Record that the input has a value from t on."""
         if t == self.times[-1]:
             self.values[-1] = value
         else:
@@ -47,7 +47,7 @@ class Held:
 
 
 def opened(task: Task) -> tuple[Task, list[Held]]:
-    """Return the task as it begins, its sampled inputs at their first values, and these."""
+    """Return the task with sampled inputs at their first values, and the sampled inputs."""
     signals, held = list(task.inputs.signals), []
     for k, signal in enumerate(signals):
         if isinstance(signal, Sampled):
@@ -57,7 +57,7 @@ def opened(task: Task) -> tuple[Task, list[Held]]:
 
 
 def as_held(task: Task, held: list[Held]) -> Task:
-    """Return the task with what was held as Signals: run again, it gives the same motion without a controller."""
+    """Return the task with the recorded inputs as Signals: it gives the same motion without calling the controller."""
     signals = list(task.inputs.signals)
     for one in held:
         signals[one.place] = Signal(one.times, one.values, "hold")
@@ -65,9 +65,9 @@ def as_held(task: Task, held: list[Held]) -> Task:
 
 
 def drive(run: RunInParts, task: Task, held: list[Held]) -> None:
-    """Advance an open run to its end, and ask on the way.
+    """Advance an open run to its end, and call the controllers when they are due.
 
-    What is due is ordered by time; at one time a delayed value takes hold before the next is asked for.
+    Actions are ordered by time. At equal times a delayed value takes effect before the next call.
     """
     start = task.t_start
     due = [(start, _QUESTION, k, 0.0) for k in range(len(held))]

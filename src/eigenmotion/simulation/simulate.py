@@ -137,7 +137,7 @@ def simulate(
 
 
 def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem, sensitivities: Any) -> Solution:
-    """Run a task by the method of that name, with what was asked about its motion."""
+    """Run a task by the method of that name, with the requested error estimate and sensitivities."""
     task, shared = _shared(task) if task.least_norm else (task, ())
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
@@ -165,7 +165,7 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSy
 
 
 def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
-    """Return the task as it is run, and the rows whose multipliers are not unique from its start."""
+    """Return the task with its treatment of dependent rows, and the rows whose multipliers are not unique."""
     depend, rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)
     if not depend and task.least_norm == options.SHARED_FROM_START and not task.model.has_cones:
         task = task._replace(least_norm=options.DEPENDENT["refuse"])
@@ -177,7 +177,7 @@ def _checked(
     atol: Any, t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
     dependent_constraints: Any,
 ) -> Task:  # fmt: skip
-    """Return the task, of all that means one; what does not is refused by its name."""
+    """Return the task from all arguments; an invalid one raises an error with its name."""
     start, end = options.span(t_span)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
@@ -195,7 +195,7 @@ def _checked(
 def _begin(
     system: CompiledSystem, prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
 ) -> Vector:
-    """Return y (n_state,) to start from: at x0, v0, or where another run ended."""
+    """Return the initial y (n_state,): at x0, v0, or at the end of another run."""
     if given is None:
         x, v = system.start(x0, v0, start, prepared)
         return start_state(system.compiled, prepared, start, x, v, rtol, atol)
@@ -210,7 +210,7 @@ def _begin(
 def refused(
     call: str, system: object, positional: tuple[object, ...], misspelt: Mapping[str, object], known: tuple[str, ...]
 ) -> OptionError:
-    """Return what Python would take, or refuse in words that do not help, in words that do; `known` are the options."""
+    """Return an error for unknown or missing arguments that suggests the right option; `known` are the options."""
     if not is_system(system):
         return no_system(call, system, ", t_span")
     if positional:
@@ -227,7 +227,7 @@ def _checker(given: Any) -> CompiledModel:
 
 
 def run_task(task: Task, method: Method) -> Solution:
-    """Run what has been checked."""
+    """Run a checked task."""
     found = run_compiled(task, method)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
@@ -236,12 +236,12 @@ def run_task(task: Task, method: Method) -> Solution:
 
 
 def _standing(row: Vector, t: Vector) -> Vector:
-    """Return the one row (1, n_state) there is at every t (k,)."""
+    """Return the only row (1, n_state), repeated for every t (k,)."""
     return np.repeat(row, len(t), axis=0)
 
 
 def _check_sampled(task: Task, estimate_error: Any) -> None:
-    """Refuse what controllers cannot be asked in."""
+    """Raise ModelError for runs in which controllers cannot be called."""
     if task.t_end < task.t_start:
         raise ModelError("Sampled inputs are for runs forwards in time: a controller knows the past alone")
     if estimate_error is not False:

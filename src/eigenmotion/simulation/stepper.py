@@ -1,4 +1,4 @@
-"""A mechanism step by step, for whoever decides on the way: `System.stepper`."""
+"""Steppers: a motion advanced to times of the caller's choice, `System.stepper`."""
 
 from collections.abc import Mapping
 from typing import Any, Never
@@ -22,26 +22,26 @@ _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "m
 
 
 class Stepper(Steps):
-    """A mechanism at a time, that goes on as far as it is told: `System.stepper` opens one.
+    """A stepper: the state of a mechanism, advanced to times of the caller's choice. `System.stepper` opens it.
 
-    `advance(t, inputs=None)` goes exactly to t, forwards or back, with the step size and the history of the steps
-    before; `inputs` are numbers by name (or an array of all in order) that hold from here on. Where it cannot, it
-    raises an EvaluationError whose `stop` is a StopReason, and stands at the last state it came to, from which it can
-    be advanced again, with other inputs, say. `save()` returns all of the motion as bytes, `restore(saved)` goes back
-    there, to the last bit. No memory is taken on the way. Terminal events do not end an advance: `events` says what
-    passed zero in the last one, and when.
+    `advance(t, inputs=None)` integrates to exactly t, forwards or backwards, and continues with the step size and
+    history of the steps before. `inputs` are numbers by name (or an array of all in order) and apply from then on. On
+    failure it raises an EvaluationError whose `stop` is a StopReason, and keeps the last state reached, from which it
+    can be advanced again, for example with other inputs. `save()` returns the complete state as bytes;
+    `restore(saved)` restores it bit for bit. `advance` allocates no memory. Terminal events do not end an advance:
+    `events` has the zero crossings of the last one.
 
-    Two steppers share nothing; each belongs to one thread at a time. It pickles, as what it was opened with and what
-    `save` returns.
+    Steppers share no data; each may be used by one thread at a time. Pickling stores the arguments of its opening and
+    the bytes of `save`.
 
     Attributes
     ----------
     t, x, v, y : float [s], (n,), (n,), (n_state,)
-        Where it stands; y in the published meaning, which starts other runs (`simulate(..., start=(s.t, s.y))`).
+        The present state; y in the published meaning, from which other runs start (`simulate(..., start=(s.t, s.y))`).
     u : (n_inputs,)
-        The inputs that hold; NaN where a signal does.
+        The present inputs; NaN for a signal.
     events : dict name -> (k,) [s]
-        When each passed zero in the last advance.
+        The times at which each event crossed zero in the last advance.
     nfev, nsteps, nrejected : int
         Right-hand sides, accepted and rejected steps so far.
 
@@ -79,12 +79,12 @@ class Stepper(Steps):
 
     @property
     def acceleration(self) -> Vector:
-        """(n,) d2x/dt2 with the inputs that hold."""
+        """(n,) d2x/dt2 with the present inputs."""
         return self._motion()[0]
 
     @property
     def multipliers(self) -> Vector:
-        """(m,) of the constraints, which push with -A^T lambda (7)."""
+        """(m,) multipliers lambda; the constraint force is -A^T lambda (7)."""
         return self._motion()[1]
 
     def _motion(self) -> tuple[Vector, Vector]:
@@ -96,7 +96,7 @@ class Stepper(Steps):
 
     @property
     def not_unique(self) -> tuple[int, ...]:
-        """The constraint rows whose multipliers are one choice of many here, that of least norm."""
+        """The constraint rows whose multipliers are not unique here; those of least norm are given."""
         found: tuple[int, ...] = self.model.redundant(self.t, self.x, self.prepared)[1]
         return found
 
@@ -136,7 +136,7 @@ def stepper(
     dependent_constraints: str = "auto",
     **misspelt: Any,
 ) -> Stepper:
-    """Open a stepper: this mechanism at time t, which goes on as far as `advance` tells it.
+    """Open a stepper: this mechanism at time t, which `advance` integrates further.
 
     Parameters
     ----------
@@ -180,13 +180,13 @@ def stepper(
 
 
 def method_named(given: str) -> str:
-    """Return a method of steppers by its name, whatever its case."""
+    """Return a method of steppers by its name, in upper or lower case."""
     name: str = method_of(given, {name: name for name in STEPPED})
     return name
 
 
 def fixed_step(method: str, step: float | None) -> float:
-    """Return the step of a method that needs one, 0 for the others."""
+    """Return the step [s] of a method of fixed step; 0 for other methods."""
     if method not in FIXED:
         if step is not None:
             raise ModelError(f"step is for methods of fixed step ({', '.join(FIXED)}); {method} chooses its own")

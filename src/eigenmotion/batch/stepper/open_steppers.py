@@ -1,4 +1,4 @@
-"""Opening of many steppers of one system: `System.steppers`."""
+"""Opening of a batch of steppers of one system: `System.steppers`."""
 
 from collections.abc import Mapping
 from typing import Any, Never
@@ -101,7 +101,7 @@ def _threads(workers: int | None) -> int:
 
 
 def _count(count: int | None, found: int, inputs: Any) -> int:
-    """Return K, of what is said and what arrays there are."""
+    """Return K, from the argument `count` or from the lengths of arrays."""
     rows = 1 if inputs is None or is_named(inputs) or np.ndim(inputs) < 2 else len(inputs)
     if rows > 1 and found not in (1, rows):
         raise ModelError(f"inputs has {rows} rows, but other arrays have {found}")
@@ -118,7 +118,7 @@ def _rows(table: Vector, count: int) -> Vector:
 
 
 def _columns(system: CompiledSystem, given: Any, count: int) -> Vector:
-    """Return inputs (K, n_inputs); they are numbers, since each `advance` may set them."""
+    """Return inputs (K, n_inputs). Signals are not allowed, because each `advance` may set the inputs."""
     names = system.compiled.inputs
     made = np.tile(system.compiled.input_defaults, (count, 1))
     if not isinstance(given, tuple):

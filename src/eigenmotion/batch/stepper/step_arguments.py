@@ -1,4 +1,4 @@
-"""Arguments of steppers that are open already, for K members."""
+"""Arguments of the calls of open steppers, for K members."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -22,7 +22,7 @@ def numbers(given: ArrayLike, count: int, what: str) -> Vector:
 
 
 def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
-    """Return inputs (K, n_inputs): what is given by name over what holds, or all of it; of one input, (K,) will do."""
+    """Return inputs (K, n_inputs): the present ones updated by name, or all of them; (K,) is allowed for one input."""
     made = over.copy()
     if is_named(given):
         for name, value in by_name(given, names, "input").items():
@@ -39,7 +39,7 @@ def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], 
 
 
 def rows(given: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.intp], what: str) -> Vector:
-    """Return (K, n): what is given, by name or as rows, over what there is; of those not chosen it may be anything."""
+    """Return (K, n): the given values, by name or as rows, over the present ones; rows not chosen are ignored."""
     if given is None:
         return over
     made = over.copy()
@@ -69,7 +69,7 @@ def _check_finite(made: Vector, names: tuple[str, ...], chosen: NDArray[np.intp]
 
 
 def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.bool_]) -> None:
-    """Refuse to go back where events act, which they do forwards only."""
+    """Raise ModelError if a member is to go backwards, and the model has events that act."""
     back = (goals < t) & ~ended if model.acts else ended[:0]
     if back.any():
         raise ModelError(
@@ -79,7 +79,7 @@ def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.
 
 
 def chosen_by(mask: ArrayLike | None, count: int) -> NDArray[np.intp]:
-    """Return the members that a mask names: (K,) truth values, or indices; None: all."""
+    """Return the members that a mask selects: (K,) booleans, or indices; None: all."""
     if mask is None:
         return np.arange(count)
     array = np.asarray(mask)

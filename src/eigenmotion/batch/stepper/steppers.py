@@ -1,4 +1,4 @@
-"""Many mechanisms step by step, as one, for whoever decides on the way for all of them."""
+"""A batch of steppers: K mechanisms of one model, advanced by one call."""
 
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -17,13 +17,13 @@ from ...runtime import EvaluationError, ManySteps, StopReason
 from ...simulation.initial_state.consistency import start_state
 from .step_arguments import check_way, chosen_by, columns, numbers, rows
 
-_LEAST = 64  # members for which a thread is worth asking; in lanes, which are quick,
+_LEAST = 64  # members from which on a thread pays; in lanes, which are faster,
 _LEAST_IN_LANES = 1024
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Begun:
-    """Where K members begin: t (K,), x, v (K, n), parameters (K, n_parameters), inputs (K, n_inputs)."""
+    """The start of K members: t (K,), x, v (K, n), parameters (K, n_parameters), inputs (K, n_inputs)."""
 
     t: Vector
     x: Vector
@@ -33,36 +33,35 @@ class Begun:
 
 
 class Steppers(ManySteps):
-    """K mechanisms of one model that go on as far as they are told, as one: `System.steppers` opens them.
+    """A batch of K steppers of one model: `System.steppers` opens it.
 
     `advance(t, inputs=None)` takes every member to t, a number or (K,) numbers [s]; `inputs` (K, n_inputs), or numbers
-    and (K,) arrays by name, hold from here on. A member that cannot go on, or meets a terminal event, has `ended` and
-    stands where it came to, whatever the others do, until `reset` begins it anew. `save()` returns all of the motion as
-    bytes, `restore(saved)` goes back there, to the last bit. No memory is taken on the way.
+    and (K,) arrays by name, apply from then on. A member that fails or meets a terminal event has `ended`: it keeps its
+    last state until `reset` starts it again, and does not affect the others. `save()` returns the complete state of the
+    batch as bytes; `restore(saved)` restores it bit for bit. `advance` allocates no memory.
 
-    What comes of a member depends on the member alone, to the last bit: not on K, its place, or the threads. It is what
-    a single `Stepper` gives, to the last bit; but where members go in `lanes` to rounding.
+    The motion of a member does not depend on K, on its index or on the number of threads, bit for bit. It is bit for
+    bit that of a single `Stepper`, except in `lanes`, where it agrees to rounding.
 
     Attributes
     ----------
     t, x, v, u : (K,) [s], (K, n), (K, n), (K, n_inputs)
-        Where they stand, and the inputs that hold there: the numbers themselves, which the next `advance` changes. Copy
-        what is to be kept.
+        The present state and inputs. These are views, which the next `advance` changes: copy what you want to keep.
     ended : (K,)
-        Whether a member stands still until it is reset.
+        Whether a member has ended and waits for a reset.
     y : (K, n_state)
         The states, published meaning.
     energy, jacobi_integral, acceleration, multipliers : (K,) [J], (K,) [J], (K, n), (K, m)
     outputs, events : dict name -> (K,)
-        The model's outputs; when each event passed zero last in the last advance, NaN where it did not.
+        The outputs of the model; the time of the last zero crossing of each event in the last advance, NaN without one.
     stop : list of K StopReason
-        Why each ended; `FINISHED` where it did not.
+        Why each ended; `FINISHED` if it has not.
     failed : indices
-        Of those that ended otherwise than at a terminal event; `message(k)` says what to do.
+        The members that ended for another reason than a terminal event; `message(k)` says what to do.
     nfev, nsteps : (K,)
-        Right-hand sides and accepted steps since each began.
+        Right-hand sides and accepted steps since the start of each member.
     lanes : int
-        How many go side by side in one core; 1: none (see `System.steppers`).
+        The number of members that one core advances together; 1: no lanes (see `System.steppers`).
 
     Examples
     --------
@@ -80,7 +79,7 @@ class Steppers(ManySteps):
     """
 
     def __init__(self, _asked: Asked, count: int, _workers: int, begun: Begun) -> None:
-        """Begin with all members."""
+        """Open the batch with all members at their start."""
         self._begun, self._busy = begun, False
         self._begin(np.arange(count), begun)
 
@@ -91,15 +90,15 @@ class Steppers(ManySteps):
         ended = int(np.count_nonzero(self.ended))
         return f"<{self.count} Steppers of {self.model.name}{f', {ended} ended' if ended else ''}>"
 
-    # --- on their way ---
+    # --- advancing ---
 
     def advance(self, t: float | ArrayLike, inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None) -> None:
-        """Take all to t, a number or (K,) numbers [s], exactly, forwards or back; inputs hold from here on.
+        """Advance all members to exactly t, a number or (K,) numbers [s], forwards or back; inputs apply from now on.
 
         Raises
         ------
         ModelError
-            t or an input is not finite, or of another shape; an unknown name. Nobody has moved then.
+            t or an input is not finite or has the wrong shape, or a name is unknown. No member has moved then.
         """
         self._claim()
         try:
@@ -114,7 +113,7 @@ class Steppers(ManySteps):
         self.settle()
 
     def _simple(self, inputs: Any) -> bool:
-        """Whether they are just what C takes, which needs no look in Python unless one is not finite."""
+        """Return whether the arguments are arrays that C can use without conversion."""
         return isinstance(inputs, np.ndarray) and inputs.dtype == np.float64 and inputs.shape == self.u.shape
 
     def _claim(self) -> None:
@@ -123,7 +122,7 @@ class Steppers(ManySteps):
         self._busy = True
 
     def _go(self) -> None:
-        """Advance ranges of members: the first in this thread, which sees signals, the others in their own."""
+        """Advance ranges of members: the first in this thread, which handles signals, the others in other threads."""
         parts = self._parts
         if len(parts) == 1:
             self.go(0, self.count, 0)
@@ -136,7 +135,7 @@ class Steppers(ManySteps):
 
     @cached_property
     def _parts(self) -> list[tuple[int, int]]:
-        """The ranges that threads have: of whole groups of lanes."""
+        """Return the range of members of each thread; a lane group is not divided."""
         least = _LEAST_IN_LANES if self.lanes > 1 else _LEAST
         count = max(1, min(self.workers, self.count // least))
         ends = [8 * round(self.count * k / count / 8) for k in range(count)] + [self.count]
@@ -146,7 +145,7 @@ class Steppers(ManySteps):
     def _threads(self) -> ThreadPoolExecutor:
         return ThreadPoolExecutor(len(self._parts) - 1, "steppers")
 
-    # --- anew ---
+    # --- resetting ---
 
     def reset(
         self,
@@ -158,21 +157,21 @@ class Steppers(ManySteps):
         parameters: Mapping[Any, ArrayLike] | ArrayLike | None = None,
         inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None,
     ) -> None:
-        """Begin members anew; what is not given is as when all were opened, member by member.
+        """Restart members; arguments that are not given have the values of each member when the batch was opened.
 
         Parameters
         ----------
         mask
-            (K,) truth values, or indices of members; None: all.
+            (K,) booleans, or indices of members; None: all.
         t
-            [s] at which they begin.
+            [s] the time of the restart.
         x0, v0, parameters, inputs
-            By name, numbers or (K,) arrays; or arrays (n,) or (K, n). Rows of members that go on are not looked at.
+            By name, numbers or (K,) arrays; or arrays (n,) or (K, n). Rows of members that continue are ignored.
 
         Raises
         ------
         ModelError
-            A start that the mechanism cannot have, by the number of the member; then nobody was reset.
+            An inconsistent start; the error names the member, and no member was reset.
         """
         self._claim()
         try:
@@ -188,7 +187,7 @@ class Steppers(ManySteps):
             self._busy = False
 
     def _begin(self, chosen: NDArray[np.intp], begun: Begun) -> None:
-        """Begin all of them, or none and raise."""
+        """Restart all these members; if one cannot start, restart none and raise."""
         doubtful = self.stage(chosen, begun.t, begun.x, begun.v, begun.parameters)
         for k in chosen.tolist() if self.model.extrapolates else doubtful.tolist():
             try:
@@ -200,20 +199,20 @@ class Steppers(ManySteps):
             self.put(k, y)
         self.begin(chosen, begun.t, begun.inputs)
 
-    # --- all of it ---
+    # --- saving ---
 
     def save(self) -> bytes:
-        """All of the motion of all members as bytes: `restore` gives every number back to the last bit."""
+        """Return the complete state of all members as bytes: `restore` restores every number bit for bit."""
         saved: bytes = self.saved()
         return saved
 
     def restore(self, saved: bytes) -> None:
-        """Go back to where `save` was called, here or by others of the same model, options and number.
+        """Restore the state that `save` returned, of these steppers or of others of the same model, options and K.
 
         Raises
         ------
         ValueError
-            It is of others.
+            `saved` is of another model, of other options or of another K.
         """
         self._claim()
         try:
@@ -226,11 +225,11 @@ class Steppers(ManySteps):
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (self.asked, self.count, self.workers, self._begun, self.save())
 
-    # --- where they are ---
+    # --- present state ---
 
     @property
     def lanes(self) -> int:
-        """How many go side by side in one core; 1: none."""
+        """The number of members that one core advances together; 1: no lanes."""
         return self.width
 
     @property
@@ -253,12 +252,12 @@ class Steppers(ManySteps):
 
     @property
     def acceleration(self) -> Vector:
-        """(K, n) d2x/dt2 with the inputs that hold."""
+        """(K, n) d2x/dt2 with the present inputs."""
         return self.reactions()[0]
 
     @property
     def multipliers(self) -> Vector:
-        """(K, m) of the constraints, which push with -A^T lambda (7)."""
+        """(K, m) multipliers lambda; the constraint force is -A^T lambda (7)."""
         return self.reactions()[1]
 
     @property
@@ -268,27 +267,27 @@ class Steppers(ManySteps):
 
     @property
     def events(self) -> dict[str, Vector]:
-        """Name of each event -> (K,) when it passed zero last in the last advance [s]; NaN where it did not."""
+        """Name of each event -> (K,) time of its last zero crossing in the last advance [s]; NaN without one."""
         return dict(zip(self.model.events, self.crossings().T, strict=True)) if self.model.events else {}
 
     @property
     def stop(self) -> list[StopReason]:
-        """Why each ended; FINISHED where it goes on."""
+        """Why each member ended; FINISHED if it has not."""
         reasons = [self.reason(k) if ended else None for k, ended in enumerate(self.ended.tolist())]
         return [StopReason.FINISHED if found is None else found[0] for found in reasons]
 
     @property
     def failed(self) -> NDArray[np.intp]:
-        """Indices of those that ended otherwise than at a terminal event."""
+        """Indices of the members that ended for another reason than a terminal event."""
         return np.array([k for k in np.flatnonzero(self.ended).tolist() if not self.stop_of(k).success], dtype=np.intp)
 
     def stop_of(self, k: int) -> StopReason:
-        """Return why member k ended; FINISHED where it goes on."""
+        """Return why member k ended; FINISHED if it has not."""
         found = self.reason(k)
         return StopReason.FINISHED if found is None else found[0]
 
     def message(self, k: int) -> str:
-        """Return in words how member k ended, and what to do about it; "" where it goes on."""
+        """Return a message: how member k ended, and what to do about it; "" if it has not ended."""
         found = self.reason(k)
         return "" if found is None else f"{self.model.name}: member {k} at t = {self.t[k]:.9g}: {found[1]}"
 

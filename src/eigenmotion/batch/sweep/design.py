@@ -1,6 +1,6 @@
 """Design of a sweep: every point of a grid with every one of n samples.
 
-A member's values follow from its number alone, so that any part of a sweep can be made anew, in any order.
+The values of a member follow from its number alone, so any part of a sweep can be computed again, in any order.
 """
 
 from collections.abc import Mapping, Sequence
@@ -26,7 +26,7 @@ _BLOCK = 4096  # samples that are drawn together
 
 @dataclass(frozen=True, slots=True)
 class Distribution:
-    """What a value is drawn from: one of KINDS with two numbers. Sobol's sequence is shared by all that are of it."""
+    """A distribution: one of KINDS with two numbers. All Sobol' variables share one sequence."""
 
     kind: str
     first: float
@@ -43,7 +43,7 @@ class Distribution:
             raise ModelError(f"loguniform: {self.first:g} must be above 0")
 
     def of(self, uniform: Vector, normal: Vector) -> Vector:
-        """Return values made of numbers in [0, 1) or of standard normal ones."""
+        """Return values of this distribution from numbers uniform in [0, 1), or from standard normal ones."""
         if self.kind == "normal":
             return self.first + self.second * normal
         if self.kind == "loguniform":
@@ -53,7 +53,7 @@ class Distribution:
 
 @dataclass(frozen=True)
 class Design:
-    """A grid, of which the first name varies slowest, and n samples at each of its points.
+    """A grid, whose first name varies slowest, and n samples at each of its points.
 
     grid : name -> values; samples : name -> Distribution
     """
@@ -65,7 +65,7 @@ class Design:
 
     @property
     def count(self) -> int:
-        """How many members there are."""
+        """The number of members."""
         return self.n * prod(map(len, self.grid.values()))
 
     def values(self, start: int, stop: int) -> dict[str, Vector]:
@@ -87,7 +87,7 @@ class Design:
         return drawn
 
     def _block(self, block: int) -> dict[str, Vector]:
-        """Draw name -> (_BLOCK,). Each name has a stream of its own, whatever else is drawn."""
+        """Return name -> (_BLOCK,) random values. Each name has its own stream, independent of the other names."""
         spread = [name for name, one in self.samples.items() if one.kind == "sobol"]
         columns = dict(zip(spread, self._sobol(block, len(spread)).T, strict=True)) if spread else {}
         found = {}

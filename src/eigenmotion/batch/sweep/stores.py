@@ -1,7 +1,7 @@
-"""Sweeps as files: of all parts of a sweep one store.
+"""Stores of sweeps: one file or folder made of all parts of a sweep.
 
-What it holds follows from the parts alone, byte by byte: zarr, netCDF (both through xarray), .npz, or .csv with a line
-a run and time.
+The kinds are zarr and netCDF (both by xarray), .npz, and .csv with a line for each run and time. The bytes of a store
+depend on the parts alone.
 """
 
 import tempfile
@@ -26,7 +26,7 @@ _SWEPT, _OUTPUT = "swept ", "output "
 
 
 def arrays_of(runs: Ensemble, swept: Arrays) -> Arrays:
-    """Return what is kept of runs, the first axis theirs; `swept`: name -> (K,)."""
+    """Return the arrays to store, with the runs as first axis; `swept`: name -> (K,)."""
     kept = {"x": runs.x, "v": runs.v, "energy": runs.energy, "multipliers": runs.multipliers, "t_end": runs.t_end,
             "success": runs.success, "stop": np.array([str(reason) for reason in runs.stop], dtype="U32"),
             "nfev": runs.nfev}  # fmt: skip
@@ -43,12 +43,12 @@ def require(store: Path) -> None:
 
 
 def check_names(store: Path, swept: Collection[str], outputs: Collection[str]) -> None:
-    """Find out before the runs which names a store could not hold after them: a column of each is written, and read.
+    """Check before the runs that a store can hold all names: one column for each is written and read back.
 
     Raises
     ------
     ModelError
-        There is one; names it.
+        The store cannot hold a name; the error gives it.
     """
     if store.suffix not in _DATASETS:
         return
@@ -70,12 +70,12 @@ def _holds(suffix: str, column: str) -> bool:
             _write(xarray.Dataset({column: ("run", np.ones(1))}, {"run": np.zeros(1)}), path)
             with _opened(path) as found:
                 return column in found.data_vars
-        except Exception:  # whatever xarray, zarr, SciPy or the file system raise at a name
+        except Exception:  # any exception of xarray, zarr, SciPy or the file system about a name
             return False
 
 
 def finish(parts: Parts) -> None:
-    """Make the store of the parts, which go."""
+    """Make the store from the parts, and delete them."""
     finished = parts.folder / f"store{parts.store.suffix}"
     remove(finished)
     remove(parts.folder / "before")
@@ -84,7 +84,7 @@ def finish(parts: Parts) -> None:
 
 
 def is_done(parts: Parts) -> bool:
-    """Whether the store is there, of this sweep as far as it says which it is of."""
+    """Return whether the store exists and is not known to be of another sweep."""
     if parts.is_stored:
         return True
     if parts.is_begun or not parts.store.exists():
@@ -139,7 +139,7 @@ def _save_netcdf(parts: Parts, path: Path) -> None:
 
 
 def _save_zarr(parts: Parts, path: Path) -> None:
-    """Append part by part: no more than one is in memory."""
+    """Append the parts one by one: only one is in memory at a time."""
     first = 0
     for arrays in parts.arrays():
         _write(_dataset(parts, arrays, first), path, **({"append_dim": "run"} if first else {"mode": "w"}))
@@ -214,4 +214,4 @@ STORES: dict[str, Callable[[Parts, Path], None]] = {
     ".zarr": _save_zarr, ".nc": _save_netcdf, ".npz": _save_npz, ".csv": _save_csv,
 }  # fmt: skip
 JOINED = (".npz", ".nc")
-"""Of which all runs are in memory at the end."""
+"""Kinds of stores for which all runs are in memory at the end."""

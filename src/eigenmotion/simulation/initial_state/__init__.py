@@ -1,1 +1,1 @@
-"""Starts of runs: consistent ones, and those of runs that go on."""
+"""Initial states of runs: consistent ones, and restarts."""

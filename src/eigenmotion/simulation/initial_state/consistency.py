@@ -17,18 +17,18 @@ _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal
 def start_state(
     model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
 ) -> Vector:
-    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0, A v + b = 0 and that Omega is known.
+    """Return y (n_state,) at x, v (n,). Checks M > 0, phi = 0, A v + b = 0, and that Omega is defined.
 
-    Left to the projection are residuals up to ten times rtol of the terms that cancel in a row, and what a change of
-    every x_k and v_k by ten times atol_k would make.
+    The projection removes small residuals: up to ten times rtol of the terms that cancel in a row, plus what a change
+    of every x_k and v_k by ten times atol_k would cause.
 
     Raises
     ------
     ModelError
-        One of them does not hold; says which coordinate or row, by how much, and which start would do. Or x is inside
-        a contact.
+        A check fails; names the coordinate or row, the residual, and the nearest consistent start. Or x penetrates a
+        contact.
     EvaluationError
-        A coordinate is declared to have other values.
+        A coordinate has a value that contradicts its declaration.
     """
     y = _start(model, prepared, t, x, v, rtol, atol)
     if model.extrapolates:
@@ -37,7 +37,7 @@ def start_state(
 
 
 def check_direction(model: CompiledModel, start: float, end: float) -> None:
-    """Refuse to run events backwards that act: what was before an impact or a reset does not follow from what is after.
+    """Raise ModelError for a run backwards in time with events that act: impacts and resets cannot be inverted.
 
     Raises
     ------
@@ -53,12 +53,12 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
 
 
 def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
-    """Refuse a state that is off the constraints by more than rounding in what the user computed, as `start_state`."""
+    """Raise ModelError, as `start_state`, for a state off the constraints by more than the user's rounding errors."""
     _start(model, prepared, t, x, v, 0.0, np.zeros(model.n))
 
 
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
-    """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
+    """Raise ModelError if Omega (32) is extrapolated and eigenvalues that separate coincide at the start."""
     C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))
     close = [
         (i, j)
@@ -81,7 +81,7 @@ def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector
 
 
 class _Refusal(IntEnum):
-    """Why no motion starts at a state: em_refusal of em_start_check.h."""
+    """Reasons why no motion can start at a state: em_refusal of em_start_check.h."""
 
     UNDECLARED = 1
     WITHOUT_INERTIA = 2
@@ -145,7 +145,7 @@ def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vec
 
 
 def _of_contact(model: CompiledModel, name: str, gap: float) -> str:
-    """Say that a start is within what a contact or an impact keeps apart: it would never come to strike."""
+    """Return the error of a start inside a contact, or beyond the surface of an impact."""
     if model.events.index(name) not in {switch[0] for switch in model.switches}:
         return (
             f"x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "

@@ -17,12 +17,12 @@ _OF_A_FACTOR = 1e-6  # by how much, relative, s and eta^T eta = v^T M v may be m
 def given_start(
     model: CompiledModel, prepared: Prepared, start: Any, rtol: float, atol: Vector
 ) -> tuple[float, Vector]:
-    """Return t and y (n_state,) of a Solution's last row, or of a pair (t, y), checked as any start is.
+    """Return t and y (n_state,) of the last row of a Solution, or of a pair (t, y), checked like any start.
 
     Raises
     ------
     ModelError
-        It is neither, it is of another model, or y is no state of this one at t.
+        It is neither, it belongs to another model, or y is no state of this model at t.
     """
     is_pair = not isinstance(start, Solution)
     t, y, x, v = _of_pair(model, prepared, start) if is_pair else _of_solution(model, start)
@@ -62,13 +62,13 @@ def _of_pair(model: CompiledModel, prepared: Prepared, start: Any) -> tuple[floa
 
 
 def _means(model: CompiledModel, prepared: Prepared, t: float, y: Vector, v: Vector) -> bool:
-    """Whether the velocity in y is v: eta, with other parameters, is of another one."""
+    """Return whether y has velocity v: the same eta means another velocity if parameters differ."""
     found = model.velocity_rows(np.array([t]), y[None], prepared)[0]
     return bool(np.allclose(found, v, rtol=_ROUNDED, atol=_ROUNDED * float(np.abs(v).max(initial=0.0))))
 
 
 def _has_factors(model: CompiledModel, y: Vector, fresh: Vector) -> bool:
-    """Whether C and s in y are those of M(x), which a fresh state there has, but for signs and order."""
+    """Return whether C and s in y are eigenfactors of M(x), like those of a fresh state except for signs and order."""
     parts, there = ({name: of[a : a + length] for name, a, length in model.layout} for of in (y, fresh))
     if "s" not in parts:
         return True

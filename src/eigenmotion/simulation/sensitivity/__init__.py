@@ -1,1 +1,1 @@
-"""Derivatives of a run by what it is given."""
+"""Sensitivities of a run to parameters, inputs and initial values."""

@@ -1,4 +1,4 @@
-"""Spans of what a run went through, for linear equations beside it; and their collocation, Radau IIA at eight nodes."""
+"""The mesh of the equations of variation along a run, and their collocation, Radau IIA at eight nodes."""
 
 from itertools import pairwise
 from typing import NamedTuple
@@ -16,7 +16,7 @@ _BESIDE = 1e-9
 
 
 class Mesh(NamedTuple):
-    """Spans between the stops of a path: its start, its events and its end. No kink lies within one.
+    """Spans between the stops of a path: its start, its events and its end. No span contains a kink.
 
     stops : (stops,) nodes of the path; spans_after : (stops,) how many spans follow each; start, end : (spans,)
     """
@@ -28,7 +28,7 @@ class Mesh(NamedTuple):
 
 
 def mesh_of(path: Path, kinks: Vector) -> Mesh:
-    """Return the spans of a path between kinks."""
+    """Return the mesh of a path, with no kink inside a span."""
     t = path.t
     if not (len(path.mark_row) or len(kinks)) and len(t) > 1:  # as most runs are
         e = _edges(t[0], t[-1], False, False, kinks)
@@ -47,7 +47,7 @@ def mesh_of(path: Path, kinks: Vector) -> Mesh:
 
 
 def _edges(a: float, b: float, leaves: bool, meets: bool, kinks: Vector) -> Vector:
-    """Return where spans between two stops begin and end, (k,)."""
+    """Return the ends (k,) of the spans between two stops."""
     if a == b:
         return np.array([a])
     first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
@@ -64,7 +64,7 @@ def _lagrange(x: Vector) -> Vector:
 
 
 def weights(x: Vector) -> tuple[Vector, Vector]:
-    """Return b, b2 (k, nodes): integrals from 0 to x (k,) of what has such values at the nodes, once and twice."""
+    """Return b, b2 (k, nodes): weights of the first and second integral from 0 to x (k,) of values at the nodes."""
     values = _lagrange(x[:, None] * _POINTS)  # (k, points, nodes)
     once = x[:, None] * np.einsum("q,kqj->kj", _GAUSS, values)
     twice = x[:, None] ** 2 * np.einsum("q,kqj->kj", _GAUSS * (1 - _POINTS), values)
@@ -72,7 +72,7 @@ def weights(x: Vector) -> tuple[Vector, Vector]:
 
 
 def _places() -> Vector:
-    """Return the nodes: 1 and where P_8 - P_7 vanishes else."""
+    """Return the Radau nodes in (0, 1]: 1, and the other zeros of P_8 - P_7."""
     difference = np.zeros(NODES + 1)
     difference[-2:] = -1.0, 1.0
     x = np.sort(legendre.legroots(difference))
@@ -86,4 +86,4 @@ _POINTS, _GAUSS = ((points + 1 - k) / 2 for k, points in enumerate(legendre.legg
 PLACE = _places()
 A, A2 = weights(PLACE)
 SERIES = np.linalg.inv(legendre.legvander(2.0 * PLACE - 1.0, NODES - 1))
-"""(terms, nodes): Legendre's series on [0, 1] of what has such values at the nodes."""
+"""(terms, nodes): the coefficients of the Legendre series on [0, 1] of a function from its values at the nodes."""

@@ -12,20 +12,20 @@ from ...results.solution import Solution
 from ...runtime import Prepared
 from ...runtime.variations import act_along
 
-Place = tuple[int, int]
-"""An event, and which time it is that it happens."""
+Occurrence = tuple[int, int]
+"""The number of an event, and the number of its occurrence."""
 
 
 _NONE = np.empty(0, dtype=int)
 
 
 class Path(NamedTuple):
-    """Nodes of a run in its order, each time once, but for what follows events that act.
+    """The nodes of a run in the order of time, each time once, except that events that act add the state after them.
 
     t : (k,); z : (k, 2 n) of x, v; where no event happens, rows at one time have a node each
-    mark_row, mark_event : (marks,) at which node an event happens, and which; where some act, the next node is after
-    of_rows : the node of each row of the run; of_events : for each event (e,) its marks
-    prepared : in the mode of the first node
+    mark_row, mark_event : (marks,) the node of an occurrence, and its event; if it acts, the next node is after it
+    of_rows : the node of each row of the run; of_events : the marks (e,) of each event
+    prepared : the prepared parameters in the mode of the first node
     """
 
     t: Vector
@@ -38,7 +38,7 @@ class Path(NamedTuple):
 
 
 def path_of(task: Task, solution: Solution) -> Path:
-    """Read it off a solution."""
+    """Return the path of a solution."""
     start, prepared = _start(task)
     if not any(len(each) for each in solution.t_events or ()):
         return _undisturbed(task, solution, start, prepared)
@@ -65,7 +65,7 @@ def path_of(task: Task, solution: Solution) -> Path:
 
 
 def _undisturbed(task: Task, solution: Solution, start: Vector, prepared: Prepared) -> Path:
-    """Read it off where no event happens."""
+    """Return the path of a solution without events."""
     t, y = solution.t, solution.y.T
     first = 0 if len(t) and t[0] == task.t_start else 1
     if first:
@@ -80,7 +80,7 @@ def rows_of_motion(task: Task, t: Vector, y: Vector) -> Vector:
 
 
 def _start(task: Task) -> tuple[Vector, Prepared]:
-    """Return y (n_state,) and the constants in the mode in which a run starts."""
+    """Return y (n_state,) and the prepared parameters in the mode in which a run starts."""
     c, n = task.model, task.model.n
     if not c.switches:
         return task.y, task.prepared
@@ -91,35 +91,39 @@ def _start(task: Task) -> tuple[Vector, Prepared]:
     return c.state(task.t_start, x, v, prepared), prepared
 
 
-def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Place]]]:
-    """Return times and states of all that events add to a path, in order, and at which of them each event happens."""
+def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Occurrence]]]:
+    """Return the times and states that events add to a path, in order, and the position of each occurrence."""
     c, states = task.model, solution.y_events or []
     after = (solution.y_after_events or states) if c.acts else states
-    at_once: dict[float, list[Place]] = {}
+    at_once: dict[float, list[Occurrence]] = {}
     for event, times in enumerate(solution.t_events or ()):
         for time, t in enumerate(times.tolist()):
             at_once.setdefault(t, []).append((event, time))
     t_made: list[float] = []
     made: list[Vector] = []
-    marks: list[tuple[int, Place]] = []
-    for t, places in at_once.items():
-        acted = [(k, time) for k, time in places if c.acting[k] and time < len(after[k])]  # else it ended the run
+    marks: list[tuple[int, Occurrence]] = []
+    for t, occurrences in at_once.items():
+        acted = [(k, time) for k, time in occurrences if c.acting[k] and time < len(after[k])]  # else it ended the run
         groups = _in_turns(acted, states, after)
-        others = [place for place in places if place not in acted]
-        marks += [(len(made), place) for place in others]
+        others = [one for one in occurrences if one not in acted]
+        marks += [(len(made), one) for one in others]
         t_made.append(t)
-        made.append(states[places[0][0]][places[0][1]] if not groups else states[groups[0][0][0]][groups[0][0][1]])
+        made.append(
+            states[occurrences[0][0]][occurrences[0][1]] if not groups else states[groups[0][0][0]][groups[0][0][1]]
+        )
         for group in groups:
-            marks += [(len(made) - 1, place) for place in group]
+            marks += [(len(made) - 1, one) for one in group]
             t_made.append(t)
             made.append(after[group[0][0]][group[0][1]])
     return np.array(t_made), np.array(made).reshape(-1, c.n_state), marks
 
 
-def _in_turns(places: list[Place], states: Sequence[Vector], after: Sequence[Vector]) -> list[list[Place]]:
-    """Return what acts at one time in groups that act together, each on what the one before has made."""
-    groups: dict[bytes, list[Place]] = {}
-    for event, time in places:
+def _in_turns(
+    occurrences: list[Occurrence], states: Sequence[Vector], after: Sequence[Vector]
+) -> list[list[Occurrence]]:
+    """Return the occurrences at one time in groups that act together, each on the state after the group before."""
+    groups: dict[bytes, list[Occurrence]] = {}
+    for event, time in occurrences:
         groups.setdefault(states[event][time].tobytes(), []).append((event, time))
     made = {before: after[group[0][0]][group[0][1]].tobytes() for before, group in groups.items()}
     turn = next((before for before in groups if before not in made.values()), None)
@@ -131,7 +135,7 @@ def _in_turns(places: list[Place], states: Sequence[Vector], after: Sequence[Vec
 
 
 def _of_rows(t: Vector, rows: Vector, every_step: bool) -> NDArray[np.int_]:
-    """Return the node of each row: of rows at one time each its own, where every step has one; else the first."""
+    """Return the node of each row. Rows at equal times have a node each if every step has a row; else the first."""
     first: dict[float, int] = {}
     for node, time in enumerate(t.tolist()):
         first.setdefault(time, node)

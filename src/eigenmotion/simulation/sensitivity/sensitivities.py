@@ -18,14 +18,14 @@ from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
 from .run_path import Path, path_of
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
-"""How many steps of a run make one of the equations of variation at first, whose polynomials are of higher degree. Then
-the error of these equations says how long it is (em_variation_error.h)."""
+"""Initial step of the equations of variation, in steps of the run: their polynomials are of higher degree. Later steps
+follow from an error estimate (em_variation_error.h)."""
 _LEAST = 1e-13
-"""The least tolerance of that error, relative."""
+"""Least relative tolerance of that error."""
 
 
 class Directions(NamedTuple):
-    """What a motion is differentiated by, in the order of `names`.
+    """The directions in which a motion is differentiated, in the order of `names`.
 
     S : (2 n, columns), of x and v at the start; P : (n_arguments - 2 n, columns), of inputs, parameters, time
     """
@@ -36,12 +36,12 @@ class Directions(NamedTuple):
 
 
 def directions(asked: Differentiated, task: Task) -> Directions:
-    """Return the directions in which a run begins.
+    """Return the directions at the start of a run.
 
     Raises
     ------
     ModelError
-        A sampled input is named, or a controller is asked on the way.
+        A sampled input is named, or the run has a controller.
     """
     c, names = task.model, asked.names
     if task.inputs.sampled:
@@ -77,7 +77,7 @@ def _check_constant(task: Task, k: int) -> None:
 
 
 def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
-    """Where the start is given in quasi-velocities y = P v, these stay: P dv = dy - (dP v)."""
+    """Convert directions of a start in quasi-velocities y = P v, which stay fixed: P dv = dy - (dP v)."""
     c = task.model
     x, v = task.y[: c.n], c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
     D = quasi_partials(c, task.t_start, x, v, task.prepared)
@@ -90,7 +90,7 @@ def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
 
 
 def sensitivity(task: Task, solution: Solution, asked: Directions, method: Method) -> dict[str, Sensitivity]:
-    """Return name -> derivatives of all rows of a run that has kept its dense output.
+    """Return name -> derivatives of all rows of a run with dense output.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
     """
     n, path = task.model.n, path_of(task, solution)
     found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3.0))
-    if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
+    if fault is not None and solution.success:  # otherwise the run itself has failed, and its message says why
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
                   "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
@@ -116,9 +116,9 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
 def _varied(
     task: Task, solution: Solution, asked: Directions, path: Path, together: float
 ) -> tuple[Vector, Vector, EvaluationError | None]:
-    """Return directions (k, 2 n, columns) at all nodes, changes (marks, columns) of event times, and why they end.
+    """Return directions (k, 2 n, columns) at all nodes, derivatives (marks, columns) of event times, and why they end.
 
-    They are NaN from there on.
+    After that end they are NaN.
     """
     c, n, columns = task.model, task.model.n, len(asked.names)
     try:
@@ -143,13 +143,13 @@ def _varied(
 
 
 def _kept(solution: Solution) -> Run | None:
-    """Return the run that keeps what is between its rows; None where it has no steps."""
+    """Return the run with its dense output; None if it has no steps."""
     run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
     return run if isinstance(run, Run) else None
 
 
 def _breaks(task: Task, path: Path) -> Vector:
-    """Return the times (k,) at which conditions in the time alone change on the way of a path."""
+    """Return the times (k,) of the time events along a path."""
     end, found = float(path.t[-1]), []
     t, sign = float(path.t[0]), 1.0 if task.t_end >= task.t_start else -1.0
     while sign * (t := task.model.piece(t, sign, path.prepared)[0]) < sign * end:
