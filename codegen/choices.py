@@ -1,4 +1,4 @@
-"""The choices of `build`: how the equations of a model are computed, checked as they are made."""
+"""The choices of `build`: how the equations of a model are computed."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Choices:
     Raises
     ------
     ModelError
-        One is not known.
+        A choice is unknown.
     """
 
     formulation: str = "eigenfactor"
@@ -34,22 +34,22 @@ class Choices:
 
     @property
     def eigenfactor(self) -> bool:
-        """Whether the state carries C and s: the published system."""
+        """Whether the state contains C and s, as in the published system."""
         return self.formulation == "eigenfactor"
 
     @property
     def carries_v(self) -> bool:
-        """Whether the state carries xdot itself."""
+        """Whether the state contains xdot itself."""
         return self.formulation in CARRY_V
 
     @property
     def bounded(self) -> bool:
-        """Whether a triangular root takes over where eigenvalues come close."""
+        """Whether the triangular root is used near coincident eigenvalues."""
         return self.eigenfactor and self.close_eigenvalues == "bounded"
 
     @property
     def extrapolate(self) -> bool:
-        """Whether Omega is extrapolated there (32), (53)."""
+        """Whether Omega is extrapolated near coincident eigenvalues (32), (53)."""
         return self.eigenfactor and self.close_eigenvalues == "extrapolate"
 
 

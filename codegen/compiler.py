@@ -28,15 +28,15 @@ def generate(
     origin
         The command to name in the files.
     savings
-        What may be left out; tests switch some off to compare with the general program.
+        The simplifications allowed; tests switch some off to compare with the general program.
     whole
-        Whether derivatives are there, too, which runs do not need and which take as long as all the rest. The rest is
-        the same text.
+        Whether to generate derivatives too. Runs do not need them, and they take as long as all the rest, whose text
+        does not depend on them.
 
     Raises
     ------
     ModelError
-        The model has a mistake, or a choice is not for it.
+        The model has a mistake, or does not allow one of the choices.
     """
     made = program(model, choices, savings, whole=whole)
     return emit(made, origin or _origin(model, choices), input_hash(model, choices))
@@ -57,12 +57,12 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:
-    """Return the SHA-256 of everything that the generated files depend on but this compiler itself."""
+    """Return the SHA-256 of everything that the generated files depend on, except this compiler itself."""
     return hashlib.sha256("\n".join((model.canonical(), *astuple(choices))).encode()).hexdigest()
 
 
 def explain(model: Model, choices: Choices = STANDARD) -> str:
-    """Return a text for readers: states, blocks, operations, and what was left out and why."""
+    """Return a description for users: states, blocks, operation counts, and what was left out and why."""
     made = program(model, choices, whole=False)
     layout = [f"  {part.name:8} y[{part.start}:{part.start + part.length}]" for part in made.layout]
     blocks = [f"  {{{block.names}}}: {_kind(block.turning, block.fixed)}" for block in made.blocks]
@@ -105,7 +105,7 @@ def _kind(turning: bool, fixed: bool) -> str:
 
 
 def _origin(model: Model, choices: Choices) -> str:
-    """Say how these files come about where the model is of no file."""
+    """Return the call that generates these files, for a model that is not from a file."""
     chosen = ", ".join(f"{name}={value!r}" for name, value in asdict(choices).items())
     return f"eigenmotion.build(<Model {model.name}>, {chosen})"
 
@@ -125,7 +125,7 @@ def _defaults(model: Model) -> Defaults:
 
 
 def _declared(model: Model) -> tuple[tuple[int, str], ...]:
-    """Which numbers parameters, coordinates and inputs may have; () where they may have any."""
+    """Return the values that parameters, coordinates and inputs may have; () if all may have any value."""
     symbols = (*(p for p, _ in model.parameters), *model.coordinates, *(u for u, _ in model.inputs))
     bits = [allowed(symbol) for symbol in symbols]
     return () if all(one == ANY for one in bits) else tuple((one, declared(one)) for one in bits)

@@ -2,8 +2,8 @@
 
 A quaternion with |q| = 1, a massless coordinate that a constraint holds: M has no inverse, [M A^T; A 0] has one. With
 any weights W, as A a + gamma = 0, the same a and lambda solve it with M + A^T W A in place of M and f - A^T W gamma in
-place of f (the augmented Lagrangian's matrix). Here it is decided whether that is needed, for which rows and with which
-weights.
+place of f (the matrix of an augmented Lagrangian). This module decides whether that is needed, for which rows, and with
+which weights.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ from .row_weights import Weights
 from .sample_states import Numbers, Rows, Samples
 
 DEPENDENT = 1e-11
-"""What is left of a diagonal entry when it is rounding."""
+"""Pivots below this part of the diagonal entry count as rounding errors."""
 ENOUGH = 0.1
-"""Some rows do for all where the least pivot that they leave is this part of the one that all leave."""
+"""A subset of rows suffices if its least pivot is at least this part of the least pivot with all rows."""
 
 
 def weights(
     graph: Graph, M: Rows, A: Rows, phi: Sequence[Node], start: Mapping[str, float], constants: Mapping[str, float]
 ) -> list[Node]:
-    """Return W (m,): what each row of A is weighed with in M + A^T W A; all zero where M itself is to be factored.
+    """Return the weights W (m,) of the rows of A in M + A^T W A; all zero if M itself is to be factored.
 
-    phi : (h,), of which the first rows of A are the gradients
-    start : coordinates and time -> their first values; constants : parameters -> their default values
+    phi : (h,), whose gradients are the first rows of A
+    start : coordinates and time -> their initial values; constants : parameters -> their default values
     """
     samples = Samples(graph, M, A, phi, start, constants)
     places = [samples.at(values) for values in samples.states()]
@@ -48,14 +48,14 @@ def _finite(rows: Iterable[Iterable[float]]) -> bool:
 
 
 class _Augmented:
-    """M + A^T W A in numbers at several states, with the rows of A that are asked for."""
+    """Numerical values of M + A^T W A at several states, for chosen rows of A."""
 
     def __init__(self, states: Iterable[tuple[Numbers, Numbers, list[float]]]) -> None:
         self.states = [state for state in states if _finite([*state[1], state[2]])]
         self.wholes = [_sum(*state, range(len(state[1]))) for state in self.states]
 
     def enough(self, rows: Sequence[int]) -> list[int]:
-        """Return rows, early ones first, that make up for what M lacks as well as all do; none if all do not."""
+        """Return rows, early ones preferred, that make the matrix as regular as all rows do; [] if all rows do not."""
         if max(self.soundness(rows), default=0.0) <= DEPENDENT:
             return []
         taken: list[int] = []
@@ -73,7 +73,7 @@ class _Augmented:
         return taken
 
     def do(self, some: Sequence[int], rows: Sequence[int]) -> bool:
-        """Whether some rows do for all, state by state: at another state others may be those that do not."""
+        """Return whether these rows suffice at every state; which rows are needed may differ between states."""
         pairs = zip(self.soundness(some), self.soundness(rows), strict=True)
         return all(part >= ENOUGH * whole for part, whole in pairs if whole > DEPENDENT)
 
@@ -81,7 +81,7 @@ class _Augmented:
         return max((_rank(_sum(*state, rows)) for state in self.states), default=0)
 
     def soundness(self, rows: Iterable[int]) -> list[float]:
-        """Return the least pivot of each state, beside what the diagonal is with all rows.
+        """Return the least pivot at each state, relative to the diagonal with all rows.
 
         Beside its own, a row that alone holds a coordinate without inertia looks sound wherever its entry is not 0.
         """
@@ -102,7 +102,7 @@ def _rank(M: Numbers) -> int:
 
 
 def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
-    """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or its own) is ones."""
+    """Return the pivots of a pivoted Cholesky factorisation of M, scaled by the diagonal of `whole`, or by its own."""
     size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
     rest = [[a * s * t for a, t in zip(row, size, strict=True)] for row, s in zip(M, size, strict=True)]
     pivots: list[float] = []

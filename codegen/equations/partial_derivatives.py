@@ -1,15 +1,14 @@
-"""Partial derivatives of what the equations of motion are made of, as nodes of the terms' graph.
+"""Partial derivatives of the terms of the equations of motion, as nodes of their graph.
 
-At fixed a and lambda those of
+The derivatives of a and lambda follow from those, at fixed a and lambda, of
 
     r = M a + P^T (lambda, rho) - bias,  s = A a + gamma                                                      (11) (39)
 
-are what the derivatives of a and lambda follow from: r and s vanish along the motion, so that M da + P^T dlambda = -dr
-and A da = -ds. All entries share their subexpressions; whether they come about forward, column by column, or in
-reverse, row by row, is decided by what they cost together.
+because r and s vanish along the motion: M da + P^T dlambda = -dr and A da = -ds. All entries share subexpressions. They
+are formed forward, column by column, or in reverse, row by row, whichever costs fewer operations in total.
 
-Where an expression has a kink its derivative is that of one side: of |x| and sign(x) at 0 that of x > 0, of Piecewise
-that of the piece that holds, of Min and Max that of the first of equal arguments.
+At a kink the derivative is one-sided: of |x| and sign(x) at 0 that of x > 0, of Piecewise that of the piece that
+applies, of Min and Max that of the first of equal arguments.
 """
 
 from __future__ import annotations
@@ -24,11 +23,11 @@ from ..schedule.schedule import weight
 from .terms import Rows, Terms
 
 MANY = 500
-"""Nodes from which on rows are not formed forward, too, to be counted: that takes long, and reverse is less work."""
+"""Number of nodes from which on only reverse mode is tried: it is then cheaper, and forming both takes long."""
 
 
 class Partials:
-    """Rows of partial derivatives, in the columns that are asked for."""
+    """Rows of partial derivatives, for any choice of columns."""
 
     def __init__(self, terms: Terms) -> None:
         self.terms = terms
@@ -58,7 +57,7 @@ class Partials:
 
     @cached_property
     def blow(self) -> tuple[Node, ...]:
-        """(n + m,) M a + A^T lambda, then A a: what a change a of the velocities takes of impulses lambda."""
+        """(n + m,) M a + A^T lambda, then A a: the balance of an impact, with velocity change a and impulses lambda."""
         terms, graph = self.terms, self.terms.graph
         n, m = terms.scene.n, terms.scene.m
         a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
@@ -88,10 +87,10 @@ class Partials:
 
 
 class _Sided(Rewriter):
-    """|a| as a or -a, sign(a) as 1 or -1: their derivatives at 0 are those of one side, not the mean of both."""
+    """Rewrites |a| as a or -a and sign(a) as 1 or -1, so that derivatives at 0 are one-sided, not the mean of both."""
 
     def replacement(self, node: Node) -> Node | None:
-        """Return what stands for |a| or sign(a)."""
+        """Return the replacement of |a| or sign(a)."""
         kind, operands = self.graph.records[node]
         if kind is not Kind.CALL or operands[0] not in ("abs", "sign"):
             return None

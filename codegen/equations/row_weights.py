@@ -12,11 +12,11 @@ from .sample_states import Samples
 
 
 class Weights:
-    """W of each row alone: 1 / sum_k A_rk^2 / M_kk, with the angles as at the start and beside it.
+    """The weight of each row: 1 / sum_k A_rk^2 / M_kk, with angles as at the start and at a state near it.
 
-    So a row weighs as much as the inertia it acts on, in any units; a coordinate without inertia gets that of the rows
-    that hold it. Parameters, and coordinates that are no angles, stay symbols: W follows lengths, in whatever unit they
-    are and however they change along the motion. Angles are numbers, since at some of them any one entry vanishes.
+    In any units, a row then weighs as much as the inertia that it acts on; a coordinate without inertia gets that of
+    its rows. Parameters, and coordinates that are not angles, stay symbols, so that W follows lengths along the motion.
+    Angles are replaced by numbers, because any single entry vanishes at some angles.
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -42,7 +42,7 @@ class Weights:
         return [found[row] for row in range(len(self.A))]
 
     def weight(self, row: int) -> Node | None:
-        """Return W of a row, if it acts on inertia; in numbers alone if it vanishes or is infinite somewhere."""
+        """Return W of a row that acts on inertia; a constant number if the symbolic W is zero or infinite somewhere."""
         terms = list(self._terms(row, self.samples.unbounded))
         if not terms:
             return None
@@ -52,7 +52,7 @@ class Weights:
         return self.graph.power(whole, -1)
 
     def _terms(self, row: int, symbols: tuple[str, ...]) -> Iterator[Node]:
-        """A_rk^2 / M_kk at both places, in parameters and the symbols named; the time is always a number."""
+        """Return A_rk^2 / M_kk at both states, in parameters and the given symbols; time is always a number."""
         for at, values in self.places:
             there = self._put(values, symbols)
             for k, inertia in self.inertia.items():
@@ -66,14 +66,14 @@ class Weights:
         return Substitution(self.graph, {name: self.graph.number(value) for name, value in numbers.items()})
 
     def lend(self, row: int, w: Node) -> None:
-        """Coordinates without inertia in a row get the row's."""
+        """Assign the inertia of a row to its coordinates without inertia."""
         for k, entry in enumerate(self.A[row]):
             if k not in self.inertia and entry != self.graph.zero:
                 self.inertia[k] = self.graph.mul(w, self.graph.power(entry, 2))
 
 
 def _edges(lengths: list[str], samples: Samples) -> Iterator[At]:
-    """States in which lengths vanish: all, each, and all but each."""
+    """Return states in which lengths vanish: all, each one, and all but one."""
     beside = dict(samples.beside)
     groups = [lengths, *([name] for name in lengths), *([o for o in lengths if o != name] for name in lengths)]
     for group in groups:

@@ -23,7 +23,7 @@ ALL_SAVINGS = frozenset(Saving)
 
 
 class Kind(Enum):
-    """How the eigenfactors of a block come about."""
+    """The way in which the eigenfactors of a block are computed."""
 
     TURNING = "turning"  # C and s are states
     SINGLE = "single"  # s = sqrt(M_kk(x)), C = 1
@@ -52,11 +52,11 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A mechanism with what its equations do not need left out.
+    """A mechanism without the terms that its equations do not need.
 
     scales : (n) units of the coordinates in the eigenproblem
-    left_out : sentences that say what is not there, and why
-    conserves_energy : whether T2 - T0 + V is constant along the motion, judged by the form of the equations
+    left_out : sentences that name what is left out, and why
+    conserves_energy : whether T2 - T0 + V is constant along the motion, according to the form of the equations
     """
 
     mechanics: Mechanics
@@ -82,7 +82,7 @@ class Scene:
 
     @property
     def row_groups(self) -> tuple[tuple[int, ...], ...]:
-        """The constraint rows in groups that Delta = B B^T couples: rows that hold coordinates of one block."""
+        """The constraint rows in groups that Delta = B B^T couples: rows on coordinates of the same block."""
         A = self.mechanics.A
         held = [{b.number for b in self.blocks if any(A[row, k] != 0 for k in b.coordinates)} for row in range(self.m)]
         pattern = sympy.ImmutableDenseMatrix(self.m, self.m, lambda i, j: int(i == j or bool(held[i] & held[j])))
@@ -140,7 +140,7 @@ def _held(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
 
 
 def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
-    """Return expressions and all that is in them; looks once at what they share, where SymPy's own walk does again."""
+    """Return the expressions and their subexpressions; visits shared ones once, unlike SymPy's own traversal."""
     seen: set[sympy.Basic] = set()
     new = set(expressions)
     while new:
@@ -150,7 +150,7 @@ def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
 
 
 def _conserves_energy(mechanics: Mechanics) -> bool:
-    """Whether no force does work and nothing depends on the time: then T2 - T0 + V is constant (Jacobi)."""
+    """Return whether no force does work and nothing depends on time: then T2 - T0 + V is constant (Jacobi)."""
     given = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
     timeless = mechanics.time not in _held(given)
     workless = (

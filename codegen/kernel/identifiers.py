@@ -1,4 +1,4 @@
-"""C identifiers for the user's names: of their own in the scope of a kernel, and no word of C."""
+"""C identifiers for the user's names: unique in the scope of a kernel, and not reserved."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ WORDS = frozenset(
     "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log pow sqrt fabs erf floor ceil "
     "isnan isfinite memset real".split()
 )
-"""Words of C, macros of its library, the functions of it that kernels call, and what they compute with (em_real.h)."""
+"""Reserved names: keywords of C, macros of its library, and functions that kernels call (em_real.h)."""
 MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling|__.*|(?i:em)_.*")
-"""Of the C library, our headers and compilers: replaced wherever they stand, also where a variable has the name."""
+"""Macros of the C library, our headers and compilers, which would replace a variable of the same name."""
 
 
 def c_identifier(name: str) -> str:
-    """Return a name as C takes it: what is no identifier, or means something in any scope, gets underscores."""
+    """Return a valid C identifier for a name: invalid characters become underscores, reserved names get one more."""
     identifier = re.sub(r"\W", "_", name, flags=re.ASCII)
     if not identifier or identifier[0].isdigit():
         identifier = f"_{identifier}"
@@ -26,7 +26,7 @@ def c_identifier(name: str) -> str:
 
 
 def c_identifiers(names: Iterable[str], taken: Collection[str] = ()) -> dict[str, str]:
-    """Return name -> identifier, all of them different, and none of those taken."""
+    """Return name -> identifier; identifiers differ from each other and from those taken."""
     identifiers: dict[str, str] = {}
     for name in names:
         identifiers[name] = free(c_identifier(name), {*taken, *identifiers.values()})

@@ -1,4 +1,4 @@
-"""Kernels: straight-line functions, arrays in and out, each with the user's names in a scope of its own."""
+"""Kernels: straight-line functions of arrays, each with the user's names in its own scope."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from .line_breaks import folded, wrapped
 from .printer import Printer
 
 INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
-"""What a kernel may read, in the order of its arguments; all but the time are arrays."""
+"""The possible inputs of a kernel, in the order of its arguments; all but the time are arrays."""
 SHARED = "shared"
-"""The array of what one kernel computed and the next one needs, too."""
+"""The array of values that one kernel computes and the next one also needs."""
 LONG = 250
-"""Statements from which on a kernel is not copied into what calls it: compilers take more than twice the time for twice
-the text, and what they make of it is no faster."""
+"""Number of statements from which on a kernel is not inlined: compile time grows faster than the length of the text,
+and the code is no faster."""
 
 
 @dataclass(frozen=True, slots=True)
 class Array:
-    """What a kernel assigns; shape is C text, as [N1][N1]."""
+    """An output array of a kernel; shape is C text, such as [N1][N1]."""
 
     name: str
     shape: str
@@ -32,7 +32,7 @@ class Array:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """An assignment: the places of an array, as [0][1], that get the value of a node; what it is, where that helps."""
+    """An assignment of the value of a node to elements of an array, such as [0][1]; with an optional comment."""
 
     array: Array
     places: tuple[str, ...]
@@ -41,7 +41,7 @@ class Entry:
 
 
 def both_triangles(name: str, first: int, M: Sequence[Sequence[Node]]) -> list[Entry]:
-    """A symmetric matrix (n, n), both triangles, from the place `first` on."""
+    """Return the assignments of both triangles of a symmetric matrix (n, n), from index `first` on."""
     n, array = len(M), Array(name, "")
     places = {(i, j): (first + i * n + j, first + j * n + i) for i in range(n) for j in range(i + 1)}
     return [Entry(array, tuple(f"[{at}]" for at in dict.fromkeys(both)), M[i][j]) for (i, j), both in places.items()]
@@ -51,10 +51,10 @@ def both_triangles(name: str, first: int, M: Sequence[Sequence[Node]]) -> list[E
 class Draft:
     """A kernel before it is written.
 
-    arguments : their names, where others rely on them; else they are what the kernel reads and assigns
-    actual : what the caller calls them, where that differs
+    arguments : their names, if callers rely on them; else they are what the kernel reads and assigns
+    actual : the names of the arguments in the caller, if they differ
     on_lanes : whether it computes with `real` (em_real.h) in place of double
-    across : whether other units call it where it is long, or one that is written with it
+    across : whether other units call it, or a kernel written with it, if it is long
     """
 
     name: str
@@ -66,7 +66,7 @@ class Draft:
 
     @property
     def number(self) -> str:
-        """The type of what it reads and assigns."""
+        """The C type of its inputs and outputs."""
         return "real" if self.on_lanes else "double"
 
 
@@ -75,10 +75,10 @@ class Kernel:
     """A straight-line function as C text.
 
     head : its first line
-    declared, call : how its caller declares what it assigns (if it must), and calls it
-    statements : in the order in which they are needed, so that a compiler keeps few values at a time
-    called : names of functions that it and those written with it call
-    reads : which of INPUTS it takes
+    declared, call : the declaration of its outputs in the caller (if needed), and the call
+    statements : in an order that keeps few values alive at a time
+    called : names of functions that it and the kernels written with it call
+    reads : which of INPUTS it reads
     across : whether other units call it
     """
 
@@ -94,10 +94,10 @@ class Kernel:
 
 @dataclass(frozen=True, slots=True)
 class Symbols:
-    """Where symbols and constants live.
+    """The arguments and indices of symbols and constants.
 
-    places : symbol -> (argument, place in it); the place of what is no array is None
-    first_constant : the place of the first constant in the prepared parameters
+    places : symbol -> (argument, index in it); the index is None if the argument is no array
+    first_constant : the index of the first constant in the prepared parameters
     """
 
     places: Mapping[str, tuple[str, int | None]]
@@ -106,11 +106,11 @@ class Symbols:
 
 def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None,
             ahead: Draft | None = None) -> list[Kernel]:  # fmt: skip
-    """Write kernels that are called one after the other: what they have in common is computed once and handed on.
+    """Return kernels that are called one after the other: common values are computed once and passed on.
 
-    The first one tells the cost of all. Without `constants` what is made of parameters only is computed in place.
-    Where they are long one more, `ahead`, takes the place of the first for whoever wants the last alone, and tells the
-    cost of these.
+    The cost of the first one includes all. Without `constants`, functions of the parameters are computed in place.
+    Long kernels get one more, `ahead`: it replaces the first for callers that need only the last, and has the cost of
+    these two.
     """
     plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
     arrays = {entry.array.name for draft in drafts for entry in draft.entries}
@@ -126,7 +126,7 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
 
 
 class _Scope:
-    """The inside of one kernel while it is written."""
+    """The body of one kernel while it is written."""
 
     def __init__(self, draft: Draft, plan: Schedule) -> None:
         self.draft = draft
@@ -137,20 +137,20 @@ class _Scope:
         self.shares: list[str] = []
 
     def load(self, array: str, place: int | None, identifier: str) -> None:
-        """Give a number of an array its name here."""
+        """Declare a name for an element of an array."""
         self.read.add(array)
         if place is not None:
             self.statements.append(f"const {self.draft.number} {identifier} = {array}[{place}];")
 
     def assign(self, entry: Entry) -> None:
-        """Write what the kernel is for, of which all parts have their names."""
+        """Write the assignment of an output whose operands already have names."""
         text = self.printer.whole(self.printer.plan.roots[entry.node])
         words = f" /* {entry.words} */" if entry.words else ""
         self.statements.append(wrapped(f"{_targets(entry)} = {text};") + words)
 
 
 class _Writer:
-    """Remembers across kernels what has a name already."""
+    """Writes kernels in turn, and keeps track of the values that already have names."""
 
     def __init__(self, graph: Graph, plan: Schedule, symbols: Symbols, constants: Constants | None, taken: set[str]
                  ) -> None:  # fmt: skip
@@ -171,7 +171,7 @@ class _Writer:
         return self.here
 
     def ahead(self, draft: Draft) -> _Scope:
-        """Write what computes all that has been handed on, and nothing else."""
+        """Write the kernel that computes only the values passed on."""
         self.known, self.taken, self.here = {}, set(self.given), _Scope(draft, self.plan)
         for value, place in self.handed.items():
             self._need(value)
@@ -179,7 +179,7 @@ class _Writer:
         return self.here
 
     def _need(self, root: int) -> None:
-        """Name every value behind root that wants a name, operands first."""
+        """Give names to the values that root needs and that need names, operands first."""
         stack = [(root, False)]
         seen: set[int] = set()
         while stack:
@@ -207,7 +207,7 @@ class _Writer:
             self._compute(value)
 
     def _take(self, value: int) -> None:
-        """Take over what the kernel before has computed."""
+        """Read a value that the kernel before has passed on."""
         name, before = self.known[value]
         if value not in self.handed:
             self.handed[value] = len(self.handed)
@@ -276,7 +276,7 @@ def _targets(entry: Entry) -> str:
 
 
 def _head(draft: Draft) -> str:
-    """Of a function that others call: its arguments are given, whether it uses them or not."""
+    """Return the head of a function that others call: its arguments are fixed, whether it uses them or not."""
     return folded(f"EM_EXPORT void {draft.name}(", _given(draft), ")")
 
 

@@ -1,4 +1,4 @@
-"""Long C in lines."""
+"""Line breaks of long C statements and lists."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import textwrap
 from collections.abc import Sequence
 
 WIDTH = 110
-"""Of what functions hold, which may stand further in."""
+"""Width of statements in functions, which may be indented further."""
 WHOLE = 120
-"""Of what stands alone."""
+"""Width of text at the top level."""
 
 
 def folded(before: str, items: Sequence[str], after: str, indent: int | None = None, width: int = WIDTH) -> str:
-    """Write a list into lines, without a break inside an item; nothing for no items.
+    """Return a list in lines, without a break inside an item; no text for no items.
 
-    Lines are indented as far as the first item is, or as told.
+    Lines are indented like the first item, or by `indent`.
     """
     if not items:
         return ""
@@ -29,7 +29,7 @@ def wrapped(statement: str) -> str:
 
 
 def _whole(text: str) -> str:
-    """Return a text that is not broken."""
+    """Return a text without line breaks."""
     return text.replace(" ", "\0")
 
 

@@ -13,19 +13,19 @@ ONE = Operation("number", (1,))
 DEEPEST = 40
 """Levels of operations in one statement."""
 SUM, PRODUCT, ATOM = 0, 1, 2
-"""How tightly a text binds."""
+"""Precedence of the outermost operation of a text."""
 CALLS: Mapping[str, str] = {
     "sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "em_least", "max": "em_greatest", "sign": "em_sign",
     "step": "em_heaviside", "select": "em_select", "<": "em_less", "<=": "em_not_above", "==": "em_equal",
     "and": "em_and", "or": "em_or", "not": "em_not",
 }  # fmt: skip
 IN_VECTORS = frozenset(CALLS) | {"exp", "log"}
-"""Functions that vectors have; all others are asked of C's library lane by lane (em_lane_functions.h)."""
+"""Functions with a vector version; all others call the C library lane by lane (em_lane_functions.h)."""
 TURNED: Mapping[str, str] = {">": "<", ">=": "<="}
 
 
 class Printer:
-    """Writes the values of a schedule; those that have a name already are written by it.
+    """Prints the values of a schedule; a value that has a name is printed as that name.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class Printer:
         self._depth: dict[int, int] = {}
 
     def is_deep(self, value: int) -> bool:
-        """Whether its text holds more levels than a compiler, or a reader, takes; asked of operands first."""
+        """Return whether the text of a value has too many nested operations; to be called for operands first."""
         parts = (part for part in operands_of(self.plan.operations[value]) if part not in self.names)
         self._depth[value] = 1 + max((self._depth.get(part, 0) for part in parts), default=0)
         return self._depth[value] > DEEPEST
@@ -59,7 +59,7 @@ class Printer:
         return text.strip("()") if operation.kind == "number" else text
 
     def _bound(self, value: int, tightness: int) -> str:
-        """Return the text of a value, in parentheses where it binds less tightly than asked for."""
+        """Return the text of a value, in parentheses if its precedence is lower than the given one."""
         if value in self.names:
             return self.names[value]
         text, binding = self._write(self.plan.operations[value])

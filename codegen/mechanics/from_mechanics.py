@@ -44,8 +44,8 @@ def from_mechanics(
 
     T comes of the bodies' velocities, V of their potential energies, of weights and springs, Q of all other loads
     (Kane: F . dv/du). Speeds that are linear in the rates become quasi-velocities (3); a speed that no kinematic
-    equation holds becomes the rate of a coordinate, NAME_integral. Velocities that take a constraint for granted, as of
-    a rolling disk, are allowed: see `codegen.mechanics.taken_for_granted`.
+    equation holds becomes the rate of a coordinate, NAME_integral. Velocities that already satisfy a constraint, as of
+    a rolling disk, are allowed: see `codegen.mechanics.nonholonomic_correction`.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Compiled templates, kept where Python keeps compiled modules.
+"""Cache of compiled templates, in the folder in which Python stores compiled modules.
 
-Compiling all takes as long as deriving a small model, reading them a millisecond.
+To compile all templates takes as long as to derive a small model; to read them takes a millisecond.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ from jinja2.bccache import Bucket
 
 
 class Bytecode(jinja2.BytecodeCache):
-    """In __pycache__, beside the templates; where nobody may write, templates are compiled anew, as modules are."""
+    """The cache in __pycache__ beside the templates; if that is not writable, nothing is stored."""
 
     def load_bytecode(self, bucket: Bucket) -> None:
-        """Read what is there, if it is whole and of this text."""
+        """Read the cached code, if it is complete and belongs to this text."""
         try:
             with _place(bucket).open("rb") as file:
                 bucket.load_bytecode(file)
-        except Exception:  # whatever a damaged pickle raises
+        except Exception:  # any exception of a damaged pickle
             bucket.reset()
 
     def dump_bytecode(self, bucket: Bucket) -> None:
-        """Write it whole or not at all: others may read and write the same."""
+        """Write the code in one step: other processes may read and write the same file."""
         if sys.dont_write_bytecode:
             return
         place = _place(bucket)
@@ -45,7 +45,7 @@ class Bytecode(jinja2.BytecodeCache):
                 own.unlink()
 
     def get_source_checksum(self, source: str) -> str:
-        """Hash of all that compiling a template reads: constants in it go through our filters then."""
+        """Return the hash of everything that the compilation of a template reads, including our filters."""
         return hashlib.sha256(f"{_readers()}{source}".encode()).hexdigest()
 
 

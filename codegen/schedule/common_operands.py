@@ -1,6 +1,6 @@
-"""Products and sums that several operations have in common, taken out: the most frequent pair of operands first.
+"""Common operands of products and sums, extracted: the most frequent pair of operands first.
 
-The greedy form of common-subexpression elimination for polynomials (Hosangadi, Fallah & Kastner 2006).
+This is greedy common-subexpression elimination for polynomials (Hosangadi, Fallah & Kastner 2006).
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ Pair = tuple[int, int, Number]
 
 
 def share(table: Table, kind: str) -> None:
-    """Take out the pair of operands that most products (sums) have in common, until none is left."""
+    """Extract the pair of operands that most products (sums) have in common, until none is left."""
     pairs = _Pairs(table, kind)
     while (pair := pairs.most_frequent()) is not None:
         pairs.take_out(pair)
 
 
 class _Pairs:
-    """Which operations of one kind hold which pairs of operands; the most frequent pair by a lazily cleaned heap."""
+    """The operations of one kind that contain each pair of operands; a lazily cleaned heap has the most frequent."""
 
     def __init__(self, table: Table, kind: str) -> None:
         self.table, self.kind = table, kind
@@ -43,7 +43,7 @@ class _Pairs:
         return {(a, b, _quotient(g, f)) for (a, f), (b, g) in combinations(operands, 2)}
 
     def _keys_with(self, operation: Operation, value: int) -> list[Pair]:
-        """Return the pairs of which an operand that stands there once is part."""
+        """Return the pairs that contain the operand, which occurs once."""
         operands = operation.operands
         if self.kind == "mul":
             return [(a, value, 1) if a < value else (value, a, 1) for a in operands if a != value]
@@ -55,12 +55,12 @@ class _Pairs:
         ]
 
     def _stand_once(self, operation: Operation, first: int, second: int, value: int) -> bool:
-        """Whether two operands stand there once each, and what takes their place does not yet."""
+        """Return whether both operands occur once, and their replacement does not occur yet."""
         values = operation.operands if self.kind == "mul" else [a for a, _ in operation.operands]
         return value not in values and values.count(first) == values.count(second) == 1
 
     def most_frequent(self) -> Pair | None:
-        """Return the pair that most operations hold, the smallest of several; None if no two share one."""
+        """Return the pair in most operations, the smallest of several; None if no two operations share a pair."""
         while self.heap:
             size, key = self.heap[0]
             held = len(self.holders[key])
@@ -72,7 +72,7 @@ class _Pairs:
         return None
 
     def take_out(self, key: Pair) -> None:
-        """Make a pair one value and put it in place of the two operands wherever they stand together."""
+        """Make a pair a value of its own, and replace both operands by it wherever they occur together."""
         holders = sorted(self.holders[key])
         pair = self._pair(key)
         value = next((v for v in holders if self.table.operations[v] == pair), None)
@@ -84,7 +84,7 @@ class _Pairs:
         self.holders[key] = set()
 
     def _replace(self, holder: int, key: Pair, value: int) -> None:
-        """Renew what the table and the heap know of one operation."""
+        """Update an operation in the table and in the heap."""
         operation, (first, second, _) = self.table.operations[holder], key
         self.table.operations[holder] = smaller = self._replaced(operation, key, value)
         gone: Iterable[Pair]

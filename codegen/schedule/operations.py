@@ -1,4 +1,4 @@
-"""The operations that compute nodes: each on values that are there already."""
+"""The operations that compute nodes, each from values that are already known."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Operation(NamedTuple):
 
 
 def operands_of(operation: Operation) -> Iterator[int]:
-    """Return the values an operation uses, as often as it uses them."""
+    """Return the operands of an operation, with repetitions."""
     kind, operands = operation
     if kind == "add":
         yield from (value for value, _ in operands)
@@ -54,7 +54,7 @@ class Cost:
 
     @property
     def weight(self) -> int:
-        """Roughly the time in additions."""
+        """The approximate time, in units of one addition."""
         return sum(count * weight for count, weight in zip(self.counts(), self.WEIGHTS, strict=True))
 
     def __add__(self, other: Cost) -> Cost:
@@ -62,7 +62,7 @@ class Cost:
 
 
 def cost_of(operations: dict[int, Operation], values: Iterable[int]) -> Cost:
-    """Return what it costs to compute some values."""
+    """Return the cost of some values."""
     cost = Cost()
     for value in values:
         kind, operands = operations[value]
@@ -90,7 +90,7 @@ class Table:
     shared: dict[Operation, int] = field(default_factory=dict)
 
     def new(self, operation: Operation) -> int:
-        """Return the value of an operation that is no node's."""
+        """Return the value of an operation that belongs to no node."""
         value = self.shared.get(operation)
         if value is None:
             value = self.shared[operation] = BEYOND_THE_GRAPH + len(self.shared)
@@ -99,7 +99,7 @@ class Table:
 
 
 def value_of(table: Table, root: Node) -> int:
-    """Return the value of a node, adding to the table what it needs."""
+    """Return the value of a node; operations that it needs are added to the table."""
     graph = table.graph
     for node in _needed(table, root):
         if node not in table.operations:
@@ -140,7 +140,7 @@ def _operation(table: Table, node: Node) -> Operation:
 
 
 def _sum(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation:
-    """A sum, its terms of parameters only made one constant, numeric factors joined to constants."""
+    """Return the value of a sum: terms of parameters alone become one constant, which absorbs numeric factors."""
     graph = table.graph
     constant = [(node, factor) for node, factor in terms if _is_constant(table, node)]
     if len(constant) > 1 or any(abs(factor) != 1 for _, factor in constant):
@@ -151,7 +151,7 @@ def _sum(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation:
 
 
 def _common_factor(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation | None:
-    """A sum whose terms have one factor of parameters in common: k f + k g = k (f + g)."""
+    """Factor out the factor of parameters that all terms of a sum have in common: k f + k g = k (f + g)."""
     graph = table.graph
     if len(terms) < 2 or not table.hoist:
         return None
@@ -191,7 +191,7 @@ def _powers(table: Table, node: Node) -> list[int]:
 
 
 def _product(table: Table, factors: Sequence[tuple[Node, Number]]) -> Operation:
-    """A product, its factors of parameters only made one constant."""
+    """Return the value of a product: factors of parameters alone become one constant."""
     graph = table.graph
     constant = [(node, power) for node, power in factors if _is_constant(table, node)]
     parts = []

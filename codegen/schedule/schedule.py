@@ -3,8 +3,8 @@
 A function of the generated code is a sequence of kernels. Each assigns expressions to places; a value that is used
 twice gets a name in the first kernel that needs it. Before that
 
-- everything made of parameters only leaves the function: it is computed once per parameter set;
-- products and sums that several expressions have in common are taken out (`sharing`).
+- functions of the parameters alone are moved out: they are computed once per parameter set;
+- products and sums that several expressions have in common are extracted (`common_operands`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .operations import Cost, Operation, Table, cost_of, operands_of, value_of
 
 @dataclass(frozen=True, slots=True)
 class Schedule:
-    """The operations that some expressions need; `uses` counts in how many places a value stands."""
+    """The operations that some expressions need; `uses` counts the occurrences of each value."""
 
     operations: dict[int, Operation]
     uses: Counter[int]
@@ -30,7 +30,7 @@ class Schedule:
 
 
 class Constants:
-    """What is computed once per parameter set, shared by all functions of a program."""
+    """The constants that are computed once per parameter set, shared by all functions of a program."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
@@ -38,7 +38,7 @@ class Constants:
         self._index: dict[Node, int] = {}
 
     def index(self, node: Node) -> int:
-        """Return the place of a node of parameters among the constants."""
+        """Return the index of a node of parameters among the constants."""
         if node not in self._index:
             self._index[node] = len(self.nodes)
             self.nodes.append(node)
@@ -51,8 +51,8 @@ def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Sche
     Parameters
     ----------
     hoist
-        Whether what is made of parameters only counts as given (in a function of the motion) or is computed here
-        (in the function that prepares the parameters).
+        Whether functions of the parameters are given (in a function of the motion) or computed here (in the function
+        that prepares the parameters).
     """
     table = Table(graph, hoist)
     values = {root: value_of(table, root) for root in roots}
@@ -65,14 +65,14 @@ def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Sche
 
 
 def weight(graph: Graph, roots: Sequence[Node]) -> int:
-    """Return roughly the time of computing some expressions, in additions, before anything is taken out of several."""
+    """Return the approximate time of some expressions, in additions, before common operands are extracted."""
     table = Table(graph, True)
     values = [value_of(table, root) for root in roots]
     return cost_of(table.operations, _live(table.operations, values)).weight
 
 
 def cost_behind(plan: Schedule, roots: Iterable[Node]) -> Cost:
-    """Return what some of the expressions of a schedule cost without the others."""
+    """Return the cost of some of the expressions of a schedule without the others."""
     return cost_of(plan.operations, _live(plan.operations, (plan.roots[root] for root in roots)))
 
 

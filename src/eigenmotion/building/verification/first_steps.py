@@ -105,7 +105,7 @@ def _rests(system: System, run: Solution) -> bool:
 
 
 def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
-    """The largest acceleration that reactions alone would make."""
+    """Return the largest acceleration that the reactions alone would cause."""
     reactions = np.abs(system.pfaffian(x, t)[0].T) @ np.abs(system.acceleration(x, v, t)[1])
     M = system.compiled.factored_matrix(t, x, system.prepare())
     return float((np.abs(np.linalg.inv(M)) @ reactions).max(initial=0.0))
@@ -139,7 +139,7 @@ def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
 
 
 def _rate(system: System, t: float, z: Vector) -> Vector:
-    """The rate between the breaks of the model about the start, of which the run has gone as far as the next."""
+    """Return (v, a) at t, moved into the smooth interval between the time events around the start."""
     n, (_, low, high) = system.n, system.compiled.piece(0.0, 1.0, system.prepare())
     t = min(max(t, low), high)
     return np.concatenate([z[n:], system.acceleration(z[:n], z[n:], t)[0]])

@@ -1,4 +1,4 @@
-"""Identities between a compiled model's answers and the user's expressions: sums of terms that vanish."""
+"""Identities between values of a compiled model and the user's expressions: sums of terms that vanish."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from .symbolic_values import SymbolicValues
 class Identity:
     """Terms, each (k, r), whose sum is zero to their rounding.
 
-    names : (r,) what each sum is about
-    more : (k, r) what the answers are off by besides: that of the solves they came from
-    scale : (k, r) what matters beside these terms, by which is said whether anything is known of them
-    always : whether the compiled model has to have an answer wherever the expression has a value
+    names : (r,) the subject of each sum
+    more : (k, r) the additional error bound of linear solves behind the values
+    scale : (k, r) the size relative to which the bound decides whether the identity means anything
+    always : whether the compiled model must have a value wherever the expression has one
     """
 
     names: Sequence[str]
@@ -34,7 +34,7 @@ class Identity:
 
 
 def expressions(model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
-    """What is the value or a derivative of one expression; v (k, n)."""
+    """Identities of single expressions and their derivatives; v (k, n)."""
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
     second = [f"d2T / d{one} d{two} of kinetic_energy" for one in rates for two in rates]
@@ -61,7 +61,7 @@ def expressions(model: Model, v: Vector, found: CompiledValues, stated: Symbolic
 def motion(
     model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
-    """Lagrange's equations (7), constraints differentiated, and outputs, which are made of their solution; v (k, n)."""
+    """Lagrange's equations (7), the differentiated constraints, and the outputs, which use their solution; v (k, n)."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
     yield Identity(names, equations(found, stated), errors.solved, errors.solved / EPS)
     size = np.einsum("kri,ki->kr", np.abs(stated.A.value), np.abs(found.a))
@@ -77,13 +77,13 @@ def equations(found: CompiledValues, stated: SymbolicValues) -> list[Rounded]:
 
 
 def row_names(model: Model) -> list[str]:
-    """Names of the constraint rows, as errors of a Model call them."""
+    """Names of the constraint rows, as in error messages of a Model."""
     kinds = {"holonomic_constraints": model.h, "nonholonomic_constraints": model.m - model.h}
     return [f"{kind}[{k}]" for kind, count in kinds.items() for k in range(count)]
 
 
 def flat(values: Rounded) -> Rounded:
-    """(k, ...) as (k, r)."""
+    """Return an array (k, ...) as (k, r)."""
     return Rounded(*(part.reshape(len(part), -1) for part in (values.value, values.bound)))
 
 

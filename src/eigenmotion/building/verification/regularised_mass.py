@@ -1,4 +1,4 @@
-"""The matrix that is factored where M is singular: M + A^T W A, with weights that the compiled model chose."""
+"""The matrix M + A^T W A that is factored if M is singular, with the weights of the compiled model."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from .symbolic_values import SymbolicValues
 def factored(
     system: System, found: CompiledValues, stated: SymbolicValues
 ) -> tuple[SymbolicValues, Iterator[Identity]]:
-    """Return the statement with M + A^T W A and its rate in place of M's, and that the model factors that.
+    """Return the symbolic values with M + A^T W A and its rate in place of those of M, and the matrix's identities.
 
-    Any weights will do, of which those that fit are taken, and so are rates of theirs; where M itself is factored, all
-    is as it was.
+    Any weights W are valid, so W and its rate are fitted to the compiled values. If M itself is factored, nothing
+    changes.
     """
     difference = found.factored - found.M
     if not np.nan_to_num(difference).any():
@@ -39,15 +39,15 @@ def factored(
 
 
 def _spread(off: Vector, units: Vector) -> Vector:
-    """(k, n, n): how far what the weights make is off where that which they are fitted to is."""
+    """(k, n, n): the error of A^T W A that follows from errors of the matrix to which W is fitted."""
     return np.asarray(np.sqrt(((off * units) ** 2).sum(axis=(1, 2), keepdims=True)) / units)
 
 
 def _weights(A: Vector, difference: Vector, units: Vector) -> Vector:
-    """(k, m): the least squares of A^T W A = difference in `units` (k, n, n); NaN where there are no numbers."""
+    """(k, m): the least-squares solution W of A^T W A = difference, in `units` (k, n, n); NaN if not finite."""
     columns = np.moveaxis((A[:, :, :, None] * A[:, :, None, :]) * units[:, None], 1, 3).reshape(len(A), -1, A.shape[1])
     right = (difference * units).reshape(len(A), -1)
-    size = np.sqrt((columns**2).sum(axis=1, keepdims=True))  # which is how rows are stated, and no matter of rank
+    size = np.sqrt((columns**2).sum(axis=1, keepdims=True))  # units of rows are arbitrary and do not affect the rank
     columns = columns / np.where(size > 0.0, size, 1.0)
     known = np.isfinite(columns).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)
     found = np.full(A.shape[:2], np.nan)

@@ -1,8 +1,7 @@
-"""Numbers with a bound of their rounding beside them: a running error analysis (Higham 2002, section 3.3).
+"""Numbers with a bound of their rounding error: a running error analysis (Higham 2002, section 3.3).
 
-The bound is what the terms of an evaluation may be off by, to first order, where each is off by eps of itself. It does
-not depend on the order in which terms are added; whoever evaluates the same terms otherwise comes within a small
-multiple of it.
+The bound is the error of an evaluation, to first order, if every term has a relative error of eps. It does not depend
+on the order in which terms are added: another evaluation of the same terms differs by a small multiple of it.
 """
 
 from __future__ import annotations
@@ -18,12 +17,12 @@ Part: TypeAlias = Any
 
 EPS = float(np.finfo(float).eps)
 FACTOR = 1e3
-"""What differs by more than so many bounds is different: the order of terms and other forms of them take a few."""
+"""Values that differ by more than so many bounds are different; equivalent forms of an expression differ by a few."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rounded:
-    """Values, and bounds of how far each is off; arrays that broadcast against each other."""
+    """Values and their error bounds; arrays that broadcast against each other."""
 
     value: Part
     bound: Part
@@ -44,7 +43,7 @@ class Rounded:
         return Rounded(self.value * other.value, bound)
 
     def __rmul__(self, factor: Part) -> Rounded:
-        """Return factor x self, for a factor that is exact, such as a power of two."""
+        """Return factor * self for an exact factor, such as a power of two."""
         return Rounded(factor * self.value, np.abs(factor) * self.bound)
 
     def __truediv__(self, divisor: Rounded) -> Rounded:
@@ -60,15 +59,15 @@ class Rounded:
 
     @property
     def turned(self) -> Rounded:
-        """Transposed matrices (k, i, j)."""
+        """Return the transposed matrices, of (k, i, j)."""
         return Rounded(self.value.swapaxes(1, 2), self.bound.swapaxes(1, 2))
 
     def near(self, other: Part = 0.0) -> Part:
-        """Return whether it may be another number, for all that is known."""
+        """Return whether the values may equal another number within their bounds."""
         return ~(np.abs(self.value - other) > FACTOR * self.bound)
 
     def off(self, more: Part) -> Rounded:
-        """Return the same with more of a bound."""
+        """Return the same values with larger bounds."""
         return Rounded(self.value, self.bound + more)
 
     def filled(self, shape: tuple[int, ...]) -> Rounded:
@@ -77,23 +76,23 @@ class Rounded:
 
 
 def rounded(value: Part) -> Rounded:
-    """Return numbers that are off by eps of themselves."""
+    """Return values with the relative error bound eps."""
     return Rounded(value, EPS * np.abs(value))
 
 
 def joined(parts: Sequence[Rounded], axis: int) -> Rounded:
-    """Return arrays one after the other."""
+    """Return the concatenation of arrays."""
     values, bounds = [part.value for part in parts], [part.bound for part in parts]
     return Rounded(np.concatenate(values, axis), np.concatenate(bounds, axis))
 
 
 def applied(W: Rounded, v: Rounded) -> Rounded:
-    """W v, of matrices (k, i, j) and vectors (k, j)."""
+    """Return the products W v of matrices (k, i, j) and vectors (k, j)."""
     return (W @ v[:, :, None])[:, :, 0]
 
 
 def inverse(M: Rounded) -> Rounded:
-    """M^-1 of symmetric (k, n, n), of least norm; of no known digit where M may be singular."""
+    """Return the pseudo-inverses of symmetric M (k, n, n); with infinite bounds where M may be singular."""
     unit = np.sqrt(np.abs(np.einsum("kii->ki", M.value)))
     unit = np.where(unit > 0.0, unit, 1.0)
     size = unit[:, :, None] * unit[:, None, :]
@@ -107,7 +106,7 @@ def inverse(M: Rounded) -> Rounded:
 
 
 def root(M: Rounded) -> Rounded:
-    """L (k, n, n) with M = L L^T, triangular; of no known digit where M may not be positive definite."""
+    """Return triangular L (k, n, n), M = L L^T; with infinite bounds where M may not be positive definite."""
     W = inverse(M)
     sound = np.isfinite(W.bound).all(axis=(1, 2), keepdims=True) & (np.linalg.eigvalsh(
         np.where(np.isfinite(M.value), M.value, 0.0))[:, :1, None] > 0.0)  # fmt: skip
@@ -118,6 +117,6 @@ def root(M: Rounded) -> Rounded:
 
 
 def geometric(M: Part) -> Part:
-    """sqrt(M_ii M_jj), (k, n, n): the size of an entry that no choice of units changes."""
+    """sqrt(M_ii M_jj), (k, n, n): a size of entries that does not depend on units."""
     diagonal = np.sqrt(np.abs(np.einsum("kii->ki", M)))
     return np.asarray(diagonal[:, :, None] * diagonal[:, None, :])

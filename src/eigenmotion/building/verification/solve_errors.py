@@ -1,4 +1,4 @@
-"""Error bounds of the compiled model's solves: from the terms they add up and the condition of their matrices."""
+"""Error bounds of the compiled linear solves, from the terms of their right-hand sides and condition numbers."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from .symbolic_values import SymbolicValues
 class Errors:
     """Bounds at k points.
 
-    solved : (k, n) of M a = f - A^T lambda, where a comes from a root of M: what is left of it
-    a : (k, n) of accelerations
-    rows : (k, m) of A a + gamma, for such accelerations
+    solved : (k, n) of the residual of M a = f - A^T lambda, with a computed by a root of M
+    a : (k, n) of the accelerations
+    rows : (k, m) of A a + gamma for these accelerations
     """
 
     solved: Vector
@@ -27,9 +27,9 @@ class Errors:
 
 
 def errors(found: CompiledValues, stated: SymbolicValues, terms: list[Rounded]) -> Errors:
-    """Bounds of what is found by lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), in eps of each term.
+    """Return bounds for lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), with errors eps of each term.
 
-    Here M is what is factored, and `terms` those of Lagrange's equations.
+    Here M is the matrix that is factored, and `terms` are the terms of Lagrange's equations.
     """
     multipliers = np.abs(found.multipliers)
     solved = EPS * np.einsum("kij,kj->ki", geometric(found.factored), np.abs(found.a))

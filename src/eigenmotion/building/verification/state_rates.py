@@ -1,4 +1,4 @@
-"""The right-hand side that is integrated, held against the acceleration: identities of what stands for xdot."""
+"""Identities of the integrated right-hand side: the rates of the state against the acceleration."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Factors:
 def rates(
     system: System, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
-    """Identities of y and dy, for v (k, n)."""
+    """Identities of the state y and its rate dy, for v (k, n)."""
     n, layout, names = system.n, system.layout, system.coordinates
     back = rounded(v).off(EPS * recovered(system, v, found))
     yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(found.dy[:, :n]), -back])
@@ -47,19 +47,19 @@ def rates(
 
 
 def recovered(system: System, v: Vector, found: CompiledValues) -> Vector:
-    """(k, n): eps of it is what velocities are off by that come back from the state: from eta, a root of M times v."""
+    """(k, n): eps times this bounds the error of velocities computed from the state, e.g. from eta = (root of M) v."""
     return np.abs(v) if "v" in system.layout else speeds(v, found)
 
 
 def speeds(v: Vector, found: CompiledValues) -> Vector:
-    """(k, n): how large each could be, alone, with the kinetic energy of v (k, n)."""
+    """(k, n): the speed of each coordinate that alone has the kinetic energy of v (k, n)."""
     W = np.einsum("kii->ki", inverse(rounded(found.factored)).value)
     energy = np.einsum("ki,kij,kj->k", v, found.factored, v)
     return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
 
 
 def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: SymbolicValues) -> Identity:
-    """eta = L^T v, M = L L^T: the rate of L by that of M."""
+    """The identity of eta = L^T v, M = L L^T, with the rate of L from that of M."""
     L = root(stated.M)
     back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
     W = Rounded(back, np.abs(back) @ L.bound @ np.abs(back))
@@ -71,14 +71,14 @@ def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, st
 
 
 def _all(terms: Sequence[Rounded]) -> Vector:
-    """(k, 1): the size of terms that share a unit."""
+    """(k, 1): the common size of terms in the same unit."""
     return np.asarray(sum(np.abs(term.value) for term in terms).max(axis=1, keepdims=True))
 
 
 def _of_eigenfactors(
     system: System, v: Rounded, a: Rounded, found: CompiledValues, stated: SymbolicValues
 ) -> Iterator[Identity]:
-    """eta = S C v (17), M = C^T S^2 C, in units of `scales`."""
+    """Identities of eta = S C v (17) and M = C^T S^2 C, in units of `scales`."""
     unit, names = rounded(1.0 / system.scales), system.coordinates
     both = system.scales[:, None] * system.scales
     M, M_rate = both * stated.M, both * stated.M_rate
@@ -96,7 +96,7 @@ def _of_eigenfactors(
 
 
 def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factors:
-    """Those the state carries; of the other blocks, which do not turn, those of M."""
+    """Return the eigenfactors in the state; for blocks that do not turn, those of M."""
     C, s, C_rate = found.C.copy(), found.s.copy(), np.zeros_like(found.C)
     s_rate = np.einsum("kij,kjl,kil->ki", C, M_rate, C) / (2.0 * s)
     if "s" in system.layout:
@@ -110,7 +110,7 @@ def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factor
 
 
 def _places(system: System, C: str, s: str, blocks: Sequence[Sequence[int]]) -> Iterator[tuple[slice, slice]]:
-    """Where in y the C and s of each block are."""
+    """Return the positions in y of C and s of each block."""
     at, root = system.layout[C].start, system.layout[s].start
     for size in map(len, blocks):
         yield slice(at, at + size**2), slice(root, root + size)
@@ -118,7 +118,7 @@ def _places(system: System, C: str, s: str, blocks: Sequence[Sequence[int]]) -> 
 
 
 def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
-    """(k, n, n): the largest s^2 of the block of both, which is what its factors are rounded relative to."""
+    """(k, n, n): the largest s^2 of the block of both coordinates, to which rounding of its factors is relative."""
     size = np.zeros_like(factors.C)
     for block in map(list, blocks):
         size[np.ix_(range(len(size)), block, block)] = (factors.s[:, block] ** 2).max(axis=1)[:, None, None]
@@ -128,7 +128,7 @@ def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
 def _factored(
     names: Sequence[str], factors: Factors, W: Rounded, W_rate: Rounded, size: Vector, turning: Vector | float = 0.0
 ) -> Iterator[Identity]:
-    """W = C^T S^2 C with C orthonormal, and the same differentiated (30), (35); what made C_rate is turning, too."""
+    """Identities of W = C^T S^2 C with orthonormal C, and of their derivatives (30), (35)."""
     C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
     squares, unit = (s * s)[:, :, None], Rounded(np.broadcast_to(np.eye(C.value.shape[1]), C.value.shape), 0.0 * size)
     wide = np.abs(factors.C.swapaxes(1, 2)) @ np.abs(factors.C)
@@ -154,7 +154,7 @@ def _wide(size: Vector) -> Vector:
 
 
 def _of_delta(system: System, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
-    """Delta = A M^-1 A^T (47) and the eigenfactors of its parts."""
+    """Identities of Delta = A M^-1 A^T (47) and of the eigenfactors of its groups."""
     A, W = stated.A, inverse(stated.M)
     P = A @ W
     half = stated.A_rate @ P.turned
@@ -173,7 +173,7 @@ def _of_delta(system: System, found: CompiledValues, stated: SymbolicValues) -> 
 
 
 def _coupled(delta: Rounded) -> list[list[int]]:
-    """Groups of rows of Delta between which there is something other than zero."""
+    """Return the groups of rows that are coupled by nonzero entries of Delta."""
     coupled = np.asarray((~delta.near() & np.isfinite(delta.value)).any(axis=0))
     groups: list[list[int]] = []
     for row in range(len(coupled)):

@@ -54,7 +54,7 @@ class SymbolicValues:
 
 
 def evaluate(model: Model, points: Points, found: CompiledValues, speed: Vector) -> SymbolicValues:
-    """Evaluate everything a model states; velocities are off by eps of `speed` (k, n)."""
+    """Evaluate all expressions of a model; velocities have the error bound eps `speed` (k, n)."""
     statement = _Values(model, points, found, speed)
     with np.errstate(all="ignore"):
         energies, along = statement.energies(), statement.along()
@@ -79,7 +79,7 @@ class _Values:
 
     @property
     def unknown(self) -> frozenset[str]:
-        """Functions met that have no counterpart in hyper-dual numbers."""
+        """The functions in the expressions that hyper-dual numbers do not support."""
         return frozenset().union(*(value.unknown for value in self._evaluations))
 
     def energies(self) -> dict[str, Rounded]:
@@ -104,7 +104,7 @@ class _Values:
         return _filled(T.a, shape), _filled(T.b, shape)
 
     def along(self) -> dict[str, Rounded]:
-        """What is differentiated along the motion and by velocities, and what is not differentiated."""
+        """Return the derivatives along the motion and by velocities, and the values that are not differentiated."""
         model = self.model
         x = [HyperDual(*pair) for pair in zip(self.x, self.v, strict=True)]
         v = [HyperDual(*parts) for parts in zip(self.v, self.a, self.each, strict=True)]
@@ -122,7 +122,7 @@ class _Values:
         }  # fmt: skip
 
     def across(self) -> dict[str, Rounded]:
-        """What is differentiated by coordinates, and of that the rate at rest."""
+        """Return the derivatives by coordinates, and their rates at rest."""
         model = self.model
         x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
         value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.time, _ONE))
@@ -165,7 +165,7 @@ class _Values:
         return value
 
     def _parameters(self, rows: slice) -> list[Rounded]:
-        """Return their values; whole ones are exact, such as those that say which contacts hold."""
+        """Return the values of parameters; integers are exact, such as those of contact modes."""
         p = self.points.p[rows]
         return _columns(Rounded(p, np.where(p == np.round(p), 0.0, EPS * np.abs(p))))
 
@@ -194,7 +194,7 @@ def _filled(part: Rounded | None, shape: tuple[int, int]) -> Rounded:
 
 
 def _units(found: CompiledValues) -> Vector:
-    """Velocities (k, n) of as much kinetic energy each as there is at rest, so that nothing is lost beside the rest."""
+    """Return velocities (k, n), each with as much kinetic energy as at rest, so that no term is lost by rounding."""
     diagonal, T0 = np.einsum("kii->ki", found.M), np.abs(found.energies[:, 2:3])
     unit = np.sqrt(np.where(T0 > 0.0, T0, 1.0) / np.abs(diagonal))
     return np.where(np.isfinite(unit) & (unit > 0.0), unit, 1.0)

@@ -1,4 +1,4 @@
-"""The proof of a build: a compiled model's answers at random points against the user's own expressions."""
+"""The proof of a build: values of the compiled model against the user's own expressions, at random points."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .symbolic_values import SymbolicValues, evaluate
 from .test_points import Points, draw
 
 KNOWN = 1e-3
-"""What rounding leaves less of than this part of the terms says nothing of them."""
+"""An identity whose rounding bound exceeds this part of its terms decides nothing."""
 _ATTEMPTS = 3
 _log = logging.getLogger("eigenmotion")
 
@@ -45,36 +45,36 @@ class ProofError(BuildError):
 
 
 def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
-    """Hold a compiled model against what the user stated, at random points.
+    """Check a compiled model against the user's expressions, at random points.
 
-    Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;
-    M, A, energies, quasi-velocities, outputs and events are those of the expressions; the right-hand side is the
-    rate of the state; and the first steps of runs by `methods` go as the accelerations say. Derivatives are taken in
-    hyper-dual numbers, so that nothing is shared with the generator.
+    The computed accelerations and multipliers satisfy Lagrange's equations and the differentiated constraints; M, A,
+    energies, quasi-velocities, outputs and events equal the expressions; the right-hand side is the rate of the state;
+    and the first steps of runs by `methods` agree with the accelerations. Derivatives are computed in hyper-dual
+    numbers, so that nothing is shared with the generator.
 
     Raises
     ------
     ProofError
-        One of these does not hold.
+        One of these checks fails.
     """
     _prove_identities(model, system)
     prove_methods(model, system, methods)
 
 
 def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
-    """Hold the first steps of runs by compiled methods, explicit ones first, against accelerations that are proved.
+    """Check the first steps of runs by compiled methods, explicit ones first, against the proved accelerations.
 
     Raises
     ------
     ProofError
-        A method is off.
+        The steps of a method are wrong.
     """
     for method, what in first_steps(system, methods):
         raise ProofError(f"{model.name}: what was compiled is not the model: a run by {method} {what} {_rest(system)}")
 
 
 def _prove_identities(model: Model, system: System) -> None:
-    """Try points until each term had a value somewhere, and name those that had none."""
+    """Check identities at new points until each term had a value somewhere, and log the terms without one."""
     for attempt in range(_ATTEMPTS):
         unproved, silent = _compare(model, system, draw(system, attempt))
         if not unproved:
@@ -86,7 +86,7 @@ def _prove_identities(model: Model, system: System) -> None:
 
 
 def _compare(model: Model, system: System, points: Points) -> tuple[list[str], bool]:
-    """Return what the points say nothing about, by the first names, and whether nothing moves at any of them."""
+    """Return the names of identities that no point decides, and whether the model has no acceleration at any point."""
     found = ask(system, points)
     stated = evaluate(model, points, found, recovered(system, points.v, found))
     if stated.unknown:
@@ -113,7 +113,7 @@ def _identities(
 
 
 def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
-    """(k, r) each: what is left of each sum, what rounding may leave, how large its terms are; NaN where unknown."""
+    """Return residual, rounding bound and size of the terms of each sum, (k, r) each; NaN where unknown."""
     values, bounds = (np.array([getattr(term, part) for term in identity.terms]) for part in ("value", "bound"))
     left, bound = np.abs(values.sum(axis=0)), bounds.sum(axis=0) + identity.more
     size = np.maximum(np.abs(values).sum(axis=0), identity.scale)
@@ -128,7 +128,7 @@ def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
 
 
 def _refuse(model: Model, system: System, points: Points, identity: Identity, left: Vector, bound: Vector) -> None:
-    """Raise ProofError where more is left than rounding leaves."""
+    """Raise ProofError with the identity and the point of a residual above its rounding bound."""
     wrong = np.argwhere(left > FACTOR * bound)
     if len(wrong) == 0:
         return
