@@ -12,18 +12,18 @@ import eigenmotion as em
 
 COMMANDS = {
     "generate": "Write the C, header and Cython sources of models, or check them.",
-    "build": "Generate, then compile the importable module beside the sources.",
-    "explain": "Say what the generated code carries, and what it leaves out and why.",
-    "run": "Simulate a model; print a summary, draw it, save it.",
-    "sweep": "Simulate a model for many values of parameters and starts; store every run.",
-    "linearize": "Eigenvalues and modes of a model at a state.",
-    "equilibrium": "Find where a model stays as it is.",
+    "build": "Generate the sources, and compile an importable module beside them.",
+    "explain": "Show the states and blocks of the generated code, and which terms it leaves out and why.",
+    "run": "Simulate a model; print a summary, plot, animate or save the motion.",
+    "sweep": "Simulate a model for many values of parameters and initial values; store every run.",
+    "linearize": "Show the eigenvalues and modes of a model at a state.",
+    "equilibrium": "Find an equilibrium of a model.",
     "new": "Write a model file to start from.",
-    "export": "Write a model as a unit that other tools import (FMI).",
-    "page": "Write a page on which a model moves, alive, in any browser.",
-    "report": "Measure error against run time, and recommend.",
-    "stability": "Drive every formulation and method to its limits.",
-    "cache": "Show where compiled models are kept, and clear it.",
+    "export": "Export a model as a Functional Mock-up Unit (FMI) for other tools.",
+    "page": "Write an interactive web page that simulates a model in the browser.",
+    "report": "Measure error against run time, and recommend a method.",
+    "stability": "Run extreme cases with every formulation and method.",
+    "cache": "Show or clear the cache of compiled models.",
 }
 _SIMULATION = ("run", "sweep", "linearize", "equilibrium", "report", "stability")
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
@@ -32,11 +32,11 @@ EPILOG = """\b
 Exit codes:
   0    done, or nothing differs
   1    --check found a difference
-  2    a mistake in the call or the model, or a run that ended early (says why)
+  2    an error in the call or the model, or a run that ended early (the message says why)
   3    the compiler or the program itself failed
   130  interrupted
 
-EIGENMOTION_CACHE, EIGENMOTION_CFLAGS and CC choose the cache's folder, more compiler flags and the compiler;
+EIGENMOTION_CACHE sets the folder of the cache, EIGENMOTION_CFLAGS adds compiler flags, and CC sets the compiler;
 EIGENMOTION_DEBUG=1 shows tracebacks."""
 
 
@@ -64,7 +64,7 @@ class Commands(click.Group):
 @click.command(cls=Commands, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="eigenmotion")
 def program() -> None:
-    """Compile mechanisms, written down as energies in SymPy, to C, and simulate them."""
+    """Compile mechanisms, described by their energies in SymPy, to C, and simulate them."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -18,7 +18,7 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions of click only
-    """A number that is neither infinite nor NaN, which click's own would be."""
+    """A finite number: click's own type would accept infinity and NaN."""
 
     name = "number"
 
@@ -48,7 +48,7 @@ class Shape:
     schur: str
 
     def request(self, model: Path) -> Request:
-        """Ask for the code of the model in a file."""
+        """Return the request for the code of the model in a file."""
         return request(
             model,
             assignments(self.define, "-D"),
@@ -61,33 +61,33 @@ class Shape:
 def define(command: Command) -> Command:
     """Add -D."""
     option = click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
-                          help="Set an argument of the model's function, as -D n=10.")  # fmt: skip
+                          help="Set an argument of the model's function, e.g. -D n=10.")  # fmt: skip
     return option(command)
 
 
 def setting(command: Command) -> Command:
     """Add --set."""
     option = click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-                          help="A parameter, an input (held at that value), or an initial value: theta=0.5, "
-                          "theta'=1 for a rate; a quasi-velocity.")  # fmt: skip
+                          help="Set a parameter, a constant input or an initial value: theta=0.5, "
+                          "theta'=1 for a rate; or a quasi-velocity.")  # fmt: skip
     return option(command)
 
 
 def ending(kind: Any) -> Callable[[Command], Command]:
     """Add --t-end, a number of some kind."""
     return click.option("--t-end", type=kind, default=10.0, show_default=True, metavar="T",
-                        help="Time at which to end; it starts at 0.")  # fmt: skip
+                        help="End time in seconds; runs start at 0.")  # fmt: skip
 
 
 def shaping(command: Command) -> Command:
     """Add the options of `Shape`."""
     for option in (
         click.option("--schur", type=click.Choice(SCHUR), default="auto", show_default=True,
-                     help="How Delta, of the constraints, is factored."),
+                     help="Factorisation of Delta, the matrix of the constraints."),
         click.option("--close-eigenvalues", type=click.Choice(CLOSE_EIGENVALUES), default="bounded",
-                     show_default=True, help="Where eigenvalues of M meet: ours, or the paper's."),
+                     show_default=True, help="Treatment of close eigenvalues of M: ours, or the paper's."),
         click.option("--formulation", type=click.Choice(FORMULATIONS), default="eigenfactor", show_default=True,
-                     help="Which equations of motion."),
+                     help="The equations of motion to generate."),
         define,
     ):  # fmt: skip
         command = option(command)
@@ -115,7 +115,7 @@ output = folder("generated", "generated files")
 
 
 def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
-    """NAME=VALUE ... -> mapping; of two of one name the last holds."""
+    """NAME=VALUE ... -> mapping; the last of several values of a name applies."""
     for text in texts:
         name, equals, value = text.partition("=")
         if not (name.strip() and equals and value.strip()):
@@ -124,12 +124,12 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
 
 
 def distinct_assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
-    """NAME=VALUE ... -> mapping, where none may be there twice.
+    """NAME=VALUE ... -> mapping; each name may be given once.
 
     Raises
     ------
     UsageError
-        One is; names it.
+        A name is given twice.
     """
     names = [text.partition("=")[0].strip() for text in texts]
     if twice := [name for name in names if names.count(name) > 1]:
@@ -174,12 +174,12 @@ def _number(name: str, text: str, option: str) -> float:
 
 
 def check_writable(folder: Path, option: str) -> None:
-    """Find out before the work whether its files can be written: into a folder that is there, or can be made.
+    """Check before the work that files can be written into a folder, which exists or can be created.
 
     Raises
     ------
     UsageError
-        They cannot; names the option and says why.
+        They cannot; the message names the option and the reason.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -190,12 +190,12 @@ def check_writable(folder: Path, option: str) -> None:
 
 
 def check_file(file: Path, option: str) -> None:
-    """Find out before the work whether a file can be written: into a folder that is there.
+    """Check before the work that a file can be written into an existing folder.
 
     Raises
     ------
     UsageError
-        It cannot; names the option and says why.
+        It cannot; the message names the option and the reason.
     """
     if not file.absolute().parent.is_dir():
         raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
@@ -203,7 +203,7 @@ def check_file(file: Path, option: str) -> None:
 
 
 def check_targets(*targets: tuple[str, Path | None, Collection[str]]) -> None:
-    """Check files that options name, where they do: each with the endings there may be.
+    """Check the files that options name, and their endings.
 
     Raises
     ------
@@ -219,7 +219,7 @@ def check_targets(*targets: tuple[str, Path | None, Collection[str]]) -> None:
 
 
 def distinct(requests: list[Request]) -> list[Request]:
-    """Refuse two models of one name: the files of one would replace those of the other."""
+    """Raise UsageError for two models of the same name: the files of one would replace those of the other."""
     names = [request.model.name for request in requests]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:

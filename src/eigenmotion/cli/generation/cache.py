@@ -6,11 +6,11 @@ from eigenmotion.building.cache import clear, contents, location
 
 
 @click.command("cache")
-@click.option("--clear", "emptied", is_flag=True, help="Remove what it holds; builds under way keep theirs.")
+@click.option("--clear", "emptied", is_flag=True, help="Empty the cache; entries of running builds are kept.")
 def command(emptied: bool) -> None:
-    """Show where compiled models are kept, and how much room they take.
+    """Show the cache of compiled models: its folder and its size.
 
-    What is removed is made again when it is asked for. $EIGENMOTION_CACHE names another folder.
+    Removed models are compiled again when needed. $EIGENMOTION_CACHE names another folder.
     """
     held = clear() if emptied else contents()
     click.echo(location())

@@ -19,10 +19,10 @@ _log = logging.getLogger("eigenmotion")
 @click.command("explain")
 @model
 @click.option("--latex", is_flag=True, help="Print the equations of motion in LaTeX instead.")
-@click.option("--sympy", is_flag=True, help="Print them as Python that makes SymPy matrices.")
+@click.option("--sympy", is_flag=True, help="Print them as Python code for SymPy matrices.")
 @shaping
 def command(model: Path, latex: bool, sympy: bool, **shape: Any) -> None:
-    """Show the states, blocks and operation counts of MODEL, and what its code leaves out and why."""
+    """Show the states, blocks and operation counts of MODEL, and which terms its code leaves out and why."""
     if latex and sympy:
         raise click.UsageError("--latex and --sympy: choose one")
     with clock():

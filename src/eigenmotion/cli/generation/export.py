@@ -17,13 +17,13 @@ from ..options import ABOVE_ZERO, assignments, check_file, model, shaping
 @click.option("--fmu", type=click.Path(path_type=Path, dir_okay=False), required=True, metavar="FILE.fmu",
               help="The Functional Mock-up Unit to write.")  # fmt: skip
 @click.option("--method", type=click.Choice(list(STEPPED)), default="dop853", show_default=True,
-              help="How the unit steps.")  # fmt: skip
-@click.option("--step", type=ABOVE_ZERO, metavar="H", help="Seconds of a step, for rk4 and midpoint.")
+              help="Integration method of the unit.")  # fmt: skip
+@click.option("--step", type=ABOVE_ZERO, metavar="H", help="Step size in seconds, for rk4 and midpoint.")
 @click.option("--rtol", type=ABOVE_ZERO, default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=ABOVE_ZERO, default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @shaping
 def command(model: Path, fmu: Path, define: tuple[str, ...], **options: Any) -> None:
-    """Write MODEL as a unit for other tools: FMI 2.0, co-simulation, with its C sources and a binary inside."""
+    """Export MODEL as a Functional Mock-up Unit: FMI 2.0, co-simulation, with its C sources and a binary."""
     check_file(fmu, "--fmu")
     with clock():
         export_fmu(model, fmu, **options | assignments(define, "-D"))

@@ -21,14 +21,14 @@ _log = logging.getLogger("eigenmotion")
 @models
 @output
 @shaping
-@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a file is not as it should be.")
-@click.option("--strict", is_flag=True, help="--check by deriving again and comparing bytes.")
+@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a file is out of date.")
+@click.option("--strict", is_flag=True, help="With --check: derive again and compare bytes.")
 @click.option("--diff", is_flag=True, help="Write nothing; show what would change.")
 def command(models: tuple[Path, ...], output: Path, check: bool, strict: bool, diff: bool, **shape: Any) -> int:
     """Write the C, header and Cython sources of each MODEL, a Python file that defines `model`.
 
-    --check compares hashes that the files' headers hold, so it finds an edited model and an edited file at once;
-    --strict derives again and compares bytes, so it finds a changed generator too. --diff adds a unified diff; without
+    --check compares the hashes in the headers of the files, so it quickly finds an edited model or an edited file.
+    --strict derives again and compares bytes, so it also finds a changed generator. --diff adds a unified diff; without
     --check its exit code is 0.
     """
     requests = distinct([Shape(**shape).request(model) for model in models])

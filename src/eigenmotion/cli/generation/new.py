@@ -13,7 +13,7 @@ from eigenmotion.files import write
 from ..options import check_writable
 
 TEMPLATES = {"pendulum": "pendulum", "arm": "spatial_arm", "rolling": "rolling_disk", "loop": "four_bar"}
-"""What a template is called -> the model it is."""
+"""Name of a template -> the model that it copies."""
 
 
 @click.command("new")
@@ -21,7 +21,7 @@ TEMPLATES = {"pendulum": "pendulum", "arm": "spatial_arm", "rolling": "rolling_d
 @click.option("--template", type=click.Choice(list(TEMPLATES)), default="pendulum", show_default=True,
               help="A swinging mass, links in space, rolling without slip, or a closed loop.")  # fmt: skip
 def command(name: str, template: str) -> None:
-    """Write NAME.py, a model that runs, to start from."""
+    """Write NAME.py, a complete model to start from."""
     check_name(name)
     target = Path(f"{name}.py")
     if target.exists():

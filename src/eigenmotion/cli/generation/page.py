@@ -30,7 +30,7 @@ _log = logging.getLogger("eigenmotion")
 def command(
     model: Path, output: Path | None, t_end: float, rtol: float, atol: float, settings: tuple[str, ...], **shape: Any
 ) -> None:
-    """Write a page on which MODEL moves: one file, with the model compiled to WebAssembly inside, for any browser.
+    """Write an interactive page of MODEL: one HTML file with the model compiled to WebAssembly, for any browser.
 
     Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
     """

@@ -20,14 +20,15 @@ from ..options import Shape, model, setting, shaping, values
 @model
 @setting
 @click.option("--free", multiple=True, metavar="NAME",
-              help="What to solve for: a coordinate, theta' for a rate, an input, a parameter; all coordinates unless "
-              "some are named.")  # fmt: skip
+              help="An unknown to solve for: a coordinate, theta' for a rate, an input or a parameter. Default: all "
+              "coordinates.")  # fmt: skip
 @shaping
 def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **shape: Any) -> int:
-    """Find where MODEL stays as it is, at rest unless rates are set; print the state and its modes.
+    """Find an equilibrium of MODEL, at rest unless rates are set; print the state and its modes.
 
-    Where there is no such state near the one that is set, what is left is printed, with exit code 2. Contacts and
-    frictions hold as they can; where modes meet there are no eigenvalues unless one is set, as floor_held=0.
+    If there is none near the given state, the command prints the residuals and exits with code 2. Contacts and
+    frictions hold as their forces allow. At the limit between two contact modes there are no eigenvalues unless a mode
+    is set, for example floor_held=0.
     """
     request = Shape(**shape).request(model)
     given: dict[str, Any] = dict(values(request.model, settings))

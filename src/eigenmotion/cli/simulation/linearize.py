@@ -18,13 +18,13 @@ from ..options import Shape, check_writable, model, shaping, values
 @click.command("linearize")
 @model
 @click.option("--at", "settings", multiple=True, metavar="NAME=VALUE",
-              help="Where: a coordinate, theta'=1 for a rate, a parameter or an input; what is not named is the "
-              "model's initial value, or follows from the constraints; floor_held=0: where modes meet.")  # fmt: skip
+              help="The state: a coordinate, theta'=1 for a rate, a parameter or an input. Other values are the "
+              "model's initial ones, or follow from the constraints. floor_held=0 selects a contact mode.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the eigenvalues, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @shaping
 def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: Any) -> None:
-    """Linearise MODEL at a state: eigenvalues with frequency and damping, modes in words."""
+    """Linearise MODEL at a state: print eigenvalues with frequency and damping, and describe the modes."""
     check_plot(plot)
     request = Shape(**shape).request(model)
     given = values(request.model, settings, "--at")

@@ -17,7 +17,7 @@ from ..options import ABOVE_ZERO, assignments, check_writable, define, distinct,
 @click.argument("models", metavar="MODEL...", nargs=-1, type=click.Path(path_type=Path))
 @folder("report", "page, pictures and numbers")
 @click.option("--error", type=ABOVE_ZERO, default=1e-8, show_default=True, metavar="E",
-              help="The accuracy to recommend for.")  # fmt: skip
+              help="The error for which to recommend a method.")  # fmt: skip
 @ending(ABOVE_ZERO)
 @setting
 @define
@@ -31,10 +31,10 @@ def command(
     define: tuple[str, ...],
     paper: bool,
 ) -> None:
-    """Measure error against run time for each MODEL, in every formulation and method, beside SciPy and others.
+    """Measure error against run time of each MODEL for all formulations and methods, SciPy and other packages.
 
-    Writes report.html, report.json, report.csv and the pictures, and says which formulation, method and tolerance
-    reach the accuracy asked for soonest on this machine.
+    Writes report.html, report.json, report.csv and the pictures, and recommends the formulation, method and tolerance
+    that reach the given error in the least time on this machine.
     """
     if not (models or paper):
         raise click.UsageError("name at least one MODEL, or --paper")

@@ -35,13 +35,13 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @click.option("--method", default="dop853", show_default=True, metavar="NAME",
               help=f"{', '.join(name for name in METHODS if name not in IMPLICIT)}; implicit, for stiff models: "
-              f"{', '.join(IMPLICIT)}; {AUTO}: what suits the scene.")  # fmt: skip
+              f"{', '.join(IMPLICIT)}; {AUTO}: chosen for the model and its start.")  # fmt: skip
 @setting
-@click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
+@click.option("--estimate-error", is_flag=True, help="Repeat the run more accurately, and print the error.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help=f"Show the mechanism move, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
+              help=f"Animate the mechanism, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help=f"Save every row, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
 @shaping
@@ -60,8 +60,8 @@ def command(
 ) -> int:
     """Simulate MODEL and print a summary.
 
-    A run that a terminal event ends is done (exit code 0). One that stops early for another reason prints the reason
-    and what was reached, and exits with 2; interrupted, with 130.
+    The exit code is 0 at the end time or at a terminal event. A run that stops early for another reason prints the
+    reason and the time reached, and exits with 2, or with 130 if interrupted.
     """
     _check_targets(plot, animate, target)
     request = Shape(**shape).request(model)

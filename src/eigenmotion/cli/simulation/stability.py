@@ -19,11 +19,11 @@ _WORKERS = min(2, os.cpu_count() or 1)
 @click.option("--case", "names", multiple=True, type=click.Choice(list(CASES)), metavar="CASE",
               help=f"Only this case; may be given several times. Cases: {', '.join(CASES)}.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(min=1), default=_WORKERS, show_default=True,
-              help="Processes that work at the same time.")  # fmt: skip
+              help="Number of parallel processes.")  # fmt: skip
 def command(output: Path, names: tuple[str, ...], workers: int) -> int:
-    """Drive every formulation, option and method to its limits, and say what becomes of each run.
+    """Run extreme cases with every formulation, option and method, and classify the outcome of each run.
 
-    Writes stability.html, stability.json and the pictures. Exits with 3 where a run that says it succeeded is wrong.
+    Writes stability.html, stability.json and the pictures. Exits with 3 if a run that reports success is wrong.
     """
     require_matplotlib()
     check_writable(output, "-o")

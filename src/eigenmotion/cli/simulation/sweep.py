@@ -28,7 +28,7 @@ from eigenmotion.system.system import System
 from ..options import Finite, Shape, check_targets, ending, model, setting, shaping, values
 from ..sweep_values import MOST, check_memory, check_set, design_of
 
-_WORDS = 3  # failures of a kind that are told
+_WORDS = 3  # failures of each kind that are printed
 _AT_ONCE = 64  # parts that go to other machines together
 
 
@@ -36,26 +36,26 @@ _AT_ONCE = 64  # parts that go to other machines together
 @model
 @ending(Finite())
 @click.option("--sweep", "sweeps", multiple=True, metavar="NAME=A:B:K|V,V,...",
-              help="K values from A to B, or a list; of several, every one with every other.")  # fmt: skip
+              help="K values from A to B, or a list of values; several --sweep make a grid.")  # fmt: skip
 @click.option("--sample", "samples", multiple=True, metavar="NAME=KIND(A,B)",
               help=f"Values drawn at random: {', '.join(KINDS.values())}.")  # fmt: skip
-@click.option("-n", "n", type=click.IntRange(1, MOST), metavar="N", help="Samples, at each point of the grid.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
+@click.option("-n", "n", type=click.IntRange(1, MOST), metavar="N", help="Number of samples at each point of the grid.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, metavar="N", help="Seed of the samples.")
 @setting
 @click.option("--rows", type=click.IntRange(1), default=1, show_default=True, metavar="K",
-              help="Rows of each run, evenly over the time; 1: its end.")  # fmt: skip
+              help="Rows of each run, evenly spaced in time; 1: its end only.")  # fmt: skip
 @click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @click.option("--method", default="dop853", show_default=True, metavar="NAME", help=f"{', '.join(METHODS)}, or {AUTO}.")
 @click.option("-o", "--output", "store", type=click.Path(path_type=Path), required=True, metavar="FILE",
-              help=f"Where the runs go: {', '.join(f'FILE{ending}' for ending in STORES)}.")  # fmt: skip
-@click.option("--workers", type=click.IntRange(1), metavar="N", help="Threads; as many as there are cores.")
-@click.option("--scheduler", metavar="ADDRESS", help="Of a Dask cluster whose workers do it; needs dask.distributed.")
-@click.option("--resume", is_flag=True, help="Go on with a sweep that was killed; ends with the same bytes.")
+              help=f"The store to write: {', '.join(f'FILE{ending}' for ending in STORES)}.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(1), metavar="N", help="Number of threads. Default: the number of cores.")
+@click.option("--scheduler", metavar="ADDRESS", help="Run on the workers of this Dask cluster; needs dask.distributed.")
+@click.option("--resume", is_flag=True, help="Continue a sweep that was interrupted; the result is the same.")
 @click.option("--chunk", type=click.IntRange(1), default=1000, show_default=True, metavar="K",
-              help="Runs that are kept together, and lost together where the sweep is killed.")  # fmt: skip
+              help="Runs that are saved together; an interrupted sweep loses unsaved ones.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help="Draw the spread over time, or ends over what was swept, to FILE.png, .svg or .pdf.")  # fmt: skip
+              help="Draw the spread over time, or end values over swept ones, to FILE.png, .svg or .pdf.")  # fmt: skip
 @shaping
 def command(
     model: Path,
