@@ -18,11 +18,11 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 
 @dataclass(eq=False)
 class BatchArrays:
-    """What came of some members: as `Chunk` has it, and what its numbers do not tell.
+    """Results of some members: the arrays of `Chunk`, and results that are no arrays.
 
     counts : (K, 7), the COUNTS of a Solution
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
-    words : member -> how it ended, of those that run or are refused one by one
+    words : member -> message, for members that ran or were refused one by one
     segments : member -> its modes, as of `Trajectory`, of models with contacts
     """
 
@@ -43,7 +43,7 @@ class BatchArrays:
 
     @classmethod
     def none(cls, asked: Asked, count: int) -> "BatchArrays":
-        """Return members none of which has run."""
+        """Return the arrays of members that have not run."""
         model, columns = asked.model, len(asked.differentiated.names) if asked.differentiated else 0
         interrupted = REASONS.index(StopReason.INTERRUPTED)
         return cls(
@@ -64,7 +64,7 @@ class BatchArrays:
     def by_mode(
         self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: int
     ) -> tuple[Vector, ...]:
-        """Return a function of rows (t, y, v, u), each with parameters of its own, those of its mode."""
+        """Return a function of rows (t, y, v, u), each evaluated with the parameters of its mode."""
         t, *others = rows
         parts = []
         for k, columns in enumerate(zip(*others, strict=True)):
@@ -77,13 +77,13 @@ class BatchArrays:
 
 
 class Collection:
-    """What comes of members, part by part in any order: room for all is taken at once."""
+    """Results that arrive part by part, in any order; the memory for all is allocated at once."""
 
     def __init__(self, asked: Asked, count: int) -> None:
         self._whole, self._events = BatchArrays.none(asked, count), dict[int, tuple[Vector, ...]]()
 
     def put(self, start: int, part: BatchArrays) -> None:
-        """Take over the members from `start` on."""
+        """Store the results of the members from `start` on."""
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
@@ -92,7 +92,7 @@ class Collection:
 
     @property
     def whole(self) -> BatchArrays:
-        """All of them."""
+        """The results of all members."""
         parts = [self._events[start] for start in sorted(self._events)]
         if parts:
             of_all = map(np.concatenate, zip(*parts, strict=True))

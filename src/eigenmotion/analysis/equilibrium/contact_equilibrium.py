@@ -1,7 +1,7 @@
-"""Equilibria of what touches and sticks: which contacts and frictions hold there is part of what is looked for.
+"""Equilibria of mechanisms with contacts and friction, whose active contacts and frictions are unknown too.
 
-The equations are solved in a mode; the state found is asked which mode it calls for, by the complementarity that runs
-decide by; what it has come inside of is added; until both are the same.
+The equations are solved in one mode. The complementarity problem of runs then gives the mode of the solution, and
+contacts that it penetrates are added. This is repeated until the two modes agree.
 """
 
 from collections.abc import Iterator
@@ -19,28 +19,28 @@ from ..state.operating_point import OperatingPoint
 from .equilibrium_equations import Balance
 
 _MODES = 50
-"""That are gone through from one guess,"""
+"""Most modes tried from one initial guess."""
 _GUESSES = 64
-"""and sets of contacts that are guessed, where going downhill leads nowhere."""
+"""Most sets of contacts tried as guesses, if the downhill search finds no equilibrium."""
 _STEPS = 200
 """Of a search downhill,"""
 _LOOKS = 16
-"""at so many places in each of which gaps are looked at,"""
+"""Number of points in each step at which gaps are evaluated."""
 _CLOSE = 1e-12
-"""down to such a part of it;"""
+"""The part of a step to which the first contact is located."""
 _LEFT = 1e-12
-"""of the forces that hold is left where they end."""
+"""The search ends at accelerations below this part of the forces that hold."""
 _STRAIGHT = 0.1
-"""How much forces may change in a step that is followed by one twice as long."""
+"""The relative change of forces in a step up to which the next step is twice as long."""
 _NOWHERE = (EvaluationError, ModelError, np.linalg.LinAlgError)
-"""Raised where a step of a search has led to no place at all, or where no mode is consistent."""
+"""Exceptions at points without values, or without a consistent mode."""
 
 
 def sought(balance: Balance) -> tuple[Balance, Vector]:
-    """Return the balance in the mode in which it has a solution, and that; or as near as it came.
+    """Return the balance in the mode of its solution, and the solution; or the best approximation found.
 
-    From the state given it goes by Newton's method, and downhill: the solution that is nearer counts. Where neither has
-    one, any contacts are held.
+    Newton's method and the downhill search both start at the given state; the nearer solution counts. If neither
+    converges, sets of contacts are held as guesses.
     """
     start, found = balance.start, list[tuple[Balance, Vector]]()
     here = _begun(balance)
@@ -59,13 +59,13 @@ def sought(balance: Balance) -> tuple[Balance, Vector]:
 
 
 def _mode(balance: Balance) -> list[float]:
-    """Return the values of the parameters that say what holds."""
+    """Return the values of the parameters of the mode."""
     at = balance.point(balance.start)
     return list(mode_of(at.model, at.prepared).values())
 
 
 def _guesses(balance: Balance) -> Iterator[Balance]:
-    """Return it with any contacts held."""
+    """Yield the balance with each set of contacts held."""
     at = opened(balance.point(balance.start))
     contacts = [one for one in switches_of(at.model) if one.is_contact]
     for held in chain.from_iterable(combinations(contacts, count) for count in range(len(contacts) + 1)):
@@ -73,7 +73,7 @@ def _guesses(balance: Balance) -> Iterator[Balance]:
 
 
 def _in_mode(balance: Balance, at: OperatingPoint) -> Balance:
-    """Return the balance in the mode of a place."""
+    """Return the balance in the mode of a state."""
     count = len(at.model.parameters)
     given = balance.given.copy()
     for one in switches_of(at.model):
@@ -84,7 +84,7 @@ def _in_mode(balance: Balance, at: OperatingPoint) -> Balance:
 
 
 def _begun(balance: Balance) -> Balance:
-    """Return the balance in the mode of the state that is given, on the surfaces that it is inside of."""
+    """Return the balance in the mode of the given state; contacts that it penetrates are held."""
     at = balance.point(balance.start)
     inside = [one for one, _ in Surfaces(at).inside()]
     try:
@@ -94,7 +94,7 @@ def _begun(balance: Balance) -> Balance:
 
 
 def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
-    """Return the balance in the last of the modes that were gone through, its solution, and whether that holds."""
+    """Return the balance in the last mode tried, its solution, and whether that is consistent with the mode."""
     start, seen = balance.start, set[bytes]()
     while (mode := balance.given.tobytes()) not in seen and len(seen) < _MODES:
         seen.add(mode)
@@ -125,7 +125,7 @@ def _touching(at: OperatingPoint) -> OperatingPoint:
 
 
 def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
-    """Follow dx/dt = a(x) by implicit steps, in the mode of each place, to where it touches and to a rest."""
+    """Follow dx/dt = a(x) by implicit steps, in the mode of each state, through contacts to a rest."""
     step, before = 0.0, np.inf
     try:
         at = decided(_touching(balance.point(q)))
@@ -150,14 +150,14 @@ def _scaled(at: OperatingPoint) -> tuple[Vector, Vector]:
 
 
 def _next_step(step: float, slope: float, slower: float) -> float:
-    """Return its length: longer as it gets slower, and where forces stay what they are."""
+    """Return the length of the next step: longer if the motion slows down and forces hardly change."""
     if not step:
         return 0.1 / (slope or 1.0)
     return step * (2.0 if step * slope <= _STRAIGHT else min(2.0, slower))
 
 
 def _moved(at: OperatingPoint, dx: Vector) -> OperatingPoint:
-    """Return the place dx further in its mode, or where it first touches something, in the mode that it has there."""
+    """Return the state dx further in its mode, or at the first contact, in the mode there."""
     values = at.prepared.parameters
     open_ = [one for one in switches_of(at.model) if one.is_contact and not values[one.holds] and not values[one.idles]]
     part, struck = _first_touch(at, dx, open_)
@@ -170,7 +170,7 @@ def _moved(at: OperatingPoint, dx: Vector) -> OperatingPoint:
 
 
 def _first_touch(at: OperatingPoint, dx: Vector, contacts: list[Switch]) -> tuple[float, list[Switch]]:
-    """Return the part of dx after which the first of these closes, and which; 1 and none."""
+    """Return the part of dx after which the first contacts close, and these contacts; else 1 and none."""
     if not contacts:
         return 1.0, []
     surfaces, rows = Surfaces(at), [one.row for one in contacts]

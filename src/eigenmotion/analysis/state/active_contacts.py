@@ -1,4 +1,4 @@
-"""The active contacts and frictions of a state: its mode, and the surfaces it is on."""
+"""The active contacts and frictions of a state: its contact mode, and the surfaces that it touches."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -14,7 +14,7 @@ from ...runtime.variations import act_along, constraint_partials
 from .operating_point import OperatingPoint
 
 TOUCHES = 1e-9
-"""The part of its terms by which a gap or a slip may be off zero: as much as constraints may be where a run starts."""
+"""Tolerance of a zero gap or slip, relative to its terms: that of constraints at the start of a run."""
 _ROUNDED = 64 * np.finfo(float).eps
 """The part of the whole state that rounding may leave of a gap,"""
 _STILL = 1e-12
@@ -44,33 +44,33 @@ def switches_of(model: CompiledModel) -> list[Switch]:
 
 
 def with_parameters(at: OperatingPoint, values: Mapping[int, float]) -> OperatingPoint:
-    """Return the place with other values of some parameters, by their places: in another mode."""
+    """Return the state with other values of some parameters, by index: in another mode."""
     parameters = np.array(at.prepared.parameters)
     parameters[list(values)] = list(values.values())
     return replace(at, prepared=at.model.prepare(parameters))
 
 
 def opened(at: OperatingPoint) -> OperatingPoint:
-    """Return the place where nothing holds and nothing rubs."""
+    """Return the state in the mode in which no contact holds and no friction acts."""
     return with_parameters(at, {k: 0.0 for one in switches_of(at.model) for k in (one.holds, one.slides, one.idles)
                                 if k >= 0})  # fmt: skip
 
 
 def holding(at: OperatingPoint, held: list[Switch]) -> OperatingPoint:
-    """Return the place where these hold, whatever else does."""
+    """Return the state in its mode with these contacts and frictions held in addition."""
     changes = {one.holds: 1.0 for one in held} | {one.idles: 0.0 for one in held}
     return with_parameters(at, changes | {one.slides: 0.0 for one in held if not one.is_contact})
 
 
 def decided(at: OperatingPoint) -> OperatingPoint:
-    """Return the place in the mode that the state calls for, as the start of a run has it: on the surfaces it touches.
+    """Return the state in its consistent mode, as at the start of a run: on the surfaces that it touches.
 
-    Where several are consistent, that is taken which changes the fewest of what holds in `at`.
+    If several modes are consistent, the one with the fewest changes from the mode of `at` is chosen.
 
     Raises
     ------
     EvaluationError
-        No mode is consistent; says which contacts and frictions clash.
+        No mode is consistent; names the contacts and frictions that contradict each other.
     """
     c, n = at.model, at.model.n
     none, nowhere = np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
@@ -80,7 +80,7 @@ def decided(at: OperatingPoint) -> OperatingPoint:
 
 
 def mode_of(model: CompiledModel, prepared: Prepared) -> dict[str, float]:
-    """Return what holds, sticks and slides, by the names of `Solution.modes`; what idles is kept at rest, too."""
+    """Return the mode, by the names of `Solution.modes`; redundant rows that stay at rest count as held."""
     values, mode = prepared.parameters, dict[str, float]()
     for one in switches_of(model):
         idle = values[one.idles] != 0.0
@@ -91,7 +91,7 @@ def mode_of(model: CompiledModel, prepared: Prepared) -> dict[str, float]:
 
 
 def named_modes(model: CompiledModel, values: Mapping[str, float]) -> dict[str, float]:
-    """Return those values by name that say what holds, as `Solution.modes` does."""
+    """Return the mode from given values by name, with the names of `Solution.modes`."""
     names = [model.parameters[k] for one in switches_of(model) for k in (one.holds, one.slides) if k >= 0]
     return {name: values[name] for name in names if name in values}
 
@@ -121,7 +121,7 @@ class Surfaces:
 
     @cached_property
     def push(self) -> float:
-        """What accelerates it where nothing holds, in the mass metric: the size of forces."""
+        """The norm of the acceleration without any contact or friction, in the mass metric: the size of forces."""
         at, free = self.at, opened(self.at)
         return self._length(at.model.acceleration(at.t, at.x, at.v, free.prepared, at.u, True)[0])
 
@@ -130,7 +130,7 @@ class Surfaces:
 
     @cached_property
     def gaps(self) -> tuple[Vector, Vector]:
-        """(h,) gaps, and what they may be off zero and still be closed."""
+        """(h,) gaps, and the tolerances within which they count as closed."""
         at, model = self.at, self.at.model
         gap, terms = model.position(at.t, at.x, self.all.prepared)
         rounded = _ROUNDED * self.units[: model.h] * self._length(at.x)
@@ -138,7 +138,7 @@ class Surfaces:
 
     @cached_property
     def rates(self) -> tuple[Vector, Vector]:
-        """(m,) rates of gaps and slips, and what they may be off zero and still be at rest."""
+        """(m,) rates of gaps and slips, and the tolerances within which they count as at rest."""
         at = self.at
         b = at.model.pfaffian(at.t, at.x, self.all.prepared)[1]
         speed = self._length(at.v) + sqrt(self.push * self._length(at.x))
@@ -151,12 +151,12 @@ class Surfaces:
         return self.A @ a + partial[:, :n] @ at.v + partial[:, -1]
 
     def closed(self) -> list[Switch]:
-        """Return the contacts whose gap is zero, or less."""
+        """Return the contacts whose gap is at most zero."""
         gap, within = self.gaps
         return [one for one in switches_of(self.at.model) if one.is_contact and gap[one.row] <= within[one.row]]
 
     def inside(self) -> list[tuple[Switch, float]]:
-        """Return the contacts that the state is inside of, with their gaps."""
+        """Return the contacts that the state penetrates, with their gaps."""
         gap, within = self.gaps
         return [(one, float(gap[one.row])) for one in switches_of(self.at.model)
                 if one.is_contact and gap[one.row] < -within[one.row]]  # fmt: skip
@@ -167,7 +167,7 @@ class Surfaces:
 
 
 def held_words(at: OperatingPoint) -> str:
-    """Say what holds, sticks and slides."""
+    """Return a description of the mode: which contacts hold, and which frictions stick or slide."""
     mode: dict[str, Any] = mode_of(at.model, at.prepared)
     names, said = at.model.parameters, []
     for one in switches_of(at.model):

@@ -1,4 +1,4 @@
-"""Distances of a state's contacts and frictions from their bounds, and states where modes meet."""
+"""Margins of the contact and friction forces of a state from their bounds, and states between two modes."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -9,14 +9,14 @@ from .active_contacts import Surfaces, Switch, holding, switches_of
 from .operating_point import OperatingPoint
 
 _AT_BOUND = 1e-9
-"""The part of the forces that act below which one is none, or at its limit."""
+"""A force counts as zero, or as at its limit, within this part of the acting forces."""
 
 
 class Bounds:
-    """How far what holds at a place is from its bounds, in units of the forces that act.
+    """Margins of the forces of active contacts and frictions from their bounds, in units of the acting forces.
 
-    Contacts push, frictions take less than their limit. Where rows depend on each other their forces are not unique:
-    what is possible at once counts. The conditions are concave in the forces, so that each may have its own witness.
+    Contact forces push; friction forces are below their limit. If rows depend on each other, the forces are not unique,
+    and any possible distribution counts. The conditions are concave in the forces, so each may be met by another one.
     """
 
     def __init__(self, at: OperatingPoint) -> None:
@@ -88,7 +88,7 @@ class Bounds:
 
 
 def settled(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]]]:
-    """Return the place in its mode with all that can hold at once, and what of that is at a bound, in words.
+    """Return the state in the mode in which all possible contacts hold, and a description of those at a bound.
 
     A beam on three supports rests on one of them, and touches the others without force; or on all three, with forces.
     """
@@ -109,7 +109,7 @@ def settled(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]
 
 
 def sticking(at: OperatingPoint) -> OperatingPoint:
-    """Return the place where frictions without slip stick, those at their limit, too."""
+    """Return the state with all frictions without slip sticking, also those at their limit."""
     values, surfaces = at.prepared.parameters, Surfaces(at)
     slides = [
         one
@@ -121,6 +121,6 @@ def sticking(at: OperatingPoint) -> OperatingPoint:
 
 
 def is_within(at: OperatingPoint) -> bool:
-    """Whether the forces of a place, as its rows share them, are within the bounds of all that holds."""
+    """Return whether the forces of a state, as its rows share them, are within all bounds."""
     bounds = Bounds(at)
     return all(margin >= -_AT_BOUND * bounds.size for margin in bounds.own.values())

@@ -41,7 +41,7 @@ def in_mode(at: OperatingPoint, mode: Mapping[Any, float] | None) -> OperatingPo
 
 
 def check_apart(at: OperatingPoint) -> None:
-    """Refuse a state inside a contact, or where an impact lets nothing come."""
+    """Raise ModelError for a state inside a contact, or beyond the surface of an impact."""
     if not at.model.acts:
         return
     free = opened(at)
@@ -64,7 +64,7 @@ def _on_surfaces(at: OperatingPoint) -> OperatingPoint:
 
 
 def _named(at: OperatingPoint, mode: Mapping[Any, float] | None) -> dict[int, float]:
-    """Return values of parameters, by their places."""
+    """Return the named values of the mode, by index of the parameter."""
     if mode is None:
         return {}
     if not isinstance(mode, Mapping):
@@ -80,7 +80,7 @@ def _named(at: OperatingPoint, mode: Mapping[Any, float] | None) -> dict[int, fl
 
 
 def _with_mode(at: OperatingPoint, named: dict[int, float]) -> OperatingPoint:
-    """Return the place in the mode named; what is not named is as it is."""
+    """Return the state in the named mode; contacts and frictions that are not named keep theirs."""
     changes: dict[int, float] = {}
     for one in switches_of(at.model):
         if one.holds not in named and one.slides not in named:
@@ -104,7 +104,7 @@ def _of_friction(at: OperatingPoint, one: Switch, named: dict[int, float]) -> di
 
 
 def _is_unloaded(at: OperatingPoint, one: Switch) -> bool:
-    """Whether a friction that holds can take no force: the contact that presses it is open."""
+    """Return whether a holding friction can have no force, because the contact that presses it is open."""
     values = at.prepared.parameters
     if one.is_contact or not values[one.holds]:
         return False
@@ -114,7 +114,7 @@ def _is_unloaded(at: OperatingPoint, one: Switch) -> bool:
 
 
 def _checked(at: OperatingPoint) -> OperatingPoint:
-    """Return the place, or refuse a mode that does not hold there."""
+    """Return the state; raise ModelError if its mode is not consistent there."""
     check_consistent(at.model, at.prepared, at.t, at.x, at.v)
     if missed := Bounds(at).missed():
         raise ModelError(f"{at.model.name}: the mode that is named does not hold at this state: {'; '.join(missed)}")
@@ -122,7 +122,7 @@ def _checked(at: OperatingPoint) -> OperatingPoint:
 
 
 def _meeting(at: OperatingPoint, bounds: list[tuple[Switch, str]]) -> str:
-    """Say which modes meet, and how to name one."""
+    """Return a message: which modes are possible, and how to name one."""
     one, names = bounds[0][0], at.model.parameters
     ways = (
         [{one.holds: 1.0}, {one.holds: 0.0}]

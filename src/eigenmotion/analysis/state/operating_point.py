@@ -1,4 +1,4 @@
-"""A system at one state: what it accelerates with there, and every derivative of that."""
+"""The operating point of a system: a state, its acceleration and multipliers, and their derivatives."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ _ROUNDED = 256 * np.finfo(float).eps
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """A state, and what acts there. x, v : (n,); u : (n_inputs,)"""
+    """A state with its time, inputs and parameters. x, v : (n,); u : (n_inputs,)"""
 
     model: CompiledModel
     prepared: Prepared
@@ -97,7 +97,7 @@ class OperatingPoint:
 
     @cached_property
     def time(self) -> float:
-        """The time in which deviations change [s], the shortest; 1 where nothing acts on them."""
+        """The shortest time constant of deviations [s]; 1 if no force acts on them."""
         n, unit = self.model.n, self.inertia
         by_x, by_v = (unit[:, None] * part / unit for part in np.split(self.motion[2][:, : 2 * n], 2, axis=1))
         rate = max(float(np.sqrt(np.linalg.norm(by_x))), float(np.linalg.norm(by_v)))
@@ -115,12 +115,12 @@ class OperatingPoint:
         return [name for k, name in enumerate(self.model.coordinates) if self._change(k, slope) > most]
 
     def _change(self, k: int, slope: Vector) -> float:
-        """By how much slopes change from coordinate k to the next number."""
+        """Return the change of the slopes if x_k changes to the next double."""
         return float(np.linalg.norm(self.at(self.t, next_to(self.x, k), self.v).motion[2][:, : self.model.n] - slope))
 
     @cached_property
     def units(self) -> Vector:
-        """(2 n,) what x and v are to be multiplied by to be compared: inertia, and the time in which they change."""
+        """(2 n,) factors that make x and v comparable: inertia, and the time constant of deviations."""
         return np.concatenate([self.inertia / self.time, self.inertia])
 
 
@@ -132,6 +132,6 @@ def operating_point(
     parameters: Any,
     inputs: Mapping[Any, Any] | ArrayLike | None,
 ) -> OperatingPoint:
-    """Return the state that arguments of users name."""
+    """Return the operating point that the user's arguments describe."""
     prepared, t = system.prepare(parameters), number(t, "t")
     return OperatingPoint(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))

@@ -1,4 +1,4 @@
-"""In which directions a state can change: the null space of the derivatives of phi and A v + b."""
+"""The tangent space of the constraints: the null space of the derivatives of phi and A v + b."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
