@@ -121,6 +121,7 @@ def _defaults(model: Model) -> Defaults:
         events=model.events,
         switches=model.switches,
         rows=model.row_names,
+        tables=model.tables,
     )
 
 

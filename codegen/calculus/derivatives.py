@@ -13,6 +13,7 @@ from ..graph.coefficients import Number
 from ..graph.fold import Fold
 from ..graph.graph import Graph
 from ..graph.store import Kind, Node
+from ..graph.table_calls import differentiated, orders_of
 
 CHOICES = frozenset({"select", "min", "max"})
 STEPS = frozenset({"sign", "floor", "ceil", "step", "<", "<=", ">", ">=", "==", "!=", "and", "or", "not"})
@@ -134,6 +135,8 @@ def partial(graph: Graph, node: Node, child: Node) -> Node:
 def _partial_of_call(graph: Graph, node: Node, name: str, operands: tuple[Node, ...], place: int) -> Node:
     if name in STEPS:
         return graph.zero
+    if orders_of(name):
+        return differentiated(graph, node, place)
     if name in ("pow", "atan2"):
         return _partial_of_two(graph, node, name, operands, place)
     return _partial_of_one(graph, node, name, operands[0])

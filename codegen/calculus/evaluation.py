@@ -11,6 +11,7 @@ from typing import Any
 from ..graph.fold import Fold, Value
 from ..graph.graph import Graph
 from ..graph.store import Kind, Node
+from ..graph.table_calls import orders_of, table_of
 
 FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "abs": abs, "min": min, "max": max, "sign": lambda a: (a > 0) - (a < 0), "step": lambda a: float(a > 0),
@@ -58,6 +59,8 @@ class At(Evaluation[float]):
         if kind is Kind.PRODUCT:
             return float(math.prod(known[child] ** float(power) for child, power in operands))
         name, *arguments = operands
+        if orders := orders_of(name):
+            return self.graph.tables[table_of(name)].pieces.value(orders, [known[child] for child in arguments[1:]])
         return float((FUNCTIONS.get(name) or getattr(math, name))(*(known[child] for child in arguments)))
 
     def rows(self, rows: Sequence[Sequence[Node]]) -> list[list[float]]:

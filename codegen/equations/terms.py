@@ -134,12 +134,22 @@ class Terms:
     @cached_property
     def time_events(self) -> TimeEvents:
         """The time events of everything that motion and events depend on."""
+        mechanics = self.mechanics
+        return TimeEvents(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], self.roots)
+
+    @cached_property
+    def looked_up(self) -> list[Node]:
+        """What motion and events depend on, with the derivatives that motion takes."""
+        return [*self.roots, *self.bias, *self.gamma, *(entry for row in self.M for entry in row)]
+
+    @cached_property
+    def roots(self) -> list[Node]:
+        """What motion and events depend on."""
         mechanics, node = self.mechanics, self.node
         acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
                 *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
-        roots = [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
-                 *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
-        return TimeEvents(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], roots)
+        return [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
+                *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
 
     # -- pieces --------------------------------------------------------------------------------------------------
 

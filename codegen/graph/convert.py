@@ -10,9 +10,11 @@ from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
 from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
 from ..model.model import ModelError
+from ..model.table import TableCall
 from .coefficients import Number, exact
 from .graph import Graph
 from .store import Kind, Node
+from .table_calls import name_of_call, orders_of, table_of
 
 FUNCTIONS: dict[type[sympy.Basic], str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
@@ -78,6 +80,8 @@ class FromSympy:
 
     def _function(self, expression: sympy.Basic) -> Node:
         graph = self.graph
+        if isinstance(expression, TableCall):
+            return self._table(expression)
         if isinstance(expression, Piecewise):
             return self._piecewise(expression.args)
         if isinstance(expression, BooleanTrue | BooleanFalse):
@@ -100,6 +104,12 @@ class FromSympy:
         if name in ("sin", "cos", "tan"):
             return self._odd_or_even(name, operands[0])
         return graph.call(name, *operands)
+
+    def _table(self, call: TableCall) -> Node:
+        name = call.table.name
+        self.graph.tables[name] = call.table
+        operands = map(self, call.args)
+        return self.graph.call(name_of_call(name, call.orders), self.graph.symbol(name), *operands)
 
     def _step(self, argument: sympy.Basic, at_zero: sympy.Basic = sympy.S.Half) -> Node:
         step = self.graph.call("step", self(argument))
@@ -144,6 +154,8 @@ def _asked(expression: sympy.Basic) -> list[sympy.Basic]:
     if isinstance(expression, sympy.Pow):
         base, exponent = expression.args
         return [part for part in (base, exponent) if part != sympy.E and not isinstance(part, sympy.Number)]
+    if isinstance(expression, TableCall):
+        return list(expression.args)
     return list(expression.args) if type(expression) in (FUNCTIONS | RELATIONS) else []
 
 
@@ -198,6 +210,8 @@ class ToSympy:
             return sympy.Add(*(_from_number(factor) * self._value(child) for child, factor in operands))
         if kind is Kind.PRODUCT:
             return sympy.Mul(*(self._value(child) ** _from_number(power) for child, power in operands))
+        if orders := orders_of(operands[0]):
+            return self.graph.tables[table_of(operands[0])].function(orders)(*map(self._value, operands[2:]))
         name, *values = operands[0], *map(self._value, operands[1:])
         return values[0] ** values[1] if name == "pow" else BACK[name](*values)
 

@@ -7,6 +7,7 @@ from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple
 
+from ..model.table import Table
 from .coefficients import Number, exact
 
 Node = int
@@ -49,6 +50,7 @@ class Store:
         self._children: list[tuple[Node, ...]] = []
         self._bits: dict[str, int] = {}
         self._parameters = frozenset(parameters)
+        self.tables: dict[str, Table] = {}
         self.zero = self.number(0)
         self.one = self.number(1)
 

@@ -6,8 +6,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from ..graph.coefficients import Number, magnitude
+from ..graph.table_calls import orders_of, table_of
 from ..schedule.operations import Operation, operands_of
 from ..schedule.schedule import Schedule
+from .identifiers import c_identifier
 
 ONE = Operation("number", (1,))
 DEEPEST = 40
@@ -112,7 +114,18 @@ class Printer:
             return self._call(TURNED[name], operands[::-1])
         if name == "!=":
             return f"em_not({self._call('==', operands)})"
+        if orders := orders_of(name):
+            return self._table_call(table_of(name), orders, *map(self.whole, operands))
         return f"{CALLS.get(name, name)}({', '.join(self.whole(operand) for operand in operands)})"
+
+    @staticmethod
+    def _table_call(table: str, orders: tuple[int, ...], number: str, *arguments: str) -> str:
+        return f"{table_function(table)}({', '.join([number, *map(str, orders), *arguments])})"
+
+
+def table_function(table: str) -> str:
+    """Return what a table is called in C."""
+    return f"em_table_{c_identifier(table)}"
 
 
 def c_number(value: Number) -> str:

@@ -8,3 +8,4 @@ from .statement import draw as draw
 from .statement.contacts import Contact as Contact
 from .statement.contacts import Friction as Friction
 from .statement.event import Event as Event
+from .table import Table as Table

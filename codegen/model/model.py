@@ -11,13 +11,14 @@ import sympy
 from .canonical_text import canonical_text
 from .check import checks
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
-from .recursion_depth import with_room
+from .recursion_depth import expressions_in, with_room
 from .statement.constraint_rows import KINDS, NamedRows, check_names, numbered, rows_of
 from .statement.contacts import contacts_of, normals_of, with_contacts
 from .statement.drawing import drawing_of
 from .statement.event import Event
 from .statement.mechanism import Mechanism, in_rates
 from .symbolic.equations import Equations, equations_of
+from .table import Table, TableHandle, tables_in
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 
@@ -159,7 +160,13 @@ class Model(Mechanism):
 
     def canonical(self) -> str:
         """Return a text of everything that defines the model: equal texts, equal generated files."""
-        return with_room(self, lambda: canonical_text(self))
+        text = with_room(self, lambda: canonical_text(self))
+        return text + "".join(f"table {table.name} = {table.digest}\n" for table in self.tables)
+
+    @property
+    def tables(self) -> tuple[Table, ...]:
+        """The tables that are called, by name."""
+        return tables_in(expressions_in(self)) if any(isinstance(p, TableHandle) for p, _ in self.parameters) else ()
 
 
 def _normalised(given: dict[str, Any]) -> dict[str, Any]:
@@ -186,7 +193,20 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
     fields["outputs"] = tuple(
         (name, numbered(output, f"outputs[{name_of(name)}]", known)) for name, output in fields["outputs"]
     )
-    return with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"]))
+    return _with_tables(with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"])))
+
+
+def _with_tables(fields: dict[str, Any]) -> dict[str, Any]:
+    """Give each table that is called a parameter, by which runs are given other numbers."""
+    own = tuple(pair for pair in fields["parameters"] if not isinstance(pair[0], TableHandle))
+    tables = tables_in(expressions_in(fields))
+    taken = {name_of(symbol) for symbol, _ in own}
+    for table in tables:
+        if table.name in taken:
+            raise ModelError(
+                f"a table and a parameter are both named {table.name!r}. Rename one: Table(..., name=...)."
+            )
+    return fields | {"parameters": (*own, *((table.handle, 0.0) for table in tables))}
 
 
 def _rows(given: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]], tuple[NamedRows, ...]]:

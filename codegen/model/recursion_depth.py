@@ -62,7 +62,7 @@ def _rounded(size: int) -> int:
 def _depth(given: Any) -> int:
     """Return how many levels expressions have, each looked at once; of other things those of what is in them."""
     levels: dict[int, int] = {}
-    waiting = list(_parts(given))
+    waiting = list(expressions_in(given))
     kept = list(waiting)
     while waiting:
         part = waiting[-1]
@@ -75,13 +75,14 @@ def _depth(given: Any) -> int:
     return max((levels[id(part)] for part in kept), default=0)
 
 
-def _parts(given: Any) -> Iterable[sympy.Basic]:
+def expressions_in(given: Any) -> Iterable[sympy.Basic]:
+    """Return the expressions in tuples, lists, mappings or records."""
     if isinstance(given, sympy.Basic):
         yield given
     elif isinstance(given, Mapping):
-        yield from _parts((*given.keys(), *given.values()))
+        yield from expressions_in((*given.keys(), *given.values()))
     elif isinstance(given, tuple | list):
         for one in given:
-            yield from _parts(one)
+            yield from expressions_in(one)
     elif is_dataclass(given) and not isinstance(given, type):
-        yield from _parts([getattr(given, field.name) for field in fields(given)])
+        yield from expressions_in([getattr(given, field.name) for field in fields(given)])

@@ -39,6 +39,27 @@ class TimeEventKernel:
 
 
 @dataclass(frozen=True, slots=True)
+class TableUse:
+    """An expression that is argument number `axis` of a table.
+
+    order : the highest derivative by it that is taken; timed : 1 where it varies with the time alone
+    """
+
+    table: str
+    axis: int
+    order: int
+    timed: int
+
+
+@dataclass(frozen=True, slots=True)
+class TableKernel:
+    """Where motion looks up its tables; None: it has none."""
+
+    arguments: Kernel | None
+    uses: tuple[TableUse, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class PartialKernels:
     """Kernels of partial derivatives, row-major; None: there are no such rows.
 
@@ -76,11 +97,12 @@ class Kernels:
     asks_the_root : whether `settled` are the kernels of the triangular root, with M below its diagonal alone
     mass_matrix : None where settled.masses computes all of it; factored : M + A^T W A, None where it is M
     partials : None where they are compiled on demand
-    time_events : the times at which conditions on time alone change
+    time_events : the times at which conditions on time alone change; tables : the lookups of tables
     """
 
     prepared: Kernel
     time_events: TimeEventKernel
+    tables: TableKernel
     mass_matrix: Kernel | None
     factored: Kernel | None
     pfaffian: Kernel

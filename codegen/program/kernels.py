@@ -20,6 +20,7 @@ from .kernel_roles import Kernels, Stages
 from .memory_layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
+from .table_kernel import table_kernel
 from .time_event_kernel import time_event_kernel
 
 OF_STATE = {"x": "y", "v": "dy"}
@@ -60,10 +61,12 @@ class _Writing:
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
         symbols = Symbols(self.places, self.layout.first_constant)
-        time_events, prepared = time_event_kernel(self.terms, symbols), self.prepared()
+        time_events, tables = time_event_kernel(self.terms, symbols), table_kernel(self.terms, symbols)
+        prepared = self.prepared()
         partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, time_events=time_events, prepared=prepared,
+                       drawing=drawing, partials=partials, time_events=time_events, tables=tables,
+                       prepared=prepared,
                        asks_the_root=across, mass_matrix=mass_matrix, **asked)  # fmt: skip
 
     @property

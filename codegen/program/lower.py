@@ -8,12 +8,15 @@ from itertools import accumulate
 
 from ..choices import Choices
 from ..equations.specialise import Kind, Scene
+from ..kernel.identifiers import c_identifier
+from ..kernel.printer import table_function
 from ..model.statement.contacts import Switch
 from ..model.statement.event import Event
+from ..model.table import Table
 from .kernel_roles import Kernels, Stages
 from .kernels import kernels_of
 from .memory_layout import Layout, laid_out
-from .program import BlockView, Declared, EventView, Named, Program, ShapeView, SwitchView
+from .program import BlockView, Declared, EventView, Named, Program, ShapeView, SwitchView, TableView
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +25,8 @@ class Defaults:
 
     parameters, inputs : name -> value; declared : (parameters, x, inputs) or (), which numbers each may have,
     as bits and in words; x, v : (n); y : (n) or (); events : name -> Event;
-    switches : what changes with a mode; rows : names of constraint rows, () where none has one
+    switches : what changes with a mode; rows : names of constraint rows, () where none has one;
+    tables : those that are called
     """
 
     parameters: tuple[tuple[str, float], ...]
@@ -34,6 +38,7 @@ class Defaults:
     events: tuple[tuple[str, Event], ...]
     switches: tuple[Switch, ...]
     rows: tuple[str, ...]
+    tables: tuple[Table, ...]
 
 
 def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
@@ -71,7 +76,8 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         delta_eigenfactors=bool(groups), row_groups=groups,
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
-        n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation), kernels=kernels,
+        n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation),
+        tables=_tables(defaults), kernels=kernels,
     )  # fmt: skip
 
 
@@ -110,6 +116,15 @@ def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
                    _over(scene, one, number), one.row + (scene.h if one.slides else 0),
                    place[one.idles.name], int(one.law == "poisson"), place[one.shift[0].name] if one.cone else -1)
         for one in defaults.switches
+    )  # fmt: skip
+
+
+def _tables(defaults: Defaults) -> tuple[TableView, ...]:
+    place = {name: k for k, (name, _) in enumerate(defaults.parameters)}
+    return tuple(
+        TableView(table.name, c_identifier(table.name), table_function(table.name), table.arguments, place[table.name],
+                  tuple(map(repr, table.pieces.numbers())))
+        for table in defaults.tables
     )  # fmt: skip
 
 

@@ -144,6 +144,28 @@ class ShapeView:
 
 
 @dataclass(frozen=True, slots=True)
+class TableView:
+    """A table: its name, in C and as a function there; its arguments; the place of its parameter; its numbers."""
+
+    name: str
+    identifier: str
+    function: str
+    arguments: int
+    parameter: int
+    numbers: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TableUseView:
+    """An argument of a table that motion looks up (`TableUse`), the table by its number."""
+
+    table: int
+    axis: int
+    order: int
+    timed: int
+
+
+@dataclass(frozen=True, slots=True)
 class Program:
     """Everything that the files of one model say.
 
@@ -221,6 +243,7 @@ class Program:
     conserves_energy: bool
     n_prepared: int
     costs: tuple[str, ...]
+    tables: tuple[TableView, ...]
     kernels: Kernels
 
     @property
@@ -232,6 +255,14 @@ class Program:
     def n_time_events(self) -> int:
         """How many times, or series of them, there are at which conditions in the time alone change."""
         return self.kernels.time_events.count
+
+    @property
+    def table_uses(self) -> tuple[TableUseView, ...]:
+        """What motion looks up in tables."""
+        places = {table.name: k for k, table in enumerate(self.tables)}
+        return tuple(
+            TableUseView(places[one.table], one.axis, one.order, one.timed) for one in self.kernels.tables.uses
+        )
 
     @property
     def pushed(self) -> str:

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from .codegen.model import Friction as Friction
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
+    from .codegen.model import Table as Table
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .codegen.model.statement import draw as draw
@@ -59,6 +60,7 @@ _HOME = {
     "Steppers": ".batch.stepper.steppers",
     "StopReason": ".runtime",
     "System": ".system.system",
+    "Table": ".codegen.model",
     "assemble": ".analysis.equilibrium.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",

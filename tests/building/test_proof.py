@@ -25,8 +25,8 @@ from eigenmotion import t
 from eigenmotion.building.build import compiled
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 from eigenmotion.building.verification import ProofError, prove
-from eigenmotion.building.verification.evaluate import Evaluation
-from eigenmotion.building.verification.hyperdual import FUNCTIONS, RELATIONS, given
+from eigenmotion.building.verification.arithmetic.evaluate import Evaluation
+from eigenmotion.building.verification.arithmetic.hyperdual import FUNCTIONS, RELATIONS, given
 from eigenmotion.stability.models.degenerate import quaternion_body
 
 from ..equations.test_random_mechanisms import SHAPES, mechanism
@@ -292,7 +292,7 @@ def test_a_function_without_a_counterpart_is_named_and_the_rest_is_proved(caplog
     model = two(qd**2 + rd**2, potential_energy=sympy.erf(q) + r)
     faulty = loaded(changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*"), "-O0")
     fewer = {name: function for name, function in FUNCTIONS.items() if name != "erf"}
-    with patch("eigenmotion.building.verification.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
+    with patch("eigenmotion.building.verification.arithmetic.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
         prove(model, system_for(model))
         assert "two: not proved where erf stands" in caplog.text
         assert "the equation of motion of q" in caplog.text

@@ -15,9 +15,9 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import Model, System
 from eigenmotion.building.verification import ProofError, prove
-from eigenmotion.building.verification.evaluate import Evaluation
-from eigenmotion.building.verification.hyperdual import given
-from eigenmotion.building.verification.rounding_bounds import EPS, FACTOR, Rounded, inverse, root, rounded
+from eigenmotion.building.verification.arithmetic.evaluate import Evaluation
+from eigenmotion.building.verification.arithmetic.hyperdual import given
+from eigenmotion.building.verification.arithmetic.rounding_bounds import EPS, FACTOR, Rounded, inverse, root, rounded
 
 from ..support.generation import FORMULATIONS, loaded, system_for
 from ..support.random_mechanisms import Maker

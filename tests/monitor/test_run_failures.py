@@ -189,6 +189,7 @@ def test_every_reason_is_tested_here():
         StopReason.RESET_INSIDE,
         StopReason.MODEL_JUMPS,
         StopReason.VALUE_REFUSED,
+        StopReason.OUTSIDE_TABLE,
         StopReason.CONTACTS_CLASH,
     }  # in tests of events, batch, contact, friction and model
     assert own | elsewhere == set(StopReason)

@@ -8,6 +8,7 @@ from ..codegen.model.normalise import ModelError, shown
 from ..runtime import CompiledModel
 from .named_values import by_spelling, is_named, rate_name, spelled, unknown
 from .options import OptionError
+from .tables import refuse_tables
 
 
 class Differentiated(NamedTuple):
@@ -42,6 +43,7 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in asked))
     if wrong := set(names) - known.keys():
         raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
+    refuse_tables(c, names, "sensitivities")
     quasi = [name for name in names if name in c.quasi_velocities]
     given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
     from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)

@@ -8,6 +8,7 @@ import numpy as np
 from ..arguments.members import Column, Members
 from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
 from ..arguments.signals import Inputs, Signal, as_signal, check_samples
+from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
 from ..runtime import CompiledModel, EvaluationError, Prepared
@@ -99,7 +100,7 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     c, found = system.compiled, _Given()
     if isinstance(parameters, Prepared):
         parameters = np.array(system.prepare(parameters).parameters)
-    p = found.table(parameters, c.parameters, c.parameter_defaults, "parameter")
+    p = found.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
     _check_shared(c, p)
     x = found.table(x0, c.coordinates, c.initial_x, "coordinate of x0", "(0)")
     v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
@@ -109,6 +110,7 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     signals = _signals(system, inputs, found)
     count = found.count
     P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, c.coordinates, c.initial_x)
+    c.check_tables_of(P)
     reasons: dict[int, str] = {}
     V = _by_member(system, t, count, P, X, quasi, reasons) if v is None else _filled(v, c.coordinates, c.initial_v)
     _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))

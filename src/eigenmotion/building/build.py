@@ -224,4 +224,4 @@ def _python() -> str:
 @cache
 def _proof() -> str:
     """Hash of what a module is held against before it is kept."""
-    return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "verification").glob("*.py"))))
+    return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "verification").rglob("*.py"))))

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import SHARED_FROM_START, least_norm_of
 from ..arguments.signals import Inputs, Signal, bind, check_samples
+from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, number, real
 from ..presentation.notebook import table
 from ..runtime import CompiledModel, EvaluationError, Prepared, plain
@@ -18,7 +19,7 @@ from .eigenfactor_derivatives import EigenfactorGradient, eigenfactor_gradient, 
 from .projection import ConsistentState, Projection
 from .velocities import initial_rates
 
-Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
+Parameters: TypeAlias = Mapping[Any, Any] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
 
 
@@ -65,7 +66,8 @@ class CompiledSystem(Description):
             if parameters.model is not self._compiled:
                 raise ModelError(f"parameters were prepared for {parameters.model.name}, another compiled model")
             return parameters
-        values = overlay(parameters, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
+        given = with_tables(self._compiled, parameters)
+        values = overlay(given, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
         return self._compiled.prepare(values)
 
     def state(

@@ -117,6 +117,7 @@ class Ensemble:
             float(found.size[k]),
             model.events,
             model.row_names,
+            tuple(model.tables),
         )
         stiff = stiffness(int(self._count("n_stiff")[k]), int(self.nsteps[k]), self._asked.iterates)
         return f"{words if stop is StopReason.FINISHED else f'At t = {found.t_end[k]:.9g}: {words}'}{stiff}"

@@ -124,6 +124,10 @@ cdef extern from "eigenmotion.h" nogil:
         int bits
         const char *words
 
+    ctypedef struct em_table:
+        int parameter
+        const double *numbers
+
     ctypedef struct em_model:
         int abi
         const char *name
@@ -223,3 +227,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*time_event_partials)(const double *, double *) noexcept nogil
         void (*rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
         const em_declared *declared
+        int n_tables
+        int n_table_uses
+        const em_table *tables
+        void (*table_arguments)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil

@@ -119,7 +119,7 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
     cdef const double *c = constants(model, defaults, parameters)
     cdef const double *u = model.model.input_defaults
     cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector), signals, a, multipliers
-    if q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
+    if model.model.n_tables > 0 or q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
         return None
     if inputs is not None:
         signals = vector(inputs, (model.n_inputs,))

@@ -4,6 +4,9 @@ from .abi cimport em_fault, em_model
 from .arrays cimport Numbers
 
 
+cdef class Prepared
+
+
 cdef class PointModel:
     cdef const em_model *model  # a copy that is never freed: its address may be in use
     cdef em_model *taken        # the same, writable, for parts that are loaded later
@@ -11,6 +14,7 @@ cdef class PointModel:
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
+    cdef readonly dict tables  # name -> (place among the parameters, number of arguments)
     cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
     cdef readonly bint acts  # events change the state, or the mode
     cdef readonly bint has_cones  # friction cones, which share forces in some modes
@@ -34,6 +38,9 @@ cdef class PointModel:
     cdef int need_gradient(self) except -1
     cdef int need_method(self, int method) except -1
     cdef int need_members(self) except -1
+    cdef int check_tables(self, const double *parameters) except -1
+    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers found) except -1
+    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers found) except -1
     cdef read_names(self)
     cdef read_defaults(self)
     cdef failure(self, em_fault *fault)

@@ -11,14 +11,16 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, em_fault, em_model
 from .arrays cimport Numbers, constants, given, takes, texts, zeros
-from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_start
+from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start
 
 import numpy as np
 
 from .status.stop_reasons import EvaluationError, StopReason, named_rows
 from .status.refusals import refusal
+from .tables import arguments_at, is_kept, packed, unpacked
 
 _REASONS = tuple(StopReason)
+_OUTSIDE = ("refuse", "hold", "extend", "periodic")  # as em_outside of em_table.h
 
 
 cdef class Prepared:
@@ -33,11 +35,12 @@ cdef class Prepared:
 
     def __reduce__(self):
         """Prepared anew where it is loaded."""
-        return _prepared, (self.model, self.parameters)
+        return _prepared, (self.model, self.parameters, packed(self.parameters) if self.model.tables else {})
 
 
-def _prepared(PointModel model not None, parameters):
-    return model.prepare(np.array(parameters, dtype=np.float64))
+def _prepared(PointModel model not None, parameters, tables={}):
+    places = [place for place, _ in model.tables.values()]
+    return model.prepare(unpacked(np.array(parameters, dtype=np.float64), places, tables))
 
 
 cdef class PointModel:
@@ -115,6 +118,8 @@ cdef class PointModel:
         cdef const em_model *c = self.model
         self.coordinates, self.parameters = texts(c.coordinates, c.n), texts(c.parameters, c.n_parameters)
         self.inputs, self.outputs = texts(c.inputs, c.n_inputs), texts(c.outputs, c.n_outputs)
+        self.tables = {self.parameters[c.tables[k].parameter]: (c.tables[k].parameter, <int> c.tables[k].numbers[0])
+                       for k in range(c.n_tables)}
         self.events, self.left_out = texts(c.events, c.n_events), texts(c.left_out, c.n_left_out)
         self.quasi_velocities, rows = texts(c.quasi_velocities, c.n_quasi), c.m if c.rows != NULL else 0
         self.row_names = named_rows(texts(c.rows, rows), c.m)
@@ -153,11 +158,60 @@ cdef class PointModel:
 
     # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 
+    cdef int check_tables(self, const double *parameters) except -1:
+        """Raise where a table is given a number that stands for none, or for one of another number of arguments."""
+        cdef int k, place
+        cdef double number
+        for k in range(self.model.n_tables):
+            place = self.model.tables[k].parameter
+            number = parameters[place]
+            if number != 0.0 and not (is_kept(number) and arguments_at(number) == <int> self.model.tables[k].numbers[0]):
+                raise EvaluationError(f"{self.name}: '{self.parameters[place]}' is a table and was given the number "
+                                      f"{number:g}: give it a Table, an interpolant of SciPy or points with values",
+                                      StopReason.VALUE_REFUSED)
+        return 0
+
+    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers found) except -1:
+        """As `refuse_outside`, at a state y."""
+        cdef em_fault fault
+        cdef Numbers v = zeros((self.n,))
+        if self.model.velocity(t, y.data, c.c, v.data, &fault) == 0:
+            self.refuse_outside(t, y, v, c, u, found)
+        return 0
+
+    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers found) except -1:
+        """Raise where numbers that were found are none because a table is looked up beyond its range."""
+        cdef em_fault fault
+        cdef Numbers at
+        if self.model.n_tables == 0 or np.isfinite(found.array).all():
+            return 0
+        at = zeros((self.model.n_table_uses,))
+        self.model.table_arguments(t, x.data, v.data, c.c, u, at.data)
+        if em_outside_tables(self.model, c.c, at.data, &fault):
+            raise self.failure(&fault)
+        return 0
+
+    def check_tables_of(self, rows):
+        """As `prepare` does, of rows (K, n_parameters)."""
+        cdef Numbers P
+        for row in rows if self.tables else ():
+            P = given(np.ascontiguousarray(row), (self.model.n_parameters,), "parameters")
+            self.check_tables(P.data)
+
+    def outside_of(self, name):
+        """What the table of this name is beyond its range."""
+        cdef int k
+        for k in range(self.model.n_tables):
+            if self.parameters[self.model.tables[k].parameter] == name:
+                return _OUTSIDE[<int> self.model.tables[k].numbers[1]]
+        raise KeyError(name)
+
     def prepare(self, values):
         """values (n_parameters) -> Prepared."""
         cdef em_fault fault
         cdef Prepared made = Prepared.__new__(Prepared)
         cdef Numbers p = given(values, (self.model.n_parameters,), "parameters")
+        self.check_tables(p.data)
         made.model = self
         made.parameters = tuple([p.data[k] for k in range(self.model.n_parameters)])
         made.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
@@ -183,6 +237,8 @@ cdef class PointModel:
             dy = zeros(shape)
         if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
             raise self.failure(&fault)
+        if self.model.n_tables > 0 and not np.isfinite(dy.array).all():
+            self.refuse_outside_at(t, state, c, signals, dy)
         if out is None or out is dy.array:
             return dy.array
         out[...] = dy.array
@@ -281,6 +337,7 @@ cdef class PointModel:
         cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
         if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
             raise self.failure(&fault)
+        self.refuse_outside(t, q, w, c, s.data, a)
         return a.array, multipliers.array
 
     def project(self, double t, x, v, Prepared c not None, int least_norm):

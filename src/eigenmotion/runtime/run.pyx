@@ -158,7 +158,7 @@ cdef class Run:
             return _CAME_TO_ITS_END + stiff
         fault = self.run.fault
         words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
-                        self.model.row_names)
+                        self.model.row_names, tuple(self.model.tables))
         return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property

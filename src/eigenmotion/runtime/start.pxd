@@ -1,6 +1,6 @@
 # em_start_check.h: the check of a start, for any em_model.
 
-from .abi cimport em_model
+from .abi cimport em_fault, em_model
 
 
 cdef extern from "loop/em_start_check.h" nogil:
@@ -8,6 +8,7 @@ cdef extern from "loop/em_start_check.h" nogil:
     int em_time_event_sides(int, const double *, double, double, double, double *)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
+    int em_outside_tables(const em_model *, const double *, const double *, em_fault *)
     int em_inside_contact(const em_model *, double, const double *, const double *, const double *, double,
                           const double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,

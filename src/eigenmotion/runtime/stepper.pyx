@@ -100,7 +100,7 @@ cdef class Steps:
         fault = self.steps.run.fault
         stop = _REASONS[<int> fault.status]
         words = explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
-                        self.model.row_names)
+                        self.model.row_names, tuple(self.model.tables))
         return EvaluationError(f"{self.model.name}: at t = {self.steps.t:.9g}: {words}", stop)
 
     cdef int set_inputs(self, inputs) except -1:

@@ -129,6 +129,7 @@ cdef class ManySteps:
         cdef Py_ssize_t[::1] chosen = members
         cdef unsigned char[::1] refused = np.zeros(self.count, np.uint8)
         cdef em_fault fault
+        self.model.check_tables_of(parameters)
         with nogil:
             for i in range(chosen.shape[0]):
                 k = chosen[i]
@@ -200,7 +201,7 @@ cdef class ManySteps:
         if not self.e.ended[k]:
             return None
         return stop, explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
-                        self.model.row_names)
+                        self.model.row_names, tuple(self.model.tables))
 
     def crossings(self):
         """(K, n_events) when each event passed zero last within the last advance; NaN where it did not."""

@@ -15,6 +15,7 @@ from ..building.request import Request
 from ..codegen.compiler import program
 from ..codegen.model import Model
 from ..codegen.model.normalise import name_of
+from ..codegen.model.table import TableHandle
 from ..runtime.status.stop_reasons import StopReason, explain
 from .faces import faces
 from .mathml import formulas, label
@@ -103,9 +104,11 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
 
 
 def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
-    """What the scripts know of a parameter; modes of contacts are the run's to set, and have no slider."""
+    """What the scripts know of a parameter; modes of contacts are the run's to set, tables no numbers: no slider."""
     positive = bool(symbol.is_nonnegative) and value > 0
-    mode = any(symbol in (one.holds, one.slides, one.idles) for one in model.switches)
+    mode = isinstance(symbol, TableHandle) or any(
+        symbol in (one.holds, one.slides, one.idles) for one in model.switches
+    )
     return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
 
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments.named_values import Vector, overlay, rate_name, spelled, unknown
 from ...arguments.options import is_system, no_system
+from ...arguments.tables import refuse_tables, with_tables
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
 from ...compiled.compiled_system import CompiledSystem
@@ -128,9 +129,10 @@ def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs
     x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
     v = overlay(v0, c.coordinates, np.zeros(c.n), "coordinate of v0")
     u = overlay(inputs, c.inputs, c.input_defaults, "input")
-    p = overlay(parameters, c.parameters, c.parameter_defaults, "parameter")
+    p = overlay(with_tables(c, parameters), c.parameters, c.parameter_defaults, "parameter")
     names = (*c.coordinates, *(f"{name}'" for name in c.coordinates), *c.inputs, *c.parameters)
     chosen = tuple(range(c.n)) if free is None else _places(free, names, "free")
+    refuse_tables(c, tuple(names[k] for k in chosen), "free")
     if not chosen:
         raise ModelError("free names nothing: there is nothing to solve for")
     rows = tuple(range(c.n)) if constant is None else _places(constant, c.coordinates, "coordinate of constant")

@@ -9,7 +9,7 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ...system.system import System
-from .rounding_bounds import EPS
+from .arithmetic.rounding_bounds import EPS
 from .test_points import Points
 
 _STRIDE = 1e-4

@@ -12,7 +12,7 @@ from ...codegen.model import ModelError
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
 from ...system.system import System
-from .rounding_bounds import geometric
+from .arithmetic.rounding_bounds import geometric
 
 FAR = 1e9
 STEPS = 2

@@ -10,8 +10,8 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...codegen.model import Model
 from ...codegen.model.normalise import name_of
+from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, rounded
 from .compiled_values import CompiledValues
-from .rounding_bounds import EPS, Rounded, applied, geometric, rounded
 from .solve_errors import Errors
 from .symbolic_values import SymbolicValues
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.named_values import Vector
+from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, inverse, rounded
 from .compiled_values import CompiledValues
-from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, rounded
 from .symbolic_values import SymbolicValues
 
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...system.system import System
+from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, inverse, root, rounded
 from .compiled_values import CompiledValues
 from .identities import Identity, flat
-from .rounding_bounds import EPS, Rounded, applied, geometric, inverse, root, rounded
 from .solve_errors import Errors
 from .symbolic_values import SymbolicValues
 

@@ -11,10 +11,10 @@ import sympy
 
 from ...arguments.named_values import Vector
 from ...codegen.model import Model, multiplier, t
+from .arithmetic.evaluate import Evaluation
+from .arithmetic.hyperdual import HyperDual, given
+from .arithmetic.rounding_bounds import EPS, Rounded, joined, rounded
 from .compiled_values import CompiledValues
-from .evaluate import Evaluation
-from .hyperdual import HyperDual, given
-from .rounding_bounds import EPS, Rounded, joined, rounded
 from .test_points import Points
 
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)

@@ -52,7 +52,7 @@ def draw(system: System, attempt: int) -> Points:
     p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
     modes = [parameter for _, *both, _, _ in c.switches for parameter in both if parameter >= 0]
     idle = [idles for *_, idles in c.switches]
-    p[:, modes], p[:, idle] = random.integers(0, 2, (k, len(modes))), 0.0
+    p[:, modes], p[:, [*idle, *(place for place, _ in c.tables.values())]] = random.integers(0, 2, (k, len(modes))), 0.0
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
     for row in p:
         _keep_declared(c, row)

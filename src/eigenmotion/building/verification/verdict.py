@@ -12,11 +12,11 @@ from ...arguments.named_values import Vector
 from ...codegen.model import Model
 from ...system.system import System
 from ..errors import BuildError
+from .arithmetic.rounding_bounds import FACTOR
 from .compiled_values import CompiledValues, ask
 from .first_steps import first_steps
 from .identities import Identity, equations, expressions, motion
 from .regularised_mass import factored
-from .rounding_bounds import FACTOR
 from .solve_errors import errors
 from .state_rates import rates, recovered
 from .symbolic_values import SymbolicValues, evaluate

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 24 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 26 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -64,6 +64,18 @@ typedef struct em_declared {
     int bits;
     const char *words;
 } em_declared;
+
+/* A table: the parameter by which it is given other numbers, and its own numbers (tables/em_table.h). */
+typedef struct em_table {
+    int parameter;
+    const double *numbers;
+} em_table;
+
+/* An expression that motion looks up: in which table, as which of its arguments, the highest derivative by it that is
+ * taken, and whether it varies with the time alone. */
+typedef struct em_table_use {
+    int table, axis, order, timed;
+} em_table_use;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
  * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).
@@ -200,6 +212,11 @@ typedef struct em_model {
     const em_dynamics *dynamics; /* functions that steppers call during a run */
     const em_declared *declared; /* (n_parameters + n + n_inputs) of parameters, x, inputs; NULL: no assumptions.
                                     prepare checks the parameters */
+    int n_tables, n_table_uses;
+    const em_table *tables;         /* (n_tables) */
+    const em_table_use *table_uses; /* (n_table_uses) */
+    void (*table_arguments)(double t, const double *x, const double *v, const double *c, const double *u,
+                            double *at); /* (n_table_uses); NULL: there is no table */
 } em_model;
 
 #endif

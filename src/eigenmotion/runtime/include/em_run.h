@@ -35,8 +35,10 @@ typedef enum em_status {
                                      reset, fault.second: that of the impact, fault.size: phi */
     EM_CONTACTS_CLASH,            /* no mode of contacts and frictions is consistent; fault.first, fault.second: the
                                      events of the conditions that conflict, -1: of a constraint */
-    EM_VALUE_REFUSED              /* a value violates the assumption of its symbol; fault.first: its place in
+    EM_VALUE_REFUSED,             /* a value violates the assumption of its symbol; fault.first: its place in
                                      em_model's declared, fault.size: the value */
+    EM_OUTSIDE_TABLE              /* the motion leaves the range of a table; fault.first: its place in em_model's
+                                     tables, fault.size: the argument */
 } em_status;
 
 /* The precise meaning of a status, in place of fault.second: each has a message of its own. */

@@ -8,7 +8,7 @@ from .stop_reasons import StopReason, explain
 def refusal(model: Any, stop: StopReason, first: int, second: int, size: float) -> str:
     """Say what happened to a compiled model, as `explain` does; or which symbol was given none of its values."""
     if stop is not StopReason.VALUE_REFUSED:
-        return explain(stop, model.coordinates, first, second, size, model.events, model.row_names)
+        return explain(stop, model.coordinates, first, second, size, model.events, model.row_names, tuple(model.tables))
     name = (model.parameters + model.coordinates + model.inputs)[first]
     return (
         f"'{name}' was declared {model.declared[first]}, and given {size:g}. Expressions were simplified by that: give "

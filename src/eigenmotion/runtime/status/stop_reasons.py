@@ -38,6 +38,7 @@ class StopReason(StrEnum):
     RESET_INSIDE = "reset inside an impact"
     CONTACTS_CLASH = "contacts clash"
     VALUE_REFUSED = "value refused"
+    OUTSIDE_TABLE = "outside of a table"
 
     @property
     def success(self) -> bool:
@@ -177,6 +178,10 @@ _REMEDY = {
         "Lower the friction coefficient, or let the bodies give way a little."
     ),
     StopReason.VALUE_REFUSED: "A value was given that its symbol was not declared to have.",
+    StopReason.OUTSIDE_TABLE: (
+        'The motion leaves the range of {table}. Give it more points, state outside="hold", "extend" or '
+        '"periodic", or end the run before by a terminal event.'
+    ),
     StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
@@ -270,6 +275,7 @@ def explain(
     size: float = float("nan"),
     events: Sequence[str] = (),
     rows: Sequence[str] = (),
+    tables: Sequence[str] = (),
 ) -> str:
     """Say what happened, where, by name, and what to do.
 
@@ -283,6 +289,8 @@ def explain(
         The pivot, gap or residual at fault.
     events, rows
         Names of the events, and of the constraint rows, as `named_rows` has them.
+    tables
+        Names of the tables.
     """
 
     def name(k: int, names: Sequence[str] = coordinates) -> str:
@@ -295,5 +303,8 @@ def explain(
     row += " (counted from 0)" if row == f"row {number}" else ""
     too = f", the next that of {name(second, events)}" if second >= 0 else ""
     of_events = {"event": name(first, events), "other": name(second, events), "other_too": too}
-    text = words.format(first=name(first), second=name(second), row=row, at=at, **of_events)
+    table = f"table {name(first, tables)} at {size:.9g}" if tables else "a table"
+    text = words.format(first=name(first), second=name(second), row=row, at=at, table=table, **of_events)
+    if stop is StopReason.OUTSIDE_TABLE:
+        return text
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

@@ -28,7 +28,9 @@ static int em_time_events_ahead(const em_run_state *w) {
 EM_EXPORT void *em_member_enter(const em_model *model, em_run *run, int *mode) {
     em_run_state *const w = em_open(model, run);
     if (w == NULL) return NULL;
-    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_time_events_ahead(w)) return em_close(w), NULL;
+    if (w->ended || run->least_norm || w->t == run->t_end || em_begin(w) || em_time_events_ahead(w) ||
+        em_has_rough_tables(w))
+        return em_close(w), NULL;
     *mode = w->mode;
     return w;
 }

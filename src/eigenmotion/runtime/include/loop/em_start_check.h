@@ -5,6 +5,7 @@
 #define EM_START_CHECK_H
 
 #include "loop/em_assumptions.h"
+#include "tables/em_table_ranges.h"
 #include "stepper/em_time_events.h"
 #include "numeric/em_linear.h"
 #include "constraints/em_start_tolerance.h"

@@ -7,6 +7,7 @@
 #define EM_STEP_H
 
 #include "loop/em_record.h"
+#include "loop/em_table_joins.h"
 #include "methods/em_step_size.h"
 #include "monitors/em_monitors.h"
 
@@ -70,6 +71,7 @@ static int em_attempt(em_run_state *w) {
 
 /* No step size is small enough: the fault that prevented the step, if it was not the error alone. */
 EM_COLD_PATH static int em_underflow(em_run_state *w, double size, em_fault obstacle) {
+    if (em_leaves_table(w, 16.0)) return em_end_with(w, w->reason);
     if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
     return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
 }
@@ -81,7 +83,10 @@ static int em_step_forward(em_run_state *w) {
     const double least = 10.0 * em_spacing(w);
     const double proposed = em_max(least, em_min(w->h_next, run->max_step));
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
-    double size = proposed;
+    em_join_search search = {0};
+    const int rough = !w->scheme.fixed && em_has_rough_tables(w);
+    double size = rough ? em_size_to_join(w, proposed) : proposed;
+    const int shortened = size < proposed;
     for (int rejected = 0;; ++rejected) {
         if (size < least) return em_underflow(w, size, obstacle);
         if (em_poll(w)) return EM_END;
@@ -92,11 +97,14 @@ static int em_step_forward(em_run_state *w) {
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (failed) obstacle = w->reason;
-        else if (w->error_norm < 1.0) break;
+        else if (w->error_norm < 1.0 && !(rough && em_passes_join(w, &search))) break;
+        if (failed && em_leaves_table(w, 0.0)) return em_end_with(w, w->reason);
+        if (!failed && w->error_norm < 1.0) size = search.size;
         ++run->n_rejected;
     }
     /* A step that was cut at the end of an interval or at the target time tells little: the earlier proposal stands. */
-    const int cut = (w->t_new == w->pieces_end || w->t_new == w->t_goal) && size >= fabs(w->h);
+    const int ends = w->t_new == w->pieces_end || w->t_new == w->t_goal || shortened || search.aims > 0;
+    const int cut = ends && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
     return EM_GO_ON;
 }

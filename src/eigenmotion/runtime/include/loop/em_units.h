@@ -23,6 +23,7 @@ void model_velocity_error(int mode, const double *y, const double *c, const doub
 int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row, em_fault *fault);
 void model_events(double t, const double *x, const double *v, const double *c, const double *u, double *crossing);
 void model_time_events(const double *c, double *at);
+void table_arguments(double t, const double *x, const double *v, const double *c, const double *u, double *at);
 void mass_matrix(double t, const double *x, const double *c, double *M);
 void factored_matrix(double t, const double *x, const double *c, double *M);
 void factored(double t, const double *x, const double *c, double *M);

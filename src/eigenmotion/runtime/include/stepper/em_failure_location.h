@@ -3,6 +3,7 @@
 #define EM_FAILURE_LOCATION_H
 
 #include "stepper/em_error_norm.h"
+#include "stepper/em_table_lookups.h"
 
 /* The first coordinate of which x, v or their rates are not finite, -1 where all are. */
 static int em_non_finite_coordinate(int n, const double *y) {
@@ -13,6 +14,7 @@ static int em_non_finite_coordinate(int n, const double *y) {
 
 /* -1 and w->reason: a state or its rate (n_state) is not finite; the reason names the coordinate. */
 EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, const double *rate) {
+    if (em_outside_table(w, w->t, w->y)) return -1;
     int first = em_non_finite_coordinate(w->n, y);
     if (first < 0) first = em_non_finite_coordinate(w->n, rate);
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
@@ -22,6 +24,7 @@ EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, con
  * coordinate has lost the inertia it had at the start: a row with a part of that coordinate is then infinitely long
  * in the mass metric. */
 EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const double *y) {
+    if (em_outside_table(w, w->t, w->y)) return -1;
     const int first = em_non_finite_coordinate(w->n, y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
     if (w->bare) return -1;

@@ -11,8 +11,10 @@ import sympy
 from sympy.functions.elementary.piecewise import Piecewise
 from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
+from ....codegen.model.table import TableCall
 from .hyperdual import FUNCTIONS, RELATIONS, HyperDual, doubt, power
 from .rounding_bounds import Part, Rounded, rounded
+from .table_values import of_table
 
 _OF_MANY: Mapping[str, Callable[[HyperDual, HyperDual], HyperDual]] = {
     "Add": HyperDual.__add__, "Mul": HyperDual.__mul__, "Min": FUNCTIONS["Min"], "Max": FUNCTIONS["Max"],
@@ -90,6 +92,8 @@ class Evaluation:
         if isinstance(expression, sympy.Pow):
             return power(*(self._known[part] for part in expression.args))
         name, values = type(expression).__name__, [self._known[part] for part in _asked(expression)]
+        if isinstance(expression, TableCall):
+            return of_table(expression, *values)
         if name in _OF_MANY:
             whole: HyperDual = reduce(_OF_MANY[name], values)
             return whole
@@ -122,7 +126,7 @@ def _asked(expression: sympy.Basic) -> Sequence[sympy.Basic]:
     if isinstance(expression, Piecewise):
         return [part for pair in expression.args for part in pair.args]
     parts: Sequence[sympy.Basic] = expression.args
-    if isinstance(expression, sympy.Add | sympy.Mul | sympy.Pow | Boolean):
+    if isinstance(expression, sympy.Add | sympy.Mul | sympy.Pow | Boolean | TableCall):
         return parts
     name = type(expression).__name__
     return parts[: 1 if name == "Heaviside" else None] if name in FUNCTIONS else ()

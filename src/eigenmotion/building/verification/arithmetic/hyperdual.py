@@ -21,13 +21,15 @@ _Some = Rounded | None
 """A part; None where it is zero throughout."""
 
 
-def _plus(first: _Some, second: _Some) -> _Some:
+def plus(first: _Some, second: _Some) -> _Some:
+    """Return the sum of parts."""
     if first is None:
         return second
     return first if second is None else first + second
 
 
-def _times(first: _Some, second: _Some) -> _Some:
+def times(first: _Some, second: _Some) -> _Some:
+    """Return the product of parts."""
     return None if first is None or second is None else first * second
 
 
@@ -46,16 +48,16 @@ class HyperDual:
         return self.b is not None or self.c is not None
 
     def __add__(self, other: HyperDual) -> HyperDual:
-        return HyperDual(self.a + other.a, _plus(self.b, other.b), _plus(self.c, other.c), _plus(self.f, other.f))
+        return HyperDual(self.a + other.a, plus(self.b, other.b), plus(self.c, other.c), plus(self.f, other.f))
 
     def __mul__(self, other: HyperDual) -> HyperDual:
         return HyperDual(
             self.a * other.a,
-            _plus(_times(self.a, other.b), _times(self.b, other.a)),
-            _plus(_times(self.a, other.c), _times(self.c, other.a)),
-            _plus(
-                _plus(_times(self.a, other.f), _times(self.f, other.a)),
-                _plus(_times(self.b, other.c), _times(self.c, other.b)),
+            plus(times(self.a, other.b), times(self.b, other.a)),
+            plus(times(self.a, other.c), times(self.c, other.a)),
+            plus(
+                plus(times(self.a, other.f), times(self.f, other.a)),
+                plus(times(self.b, other.c), times(self.c, other.b)),
             ),
         )
 
@@ -63,9 +65,9 @@ class HyperDual:
         """Return g(self), given g, g' and g'' at a; None where a derivative is zero."""
         return HyperDual(
             value,
-            _times(slope, self.b),
-            _times(slope, self.c),
-            _plus(_times(slope, self.f), _times(bend, _times(self.b, self.c))),
+            times(slope, self.b),
+            times(slope, self.c),
+            plus(times(slope, self.f), times(bend, times(self.b, self.c))),
         )
 
     def power(self, p: Rounded) -> HyperDual:

@@ -1,0 +1,69 @@
+"""Tables that runs are given in place of the model's own: by name among the parameters."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from ..codegen.model import Table
+from ..codegen.model.normalise import ModelError, shown
+from ..runtime import CompiledModel
+from ..runtime.tables import kept
+from .named_values import is_named, spelled
+
+
+def with_tables(c: CompiledModel, given: Any, several: bool = False) -> Any:
+    """Return parameters with tables as the numbers by which compiled code knows them.
+
+    Parameters
+    ----------
+    several
+        Whether a list holds one table for each member of an ensemble.
+
+    Raises
+    ------
+    ModelError
+        What is given for a table is none, or a function of another number of arguments.
+    """
+    if not c.tables or not is_named(given):
+        return given
+    return {key: _numbers(c, spelled(key), value, several) if spelled(key) in c.tables else value
+            for key, value in given.items()}  # fmt: skip
+
+
+def _numbers(c: CompiledModel, name: str, value: Any, several: bool) -> Any:
+    if several and isinstance(value, list):
+        return np.array([_number(c, name, one) for one in value])
+    return value if isinstance(value, np.ndarray) else _number(c, name, value)
+
+
+def _number(c: CompiledModel, name: str, value: Any) -> float:
+    """Return 0 for the model's own table; a number that stands for another one as it is, which `prepare` looks at."""
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return float(value)
+    what = f"parameter {name!r} of {c.name}, a table,"
+    try:
+        table = value if isinstance(value, Table) else Table(value, outside=_outside(c, name), name=name)
+    except ModelError as error:
+        raise ModelError(f"{what} is given {shown(value)}: {error}") from error
+    _, arguments = c.tables[name]
+    if table.arguments != arguments:
+        raise ModelError(f"{what} is a function of {arguments} argument(s), and is given one of {table.arguments}.")
+    return _kept(table)
+
+
+def _outside(c: CompiledModel, name: str) -> str:
+    return c.outside_of(name)
+
+
+@lru_cache(maxsize=64)
+def _kept(table: Table) -> float:
+    return kept(table.pieces.numbers())
+
+
+def refuse_tables(c: CompiledModel, names: Mapping[str, object] | tuple[str, ...], what: str) -> None:
+    """Raise ModelError where a name is that of a table, which is no number to vary."""
+    for name in names:
+        if name in c.tables:
+            raise ModelError(f"{what} names {name!r}, which is a table and no number. Name numbers.")

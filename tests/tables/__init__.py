@@ -1,0 +1,1 @@
+"""Tables: values, motions under them, and what is refused."""
