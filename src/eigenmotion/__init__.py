@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .analysis.equilibrium.assemble import assemble as assemble
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
     from .analysis.linear.linearization import Linearization as Linearization
-    from .arguments.signals import Sampled as Sampled
+    from .arguments.sampled import Sampled as Sampled
     from .arguments.signals import Signal as Signal
     from .batch.simulate_ensemble import simulate_ensemble as simulate_ensemble
     from .batch.stepper.steppers import Steppers as Steppers
@@ -53,7 +53,7 @@ _HOME = {
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.verification",
-    "Sampled": ".arguments.signals",
+    "Sampled": ".arguments.sampled",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
     "Stepper": ".simulation.stepper",

@@ -293,5 +293,5 @@ def test_a_coordinate_at_another_time_is_a_delay_and_no_other_symbol(other):
     words = r"Model 'delayed': forces\[x\] contains x\(.*\), the coordinate 'x' at another time than now. Delays"
     with pytest.raises(ModelError, match=words):
         Model(**given, forces={x: -x.func(other)})
-    with pytest.raises(ModelError, match="Delays are not supported"):
+    with pytest.raises(ModelError, match=r"Delays are not taken in expressions: .*Sampled\(delay=\)"):
         Model(**given, forces={x: -x.func(other).diff(t)} if other.has(t) and other != 2 * t else {x: x.func(other)})

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import eigenmotion as em
-from eigenmotion import ModelError, Sampled, Signal, StopReason
+from eigenmotion import ModelError, Sampled, Signal, StopReason, System
 from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_of
@@ -20,6 +20,17 @@ PERIOD = 0.1
 def damping(t, x, v):
     """What a Sampled input asks: it must be found where a pickle is loaded."""
     return -3.0 * v[0] - 2.0 * x[0] + t
+
+
+class Integral:
+    """A controller with a state of its own."""
+
+    def __init__(self):
+        self.sum = 0.0
+
+    def __call__(self, t, x, v):
+        self.sum += PERIOD * x[0]
+        return -4.0 * self.sum - v[0]
 
 
 def by_hand(system, end, method="dop853", delay=0):
@@ -167,6 +178,10 @@ def test_what_controllers_cannot_be_asked_in(options, words):
     [
         ((3, 0.1), "cannot be called"),
         ((damping, 0.0), "period of a Sampled input is 0.0, but must be above 0"),
+        ((damping,), "period of a Sampled input is 0.0, but must be above 0"),
+        ((None, 0.1), "needs a function, or make="),
+        ((damping, 0.1, 0.0, None, Integral), "needs a function, or make="),
+        ((None, 0.1, 0.0, None, 3), "the make of a Sampled input is 3, which cannot be called"),
         ((damping, np.nan), "the period of a Sampled input"),
         ((damping, 0.1, 0.2), "delay of a Sampled input is 0.2"),
         ((damping, 0.1, -0.1), "delay of a Sampled input is -0.1"),
@@ -178,14 +193,79 @@ def test_what_is_no_controller(given, words):
         Sampled(*given)
 
 
-def test_only_simulate_asks():
-    system, inputs = oscillator(), {"u": Sampled(damping, 0.1)}
-    for call in (
-        lambda: system.stepper(inputs=inputs),
-        lambda: em.simulate_ensemble(system, (0, 1), inputs=inputs, x0={"x": [0.0, 1.0]}),
-    ):
-        with pytest.raises(ModelError, match="Sampled"):
-            call()
+@pytest.mark.parametrize("steppers", [System.stepper, lambda system, inputs: system.steppers(2, inputs=inputs)])
+def test_steppers_do_not_ask(steppers):
+    with pytest.raises(ModelError, match=r"Sampled.* between two advances"):
+        steppers(oscillator(), inputs={"u": Sampled(damping, 0.1)})
+
+
+def both(t, x, v):
+    """Answers for a and b of `two_inputs`."""
+    return np.array([np.sin(t) - x[0], 0.5 + 0.1 * v[0]])
+
+
+@pytest.mark.parametrize("delay", [0, 1])
+@pytest.mark.parametrize("order", [("a", "b"), ("b", "a")])
+def test_one_controller_of_several_inputs(order, delay):
+    """Against a stepper in a loop; it is asked once a period for all of them."""
+    system, asked = two_inputs(), []
+
+    def control(t, x, v):
+        asked.append(t)
+        return list(both(t, x, v)) if order == ("a", "b") else tuple(both(t, x, v)[::-1])
+
+    control = Sampled(control, PERIOD, delay * PERIOD, initial=(0.25, 0.75))
+    run = system.simulate((0, 1), inputs={order: control}, **TIGHT)
+    stepper, late = system.stepper(**TIGHT), [dict(zip(order, (0.25, 0.75), strict=True))] * delay
+    for k in range(10):
+        late.append(dict(zip("ab", both(stepper.t, stepper.x, stepper.v), strict=True)))
+        stepper.advance((k + 1) * PERIOD, late.pop(0))
+    assert len(asked) == 10
+    assert np.abs(run.x[:, -1] - stepper.x).max() < 1e-13
+    again = system.simulate((0, 1), inputs=dict(zip("ab", run._rows.task.inputs.signals, strict=True)), **TIGHT)
+    assert np.abs(again.x[:, -1] - stepper.x).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ([1.0], "inputs 'a', 'b' at t = 0.2: a sequence of 2 numbers is needed"),
+        (1.0, "inputs 'a', 'b' at t = 0.2: a sequence of 2 numbers is needed"),
+        ("ab", "inputs 'a', 'b' at t = 0.2: a sequence of 2 numbers is needed"),
+        ((1.0, np.nan), "input 'b' at t = 0.2: a number is needed"),
+        ((1.0, None), "input 'b' at t = 0.2: a number is needed"),
+    ],
+)
+def test_wrong_answers_for_several_inputs_are_named(said, words):
+    control = Sampled(lambda t, x, v: said if t > 0.15 else (0.0, 0.0), PERIOD)
+    with pytest.raises(ModelError, match=re.escape(words)):
+        two_inputs().simulate((0, 1), inputs={("a", "b"): control})
+
+
+@pytest.mark.parametrize(
+    ("inputs", "words"),
+    [
+        ({("a", "b"): 1.0}, "inputs 'a', 'b' are given 1.0 at once"),
+        ({("a", "c"): Sampled(both, PERIOD)}, "unknown input 'c'"),
+        ({("a", "b"): Sampled(both, PERIOD), "a": 1.0}, "input 'a' is given twice"),
+        ({("a", "a"): Sampled(both, PERIOD)}, "input 'a' is given twice"),
+        ({(): Sampled(both, PERIOD)}, "a tuple of no names"),
+        ({("a", "b"): Sampled(both, PERIOD, initial=(1.0,))}, "initial is (1.0,), but must be a sequence of 2 numbers"),
+        ({("a", "b"): Sampled(both, PERIOD, initial=1.0)}, "initial is 1.0, but must be a sequence of 2 numbers"),
+        ({"a": Sampled(both, PERIOD, initial=(1.0,))}, "initial is (1.0,), but must be a number"),
+    ],
+)
+def test_what_several_inputs_cannot_be_given(inputs, words):
+    with pytest.raises(ModelError, match=re.escape(words)):
+        two_inputs().simulate((0, 1), inputs=inputs)
+
+
+def test_each_run_has_a_controller_that_is_made_for_it():
+    system, control = oscillator(), Sampled(make=Integral, period=PERIOD)
+    first, second = (system.simulate((0, 1), inputs={"u": control}).x[:, -1] for _ in range(2))
+    assert np.all(first == second)
+    kept = Sampled(Integral(), PERIOD)
+    assert np.any(first != [system.simulate((0, 1), inputs={"u": kept}).x[:, -1] for _ in range(2)][1])
 
 
 def test_it_travels():

@@ -131,8 +131,8 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
     kinds = {name_of(known): kind for kind, known in declared(model)}
     if name in kinds and isinstance(symbol, AppliedUndef) and len(symbol.args) == 1 and symbol.args != (t,):
         return (
-            f"{what} contains {shown(symbol)}, the {kinds[name]} {name!r} at another time than now. Delays are not "
-            "supported: a motion follows from where it is now alone."
+            f"{what} contains {shown(symbol)}, the {kinds[name]} {name!r} at another time than now. Delays are "
+            "not taken in expressions: use a controller, Sampled(delay=), or a filter, whose states are coordinates."
         )
     if name in kinds:
         return (

@@ -10,9 +10,10 @@ from ..runtime import CompiledModel
 from .differentiation import Differentiated
 from .named_values import Vector
 from .options import Task
+from .sampled import Controlled
 from .signals import Inputs, Signal
 
-Column = float | Signal | Vector | list[Any]
+Column = float | Signal | Controlled | Vector | list[Any]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,9 +57,10 @@ class Members:
     """K members. An array with one row, and an input that is one number or Signal, is shared by all members.
 
     parameters (K or 1, n_parameters), x, v (K or 1, n)
-    signals : for each input a number or a Signal for all, (K,) numbers, or a list of K numbers and Signals
+    signals : for each input a number or a Signal for all, (K,) numbers, or a list of K numbers, Signals and controllers
     refused : (K,) whether a member cannot start for a reason found before its run
     swept : name -> (K,) values of each argument that differs between members
+    first : the number of member 0 among all members, if these are a part of them
     """
 
     count: int
@@ -69,6 +71,7 @@ class Members:
     refused: NDArray[np.bool_]
     reasons: dict[int, str]
     swept: dict[str, Vector]
+    first: int = 0
 
     def part(self, start: int, stop: int) -> "Members":
         """Return members start ... stop - 1."""
@@ -80,8 +83,14 @@ class Members:
         reasons = {k - start: words for k, words in self.reasons.items() if start <= k < stop}
         return replace(
             self, count=stop - start, parameters=rows(self.parameters), x=rows(self.x), v=rows(self.v),
-            signals=signals, refused=self.refused[start:stop], reasons=reasons, swept={},
+            signals=signals, refused=self.refused[start:stop], reasons=reasons, swept={}, first=self.first + start,
         )  # fmt: skip
+
+    @property
+    def controllers(self) -> list[Controlled]:
+        """The controllers there are, each once."""
+        lists = [one for one in self.signals if isinstance(one, list)]
+        return list(dict.fromkeys(one for each in lists for one in each if isinstance(one, Controlled)))
 
     @property
     def inputs(self) -> tuple[Any, ...]:
@@ -96,7 +105,7 @@ class Members:
     def inputs_of(self, k: int) -> Inputs:
         """Return the inputs of one member."""
         chosen = (one[k] if isinstance(one, list | np.ndarray) else one for one in self.signals)
-        return Inputs(tuple(one if isinstance(one, Signal) else float(one) for one in chosen))
+        return Inputs(tuple(one if isinstance(one, Signal | Controlled) else float(one) for one in chosen))
 
     def row(self, name: str, k: int) -> Vector:
         """Return the parameters, x or v of one member."""

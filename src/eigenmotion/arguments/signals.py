@@ -1,6 +1,6 @@
 """Inputs u(t) of a run: constants, and samples with zero-order hold, linear or cubic interpolation."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..codegen.model.normalise import ModelError, number, shown
 from ..runtime import CompiledModel
 from .named_values import Vector, by_name, is_named, vector
+from .sampled import Controlled, by_input
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
 _KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
@@ -99,62 +100,11 @@ class Signal:
         return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Sampled:
-    """A sampled controller: a function that computes an input once every period; the input is constant in between.
-
-    Parameters
-    ----------
-    function
-        Called as function(t, x, v), x and v (n,) new arrays, at the start and then every period; returns a number.
-    period
-        [s]
-    delay
-        [s] from the question to when the answer takes hold, at most the period.
-    initial
-        What holds before the first answer does; None: the model's default.
-
-    Raises
-    ------
-    ModelError
-        The function cannot be called, or a number is out of range.
-
-    Examples
-    --------
-    >>> import eigenmotion as em
-    >>> em.Sampled(lambda t, x, v: -2.0 * v[0], period=0.01, delay=0.01).delay
-    0.01
-    """
-
-    function: Callable[[float, Vector, Vector], float]
-    period: float
-    delay: float = 0.0
-    initial: float | None = None
-
-    def __post_init__(self) -> None:
-        if not callable(self.function):
-            raise ModelError(f"the function of a Sampled input is {shown(self.function)}, which cannot be called")
-        for name in ("period", "delay"):
-            object.__setattr__(self, name, number(getattr(self, name), f"the {name} of a Sampled input"))
-        if not self.period > 0:
-            raise ModelError(f"the period of a Sampled input is {self.period}, but must be above 0")
-        if not 0 <= self.delay <= self.period:
-            raise ModelError(
-                f"the delay of a Sampled input is {self.delay}, but must be from 0 to its period, {self.period}"
-            )
-        if self.initial is not None:
-            object.__setattr__(self, "initial", number(self.initial, "the initial value of a Sampled input"))
-
-    def before(self, default: float) -> float:
-        """Return the value of the input before the first answer of the function takes effect."""
-        return default if self.initial is None else self.initial
-
-
 @dataclass(frozen=True, eq=False)
 class Inputs:
     """The inputs of one run, in the model's order."""
 
-    signals: tuple[float | Signal | Sampled, ...]
+    signals: tuple[float | Signal | Controlled, ...]
 
     @cached_property
     def compiled(self) -> tuple[Compiled, ...]:
@@ -167,7 +117,7 @@ class Inputs:
     @cached_property
     def sampled(self) -> bool:
         """Whether some inputs are sampled controllers."""
-        return any(isinstance(signal, Sampled) for signal in self.signals)
+        return any(isinstance(signal, Controlled) for signal in self.signals)
 
     @property
     def constant(self) -> bool:
@@ -175,8 +125,12 @@ class Inputs:
         return not any(isinstance(signal, Signal) for signal in self.signals)
 
     def at(self, t: ArrayLike) -> Vector:
-        """Return u at times t: (..., n_inputs)."""
-        columns = [signal(t) if isinstance(signal, Signal) else np.full(np.shape(t), signal) for signal in self.signals]
+        """Return u at times t: (..., n_inputs); NaN for inputs with a controller."""
+        columns = [
+            signal(t) if isinstance(signal, Signal)
+            else np.full(np.shape(t), np.nan if isinstance(signal, Controlled) else signal)
+            for signal in self.signals
+        ]  # fmt: skip
         return np.stack(columns, axis=-1) if columns else np.empty((*np.shape(t), 0))
 
     def kinks(self, start: float, end: float) -> Vector:
@@ -198,7 +152,7 @@ class Inputs:
 def check_samples(model: CompiledModel, inputs: Inputs) -> None:
     """Raise EvaluationError if the value of an input contradicts the assumptions of its symbol."""
     for k, signal in enumerate(inputs.signals if any(model.declared) else ()):
-        given = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Sampled) else (signal,)
+        given = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Controlled) else (signal,)
         u = np.array(model.input_defaults)
         for u[k] in np.asarray(given, dtype=np.float64):
             model.check_inputs(u)
@@ -207,6 +161,8 @@ def check_samples(model: CompiledModel, inputs: Inputs) -> None:
 def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
     """Return the inputs of a run: name -> number, (times, values) (linear), Signal or Sampled; others have defaults.
 
+    A tuple of names -> a Sampled that sets all of them.
+
     Raises
     ------
     ModelError
@@ -214,10 +170,10 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
     """
     if not is_named(given):
         raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values), Signal or Sampled")
-    named = by_name(given, names, "input")
+    named = by_name(by_input(given), names, "input")
     return Inputs(
         tuple(
-            given if isinstance(given := named.get(name, default), Sampled) else as_signal(given, name)
+            given if isinstance(given := named.get(name, default), Controlled) else as_signal(given, name)
             for name, default in zip(names, defaults, strict=True)
         )
     )
@@ -227,8 +183,8 @@ def as_signal(given: Any, name: str) -> float | Signal:
     """Return one input as a number or a Signal: a number, a pair (times, values) or a Signal."""
     if isinstance(given, Signal):
         return given
-    if isinstance(given, Sampled):
-        raise ModelError(f"input {name!r} is Sampled: controllers are asked in `simulate`, one run at a time")
+    if isinstance(given, Controlled):
+        raise ModelError(f"input {name!r} is Sampled: only `simulate` and `simulate_ensemble` ask controllers")
     if callable(given):
         raise ModelError(
             f"input {name!r} is a function. Of the time: sample it, as (times, f(times)). Of the state: it is a "

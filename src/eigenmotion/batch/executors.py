@@ -11,7 +11,7 @@ from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future,
 from functools import lru_cache
 
 from ..arguments.members import Asked, Members
-from ..codegen.model.normalise import ModelError
+from ..codegen.model.normalise import ModelError, shown
 from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
 from .chunk import run_chunk
@@ -32,6 +32,18 @@ def _packed(asked: Asked) -> bytes:
         raise ModelError(f"{asked.model.name} cannot travel to an executor's workers: {error}") from error
 
 
+def _check_travels(members: Members) -> None:
+    """Refuse controllers that cannot be pickled."""
+    for one in members.controllers:
+        try:
+            pickle.dumps(one)
+        except Exception as error:  # whatever pickling an object of the user's raises
+            raise ModelError(
+                f"{one}: the controller {shown(one.sampled.function)} cannot travel to an executor's workers: {error}. "
+                "Define its function or class at the top of a module, or use threads of this process: workers="
+            ) from error
+
+
 @lru_cache(maxsize=8)
 def _asked(packed: bytes) -> Asked:
     """Unpickle what all members share, including the model: once per process, not once per chunk."""
@@ -49,6 +61,7 @@ def timed_chunk(packed: bytes, members: Members) -> tuple[BatchArrays, float]:
 
 def in_executor(asked: Asked, members: Members, executor: Executor, report: Report) -> BatchArrays:
     """Run all members in the workers of the executor; Ctrl-C cancels the chunks that have not finished."""
+    _check_travels(members)
     work = _Work(asked, members, executor, report)
     try:
         pilot = min(_PILOT, members.count)
@@ -97,7 +110,7 @@ class _Work:
             self._put(part, future.result())
         except (Exception, CancelledError) as error:
             self.tries[part] = self.tries.get(part, 0) + 1
-            if self.tries[part] >= _TRIES:
+            if isinstance(error, ModelError) or self.tries[part] >= _TRIES:
                 raise
             _log.warning("members %d to %d are run again: %s", part[0], part[1] - 1, error)
             self.submit([part])

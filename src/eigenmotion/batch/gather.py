@@ -7,6 +7,8 @@ import numpy as np
 
 from ..arguments.members import Column, Members
 from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
+from ..arguments.own_controllers import OwnControllers
+from ..arguments.sampled import Controlled, by_input
 from ..arguments.signals import Inputs, Signal, as_signal, check_samples
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, shown
@@ -112,6 +114,8 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, c.coordinates, c.initial_x)
     c.check_tables_of(P)
     reasons: dict[int, str] = {}
+    own = OwnControllers(count, reasons)
+    signals = tuple(own.column(column) for column in signals)
     V = _by_member(system, t, count, P, X, quasi, reasons) if v is None else _filled(v, c.coordinates, c.initial_v)
     _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))
     refused = np.zeros(count, dtype=np.bool_)
@@ -180,8 +184,10 @@ def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column
     if inputs is None:
         return tuple(defaults.tolist())
     if not is_named(inputs):
-        raise ModelError(f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values) or Signal")
-    named = by_name(inputs, names, "input")
+        raise ModelError(
+            f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values), Signal or Sampled"
+        )
+    named = by_name(by_input(inputs), names, "input")
     columns = tuple(_column(named[name], name, found) if name in named else float(default)
                     for name, default in zip(names, defaults, strict=True))  # fmt: skip
     for k, column in enumerate(columns if any(system.compiled.declared) else ()):
@@ -191,11 +197,13 @@ def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column
 
 
 def _column(given: Any, name: str, found: _Given) -> Column:
-    """Return one input: a number, a pair or a Signal for all; a list or an array holds one for each member."""
+    """Return one input: a number, a pair, a Signal or a controller for all; a list or an array, one for each member."""
     what = f"input {name!r}"
-    if isinstance(given, list) and any(isinstance(one, tuple | Signal) for one in given):
+    if isinstance(given, Controlled):
+        return given
+    if isinstance(given, list) and any(isinstance(one, tuple | Signal | Controlled) for one in given):
         found.note(what, len(given))
-        signals: list[Any] = [as_signal(one, name) for one in given]
+        signals: list[Any] = [one if isinstance(one, Controlled) else as_signal(one, name) for one in given]
         return signals if len(signals) > 1 else signals[0]
     if isinstance(given, list | np.ndarray) and np.ndim(given):
         column = found.numbers(given, what, name)

@@ -3,14 +3,15 @@
 import logging
 import os
 
-from ..arguments.members import Asked
+from ..arguments.members import Asked, Members
+from ..arguments.sampled import Controlled
 from ..codegen.model.normalise import ModelError
 
 _LITTLE = 10**7  # [byte] up to which no check is made
 _log = logging.getLogger("eigenmotion")
 
 
-def check(asked: Asked, count: int) -> None:
+def check(asked: Asked, members: Members) -> None:
     """Check that the rows of the runs fit into memory.
 
     Raises
@@ -22,7 +23,8 @@ def check(asked: Asked, count: int) -> None:
     columns = len(asked.differentiated.names) if asked.differentiated else 0
     width = model.n_state + 2 * model.n * columns
     numbers = len(asked.t_eval) * width + 10 + model.n_events
-    needed = 8 * numbers * count
+    count = members.count
+    needed = 8 * (numbers * count + _held(asked, members))
     words = f"{model.name}: {count} runs with {len(asked.t_eval)} rows of {width} numbers"
     _log.info("%s take %.3g GB", words, needed / 1e9)
     if short := shortage(needed):
@@ -30,6 +32,13 @@ def check(asked: Asked, count: int) -> None:
             f"{words} {short}. Give fewer rows in t_eval (none: the end state only), fewer runs at a time, or let "
             "`eigenmotion sweep` write them chunk by chunk."
         )
+
+
+def _held(asked: Asked, members: Members) -> float:
+    """Return how many numbers record the values that controllers return, and their times."""
+    lists = [column for column in members.signals if isinstance(column, list)]
+    periods = [one.sampled.period for each in lists for one in each if isinstance(one, Controlled)]
+    return sum(2.0 * (asked.t_end - asked.t_start) / period for period in periods)
 
 
 def shortage(needed: float) -> str:

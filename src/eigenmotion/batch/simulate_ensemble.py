@@ -20,6 +20,8 @@ from ..progress import counted
 from ..results.ensemble import Ensemble
 from ..simulation.initial_state.consistency import check_direction
 from ..simulation.method_selection import automatic_of_many
+from ..simulation.sampled_inputs import check_forwards
+from ..simulation.sensitivity.sensitivities import through_no_controller
 from ..simulation.simulate import NAMES, STABILISATIONS, refused
 from . import memory
 from .executors import in_executor
@@ -64,7 +66,8 @@ def simulate_ensemble(
         As of `simulate`, and each value a number or (K,) numbers; or arrays (K, n), (K, n_parameters), a row a run.
         Lengths of one fit any other.
     inputs
-        As of `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs or Signals.
+        As of `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs, Signals or Sampled.
+        Each run has controllers of its own (`Sampled` says how); one that raises ends its run, whose `message` has it.
     t_eval
         (nt,) times of the rows; None: the end state only.
     method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
@@ -121,7 +124,8 @@ def simulate_ensemble(
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
     _check_constant(system, asked, members)
-    memory.check(asked, members.count)
+    _check_controlled(asked, members)
+    memory.check(asked, members)
     with counted(members.count) if truth(progress, "progress") else nullcontext(_silent) as report:
         if executor is None:
             return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
@@ -150,6 +154,15 @@ def _check_constant(system: CompiledSystem, asked: Asked, members: Members) -> N
     for name, column in zip(system.inputs, members.signals, strict=True):
         if name in names and any(isinstance(one, Signal) for one in (column if isinstance(column, list) else [column])):
             raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
+
+
+def _check_controlled(asked: Asked, members: Members) -> None:
+    """Refuse what controllers cannot be asked in."""
+    if not members.controllers:
+        return
+    check_forwards(asked.t_start, asked.t_end)
+    if asked.differentiated is not None:
+        raise through_no_controller(asked.model.name)
 
 
 def _silent(_: int) -> None:

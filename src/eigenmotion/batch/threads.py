@@ -34,8 +34,8 @@ def shares(count: int, workers: int) -> list[tuple[int, int]]:
 def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> BatchArrays:
     """Run all members; Ctrl-C ends the runs, and the results so far are returned."""
     stop, parts = Stop(), shares(members.count, workers)
-    if len(parts) == 1:
-        only = run_chunk(asked, members, stop)
+    if len(parts) == 1 or members.controllers:  # which Python asks, so that threads are of use between questions alone
+        only = run_chunk(asked, members, stop, workers)
         report(members.count)
         return only
     found = Collection(asked, members.count)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..arguments.members import Asked, Members
 from ..arguments.named_values import Vector
+from ..arguments.signals import Inputs
 from ..runtime import COUNTS, CompiledModel, StopReason
 from .trajectory import Segment
 
@@ -24,6 +25,7 @@ class BatchArrays:
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
     words : member -> message, for members that ran or were refused one by one
     segments : member -> its modes, as of `Trajectory`, of models with contacts
+    held : member -> its inputs, of members with controllers: the values that these returned, as Signals
     """
 
     y: Vector
@@ -40,6 +42,7 @@ class BatchArrays:
     dt_events: Vector
     words: dict[int, str] = field(default_factory=dict)
     segments: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
+    held: dict[int, Inputs] = field(default_factory=dict)
 
     @classmethod
     def none(cls, asked: Asked, count: int) -> "BatchArrays":
@@ -60,6 +63,10 @@ class BatchArrays:
             S=np.full((count, len(asked.t_eval), 2 * model.n, columns), np.nan),
             dt_events=np.empty((0, columns)),
         )
+
+    def inputs_of(self, k: int, members: Members) -> Inputs:
+        """Return the inputs of a member as they were in its run."""
+        return self.held[k] if k in self.held else members.inputs_of(k)
 
     def by_mode(
         self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: int
@@ -88,6 +95,7 @@ class Collection:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
         self._whole.segments |= {start + k: segments for k, segments in part.segments.items()}
+        self._whole.held |= {start + k: inputs for k, inputs in part.held.items()}
         self._events[start] = part.event_times, part.events, part.dt_events
 
     @property

@@ -218,7 +218,7 @@ class Ensemble:
         count, rows = self._found.y.shape[:2]
         at = np.empty((count, rows, self._model.n_inputs))
         for k in range(count if self._model.n_inputs else 0):
-            at[k] = self._members.inputs_of(k).at(self._times[k if self._asked.end_only else 0])
+            at[k] = self._found.inputs_of(k, self._members).at(self._times[k if self._asked.end_only else 0])
         return at
 
     # --- one of them ---
@@ -253,7 +253,7 @@ class Ensemble:
         if stop is StopReason.START_REFUSED:
             return Solution(None, fields | nothing(self._model))
         prepared = self._model.prepare(members.row("parameters", k))
-        task = asked.task(prepared, members.inputs_of(k), members.row("x", k))
+        task = asked.task(prepared, found.inputs_of(k, members), members.row("x", k))
         fields |= shared(task, fields["message"])
         return Solution(Trajectory(task, t, rows, segments), fields)
 

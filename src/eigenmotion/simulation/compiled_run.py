@@ -5,8 +5,8 @@ from contextlib import suppress
 from ..arguments.methods import Method
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
-from ..runtime import Run, RunInParts, StopReason
-from .sampled_inputs import as_held, drive, opened
+from ..runtime import Run, StopReason
+from .sampled_inputs import DrivenRun
 
 
 def run_compiled(task: Task, method: Method) -> Solution:
@@ -19,17 +19,16 @@ def run_compiled(task: Task, method: Method) -> Solution:
     """
     if not task.inputs.sampled:
         return solution_of(task, method, Run(task, method.number))
-    task, held = opened(task)
-    run = RunInParts(task, method.number)
+    driven = DrivenRun(task, method.number)
     try:
-        drive(run, task, held)
+        driven.go()
     except BaseException as error:
-        run.close(StopReason.INTERRUPTED)
+        driven.run.close(StopReason.INTERRUPTED)
         with suppress(AttributeError):  # of exceptions that take none
-            error.solution = solution_of(as_held(task, held), method, run)  # type: ignore[attr-defined]
+            error.solution = solution_of(driven.as_held, method, driven.run)  # type: ignore[attr-defined]
         raise
-    run.close()
-    return solution_of(as_held(task, held), method, run)
+    driven.run.close()
+    return solution_of(driven.as_held, method, driven.run)
 
 
 def solution_of(task: Task, method: Method, run: Run) -> Solution:

@@ -22,6 +22,7 @@ from .error_estimate import with_error_estimate
 from .initial_state.consistency import check_direction, start_state
 from .initial_state.restart import given_start
 from .method_selection import automatic_of_run
+from .sampled_inputs import check_forwards
 from .sensitivity.sensitivities import directions, sensitivity
 
 NAMES = {name: name for name in (*METHODS, AUTO)}
@@ -69,7 +70,8 @@ def simulate(
         Mapping name -> value over the defaults, array, or what `System.prepare` returned.
     inputs
         Mapping name -> number, (times, values) (linear interpolation), Signal, or Sampled: a controller, asked every
-        period. What it raises comes out as it is, with what was done as its `solution`.
+        period; a tuple of names -> a Sampled that answers for all of them. What it raises comes out as it is, with what
+        was done as its `solution`.
     method
         "rk34", "dopri5", "dop853": Runge-Kutta; "ra15": eight Radau nodes side by side, order 15, often the quickest
         where motions are smooth and tolerances tight; "radau5", "radau9": implicit, for stiff scenes, Radau IIA of
@@ -242,8 +244,7 @@ def _standing(row: Vector, t: Vector) -> Vector:
 
 def _check_sampled(task: Task, estimate_error: Any) -> None:
     """Raise ModelError for runs in which controllers cannot be called."""
-    if task.t_end < task.t_start:
-        raise ModelError("Sampled inputs are for runs forwards in time: a controller knows the past alone")
+    check_forwards(task.t_start, task.t_end)
     if estimate_error is not False:
         raise ModelError(
             "estimate_error asks a controller twice, at states that differ: run without it, and then again with the "

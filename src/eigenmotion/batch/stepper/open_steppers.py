@@ -127,7 +127,7 @@ def _columns(system: CompiledSystem, given: Any, count: int) -> Vector:
         if not isinstance(column, float | np.ndarray):
             raise ModelError(
                 f"{system.name}: input {name!r} of steppers is a number for each member, which `advance` sets; "
-                "simulate and stepper take signals"
+                "simulate and stepper take signals, and a controller (Sampled) is called between two advances"
             )
         made[:, k] = column
     return made

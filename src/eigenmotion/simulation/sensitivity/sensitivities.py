@@ -35,6 +35,14 @@ class Directions(NamedTuple):
     P: Vector
 
 
+def through_no_controller(name: str) -> ModelError:
+    """Return what refuses to differentiate a model's runs with controllers."""
+    return ModelError(
+        f"{name}: sensitivities do not go through a controller (Sampled): differentiate the closed loop by a run with "
+        "its control law in the model's forces"
+    )
+
+
 def directions(asked: Differentiated, task: Task) -> Directions:
     """Return the directions at the start of a run.
 
@@ -45,8 +53,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
     """
     c, names = task.model, asked.names
     if task.inputs.sampled:
-        raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
-                         "loop by a run with its control law in the model's forces")  # fmt: skip
+        raise through_no_controller(c.name)
     S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
     state, given = _places(c.coordinates, c.inputs, c.parameters)
     for column, name in enumerate(names):
