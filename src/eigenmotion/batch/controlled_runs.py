@@ -20,7 +20,7 @@ _LEAST = 64  # runs for which a thread is worth asking
 
 
 def pace(task: Task) -> tuple[Any, ...]:
-    """Return the inputs, periods and delays of the controllers; runs in which they are equal have common sample times."""
+    """Return the inputs, periods and delays of controllers; if they are equal, runs have common sample times."""
     controllers = dict.fromkeys(one for one in task.inputs.signals if isinstance(one, Controlled))
     return tuple((one.names, one.sampled.period, one.sampled.delay) for one in controllers)
 
@@ -38,7 +38,7 @@ class _Answers:
         self.times, self.rows = [start], [np.array([held.values for held in of_runs])]
 
     def ask(self, going: list[int], t: float, x: Vector, v: Vector, failed: dict[int, Exception]) -> Vector:
-        """Call the controllers of the runs that continue; return values (K, inputs), and put exceptions into `failed`."""
+        """Call controllers of the runs that continue; return values (K, inputs), put exceptions into `failed`."""
         answers: list[Any] = list(self.rows[-1])
         for i, x_i, v_i in zip(going, x[going], v[going], strict=True):
             try:
