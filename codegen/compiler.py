@@ -12,6 +12,7 @@ from .model import Model, ModelError
 from .model.check.assumptions import ANY, allowed, declared
 from .model.normalise import name_of
 from .model.recursion_depth import with_room
+from .model.statement.states import as_mechanism
 from .program.lower import Defaults, lower
 from .program.program import Program
 from .render.emit import Sources, emit
@@ -53,7 +54,8 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
 
 
 def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: bool) -> Program:
-    return lower(specialise(derive(model), model.scales, savings), _defaults(model), choices, whole)
+    mechanism = as_mechanism(model)
+    return lower(specialise(derive(mechanism), mechanism.scales, savings), _defaults(model), choices, whole)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:
@@ -111,13 +113,15 @@ def _origin(model: Model, choices: Choices) -> str:
 
 
 def _defaults(model: Model) -> Defaults:
+    start = dict(model.initial)
+    states, none = tuple(start.get(z, 0.0) for z, _ in model.states), (0.0,) * len(model.states)
     return Defaults(
         parameters=tuple((symbol.name, value) for symbol, value in model.parameters),
         declared=_declared(model),
         inputs=tuple((name_of(u), value) for u, value in model.inputs),
-        x=model.initial_x,
-        v=model.initial_v,
-        y=model.initial_y,
+        x=(*model.initial_x, *none),
+        v=(*model.initial_v, *states),
+        y=(*model.initial_y, *states) if model.initial_y else (),
         events=model.events,
         switches=model.switches,
         rows=model.row_names,
@@ -127,6 +131,7 @@ def _defaults(model: Model) -> Defaults:
 
 def _declared(model: Model) -> tuple[tuple[int, str], ...]:
     """Return the values that parameters, coordinates and inputs may have; () if all may have any value."""
-    symbols = (*(p for p, _ in model.parameters), *model.coordinates, *(u for u, _ in model.inputs))
+    coordinates = as_mechanism(model).coordinates
+    symbols = (*(p for p, _ in model.parameters), *coordinates, *(u for u, _ in model.inputs))
     bits = [allowed(symbol) for symbol in symbols]
     return () if all(one == ANY for one in bits) else tuple((one, declared(one)) for one in bits)

@@ -14,9 +14,9 @@ from ..graph.convert import FromSympy, ToSympy
 from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
-from ..model.model import Model, ModelError
-from ..model.normalise import name_of
+from ..model.normalise import ModelError, name_of
 from ..model.statement.drawing import Shape
+from ..model.statement.mechanism import Mechanism
 from .event_actions import EventActions, Impact, Reset
 from .mass_regularisation import weights
 from .plain_symbols import Names
@@ -45,6 +45,7 @@ class Mechanics:
     P : (m + r, n); multipliers, and r norms of them, push with -P^T (lambda, rho): A, less what forces take (friction)
     norms : (r,) of which multipliers each rho is the root of the sum of squares
     levels : (level, the limit at rest) of each switch of the model
+    n_states : how many of x, the last ones, are there for the sake of their v, which are first-order states
     """
 
     name: str
@@ -74,6 +75,13 @@ class Mechanics:
     P: sympy.ImmutableDenseMatrix
     norms: tuple[tuple[int, ...], ...]
     levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+    n_states: int
+
+    @property
+    def coordinate_names(self) -> tuple[str, ...]:
+        """(n) what readers know coordinates by: their own names, and those of the states whose integrals they are."""
+        n = len(self.x) - self.n_states
+        return tuple(symbol.name for symbol in (*self.x[:n], *self.v[n:]))
 
     @property
     def pushes(self) -> bool:
@@ -96,7 +104,7 @@ class Mechanics:
         return tuple(self.M.diff(symbol) for symbol in self.x)
 
 
-def derive(model: Model) -> Mechanics:
+def derive(model: Mechanism) -> Mechanics:
     """Read M, G, T0, V, Q, A and b off the energies, forces and constraints.
 
     T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0.
@@ -125,7 +133,7 @@ def derive(model: Model) -> Mechanics:
 class _Derivation:
     """What the steps of one derivation share: the symbols and the graph."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Mechanism) -> None:
         self.model = model
         self.names = Names(model)
         self.graph = Graph(symbol.name for symbol in self.names.parameters)
@@ -159,7 +167,7 @@ class _Derivation:
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
             drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(actions.impacts()),
-            resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()),
+            resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()), n_states=len(model.states),
         )  # fmt: skip
 
     def shape(self, given: Shape) -> Shape:

@@ -12,8 +12,8 @@ from ..calculus.derivatives import Tangent, gradient
 from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
-from ..model.model import Model, ModelError
-from ..model.normalise import name_of
+from ..model.normalise import ModelError, name_of
+from ..model.statement.mechanism import Mechanism
 from .plain_symbols import Names
 
 
@@ -44,7 +44,7 @@ class EventActions:
 
     def __init__(
         self,
-        model: Model,
+        model: Mechanism,
         graph: Graph,
         names: Names,
         node: Callable[[sympy.Expr], Node],
@@ -82,8 +82,9 @@ class EventActions:
         model = self.model
         for number, (_, event) in enumerate(model.events):
             if event.reset:
-                after, ys = dict(event.reset), [y for y, _ in model.quasi_velocities]
+                after, ys = dict(event.reset), dict(model.quasi_velocities)
                 quasi = any(y in after for y in ys)
+                after |= {y: after[rate] for y, rate in ys.items() if rate in after}  # a state is both
                 places = (*model.coordinates, *(ys if quasi else model.rates))
                 yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
 

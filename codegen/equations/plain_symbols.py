@@ -6,23 +6,31 @@ from collections.abc import Mapping
 
 import sympy
 
-from ..model.model import Model, multiplier, t
+from ..model.model import multiplier, t
 from ..model.normalise import name_of
 from ..model.statement.constraint_rows import normal_force
+from ..model.statement.mechanism import Mechanism
 
 
 class Names:
     """Plain symbols for what the user writes as functions of time."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Mechanism) -> None:
         self.model = model
         self.parameters = tuple(symbol for symbol, _ in model.parameters)
         self._taken = {symbol.name for symbol in self.parameters} | {"t"}
         self.time = sympy.Symbol("t")
-        self.x = tuple(self._new(name_of(x)) for x in model.coordinates)
+        states = [name_of(z) for z, _ in model.states]
+        moving = model.coordinates[: model.n - len(states)]
+        x = tuple(self._new(name_of(x)) for x in moving)
         self.inputs = tuple(self._new(name_of(u)) for u, _ in model.inputs)
-        self.v = tuple(self._new(f"{x.name}_dot") for x in self.x)
-        self.accelerations = tuple(self._new(f"{x.name}_ddot") for x in self.x)
+        z = tuple(map(self._new, states))
+        self.x = (*x, *(self._new(f"{name}_integral") for name in states))
+        self.v = (*(self._new(f"{one.name}_dot") for one in x), *z)
+        self.accelerations = (
+            *(self._new(f"{one.name}_ddot") for one in x),
+            *(self._new(f"{one.name}_dot") for one in z),
+        )
         self.multipliers = tuple(self._new(f"lambda_{row}") for row in range(model.m))
         self.norms = {normal_force(s.presses): self._new(f"rho_{s.name}") for s in model.switches if s.presses}
         self._replacements = self._plain()

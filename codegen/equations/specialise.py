@@ -190,7 +190,8 @@ def _singular(mechanics: Mechanics) -> str:
 
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
     held = _held(mechanics.factored)
-    absent = [f"dM/d{x}" for x in mechanics.x if x not in held]
+    moving = mechanics.x[: len(mechanics.x) - mechanics.n_states]
+    absent = [f"dM/d{x}" for x in moving if x not in held]
     return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []
 
 
@@ -209,4 +210,4 @@ def _absent_factors(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str
 
 
 def _names(mechanics: Mechanics, block: Block) -> str:
-    return "{" + ", ".join(str(mechanics.x[k]) for k in block.coordinates) + "}"
+    return "{" + ", ".join(mechanics.coordinate_names[k] for k in block.coordinates) + "}"

@@ -85,8 +85,9 @@ class Terms:
 
     @cached_property
     def T2(self) -> Node:
-        """1/2 v^T M v (4)"""
-        return self.graph.scale(self.dot(self._velocities, self._momentum), HALF)
+        """1/2 v^T M v (4), of what has mass: states have none"""
+        n = len(self.v) - self.mechanics.n_states
+        return self.graph.scale(self.dot(self._velocities[:n], self._momentum[:n]), HALF)
 
     @cached_property
     def T1(self) -> Node:

@@ -8,11 +8,14 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+LATER = ("constraint_names", "states")
+"""Fields that models once had not: where they are empty, a model's text is what it was."""
+
 
 def canonical_text(record: Any) -> str:
-    """Return one line `field = value` for each field, in the order of the class; not that no row has a name."""
+    """Return one line `field = value` for each field, in the order of the class; of LATER ones only with entries."""
     writer = _Writer()
-    named = [field.name for field in fields(record) if field.name != "constraint_names" or record.constraint_names]
+    named = [field.name for field in fields(record) if field.name not in LATER or getattr(record, field.name)]
     return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in named)
 
 

@@ -17,6 +17,7 @@ from .statement.contacts import contacts_of, normals_of, with_contacts
 from .statement.drawing import drawing_of
 from .statement.event import Event
 from .statement.mechanism import Mechanism, in_rates
+from .statement.states import states_of
 from .symbolic.equations import Equations, equations_of
 from .table import Table, TableHandle, tables_in
 
@@ -79,6 +80,7 @@ class Model(Mechanism):
     contacts : pairs name, Contact or Friction: what touches and lets go, slides and sticks. Each adds a constraint row
     behind those of its kind, a parameter NAME_held or NAME_stuck that is 1 where a run has it hold, and an event NAME
     constraint_names : which rows have names, found where mappings give them
+    states : pairs z, zdot: first-order states, functions of `t`, and their rates, of what forces may depend on
 
     Raises
     ------
@@ -124,6 +126,7 @@ class Model(Mechanism):
         drawing: Iterable[Any] = (),
         contacts: Pairs = (),
         constraint_names: Iterable[NamedRows] = (),
+        states: Pairs = (),
     ) -> None:
         given = dict(locals())
         del given["self"]
@@ -186,10 +189,12 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "drawing": drawing_of(given["drawing"]),
         "contacts": contacts_of(given["contacts"]),
         "constraint_names": names,
+        "states": states_of(given["states"]),
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
     known = normals_of(fields).known
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
+    fields["states"] = tuple((z, numbered(rate, f"states[{name_of(z)}]", known)) for z, rate in fields["states"])
     fields["outputs"] = tuple(
         (name, numbered(output, f"outputs[{name_of(name)}]", known)) for name, output in fields["outputs"]
     )

@@ -63,7 +63,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
         n_memory=layout.n_memory, n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
-        coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
+        coordinates=_named(zip(mechanics.coordinate_names, defaults.x, strict=True)), n_states=mechanics.n_states,
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), declared=tuple(Declared(*one) for one in defaults.declared),
         outputs=tuple(name for name, _ in mechanics.outputs),

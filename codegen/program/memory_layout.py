@@ -58,7 +58,7 @@ def laid_out(scene: Scene, choices: Choices) -> Layout:
     extrapolated = memory.take(2) if choices.extrapolate else None
     groups = _row_groups(scene, choices, state, memory)
     return Layout(
-        blocks=blocks, row_groups=groups, slices=_slices(scene.n, blocks, groups, choices), n_state=state.length,
+        blocks=blocks, row_groups=groups, slices=_slices(scene, blocks, groups, choices), n_state=state.length,
         n_memory=memory.length, first_constant=prepared.length, extrapolated=extrapolated,
     )  # fmt: skip
 
@@ -74,7 +74,7 @@ def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int]
         block_coordinates=tuple(
             BlockCoordinate(k, local, _scale(scene, choices, k)) for local, k in enumerate(block.coordinates)
         ),
-        names=", ".join(scene.mechanics.x[k].name for k in block.coordinates),
+        names=", ".join(scene.mechanics.coordinate_names[k] for k in block.coordinates),
         turning=block.kind is Kind.TURNING, single=block.kind is Kind.SINGLE, fixed=fixed,
         constrained=block.constrained, home=_home(block, choices), C=C, s=s, L=L, r=r,
     )  # fmt: skip
@@ -108,9 +108,12 @@ def _row_groups(scene: Scene, choices: Choices, state: _Store, memory: _Store) -
     return tuple(RowGroup(k + 1, len(rows), rows, C[k], s[k], kept[k]) for k, rows in enumerate(coupled))
 
 
-def _slices(n: int, blocks: tuple[BlockView, ...], groups: tuple[RowGroup, ...], choices: Choices
+def _slices(scene: Scene, blocks: tuple[BlockView, ...], groups: tuple[RowGroup, ...], choices: Choices
             ) -> tuple[Slice, ...]:  # fmt: skip
-    slices = [Slice("x", 0, n), Slice("v" if choices.carries_v else "eta", n, n)]
+    n, states = scene.n, scene.mechanics.n_states
+    slices = [Slice("x", 0, n - states), Slice("v" if choices.carries_v else "eta", n, n - states)]
+    if states:
+        slices += [Slice("z", 2 * n - states, states), Slice("integral of z", n - states, states)]
     turning = [block for block in blocks if block.turning and choices.eigenfactor]
     coupled = [group for group in groups if group.size > 1]
     for names, holders in ((("C", "s"), turning), (("C_delta", "s_delta"), coupled)):

@@ -218,6 +218,7 @@ class Program:
     n_s_delta: int
     row_groups: tuple[RowGroup, ...]
     coordinates: tuple[Named, ...]
+    n_states: int
     velocities: tuple[str, ...]
     parameters: tuple[Named, ...]
     inputs: tuple[Named, ...]

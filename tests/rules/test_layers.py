@@ -83,6 +83,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "codegen.render": ("codegen.kernel", "codegen.program"),
     "codegen": (
         "codegen.model.normalise",
+        "codegen.model.statement",
         "codegen.model.check",
         "codegen.model",
         "codegen.equations",
@@ -176,9 +177,11 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "building.errors": ("codegen.model",),
     "building.verification": (
         "codegen.model.normalise",
+        "codegen.model.statement",
         "codegen.model",
         "runtime",
         "arguments",
+        "compiled",
         "results",
         "system",
         "building.errors",

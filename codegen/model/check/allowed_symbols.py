@@ -27,6 +27,7 @@ def declared(model: Mechanism) -> list[tuple[str, sympy.Expr]]:
     return [
         *(("coordinate", x) for x in model.coordinates),
         *(("quasi-velocity", y) for y, _ in model.quasi_velocities),
+        *(("state", z) for z, _ in model.states),
         *(("input", u) for u, _ in model.inputs),
         *(("parameter", p) for p, _ in model.parameters),
     ]
@@ -35,14 +36,15 @@ def declared(model: Mechanism) -> list[tuple[str, sympy.Expr]]:
 def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]]]:
     """Every expression of the model: what it is called, and what beside x, t and parameters it may contain."""
     moving = frozenset({"rates", "quasi"})
-    anything = moving | {"inputs"}
+    anything = moving | {"inputs", "states"}
     pushed = anything | {"multipliers"} if model.contacts else anything
     return [
         *((what, part, anything if free else frozenset[str]())
           for name, entry in model.contacts for what, part, free in expressions_of(name, entry)),
         ("kinetic_energy", model.kinetic_energy, moving),
-        ("potential_energy", model.potential_energy, frozenset()),
+        ("potential_energy", model.potential_energy, frozenset({"states"})),
         *((f"forces[{name_of(x)}]", Q, pushed) for x, Q in zip(model.coordinates, model.forces, strict=True)),
+        *((f"states[{name_of(z)}]", rate, pushed) for z, rate in model.states),
         *((f"holonomic_constraints[{k}]", phi, frozenset()) for k, phi in enumerate(model.holonomic_constraints)),
         *((f"nonholonomic_constraints[{k}]", row, moving) for k, row in enumerate(model.nonholonomic_constraints)),
         *((f"quasi_velocities[{name_of(y)}]", row, frozenset({"rates"})) for y, row in model.quasi_velocities),
@@ -77,7 +79,7 @@ def _check_rate(what: str, rate: sympy.Derivative, kind: str | None, allowed: fr
         return  # an unknown function is named by _check_function
     if kind == "input":
         raise ModelError(f"{what} contains the rate of the input {name_of(rate.expr)!r}. Make the rate its own input.")
-    order += kind == "quasi-velocity"
+    order += kind in ("quasi-velocity", "state")
     if order == 1 and "rates" not in allowed:
         raise ModelError(f"{what} contains the velocity {name_of(rate)}. {_remedy_for_velocity(what)}")
     if order > 2 or (order == 2 and "accelerations" not in allowed):
@@ -97,6 +99,14 @@ def _remedy_for_velocity(what: str) -> str:
     return "State it in the rates of the coordinates where those are allowed."
 
 
+def _remedy_for_state(what: str) -> str:
+    if what.startswith("drawing"):
+        return "A drawing is made of coordinates."
+    if what.startswith("kinetic"):
+        return "Masses are of coordinates and parameters: what a state does to the motion belongs to forces."
+    return "Let it act through forces."
+
+
 def _remedy_for_input(what: str) -> str:
     return "Draw it as a coordinate." if what.startswith("drawing") else "Let it act through forces."
 
@@ -112,6 +122,8 @@ def _check_function(
         raise ModelError(_unknown(model, what, function))
     if kind == "input" and "inputs" not in allowed:
         raise ModelError(f"{what} contains the input {name_of(function)!r}. {_remedy_for_input(what)}")
+    if kind == "state" and "states" not in allowed:
+        raise ModelError(f"{what} contains the state {name_of(function)!r}. {_remedy_for_state(what)}")
     if kind == "quasi-velocity" and "quasi" not in allowed:
         raise ModelError(f"{what} contains the quasi-velocity {name_of(function)!r}. {_remedy_for_velocity(what)}")
 
@@ -143,5 +155,5 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
         return (
             f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it out."
         )
-    where = "coordinates, quasi_velocities or inputs" if isinstance(symbol, AppliedUndef) else "parameters"
+    where = "coordinates, states, quasi_velocities or inputs" if isinstance(symbol, AppliedUndef) else "parameters"
     return f"{what} contains {name!r}, which is not declared. Add it to {where}.{nearest(name, kinds)}"

@@ -10,6 +10,7 @@ from sympy.core.function import AppliedUndef
 
 from ..normalise import ModelError, name_of, nearest, shown, t
 from ..statement.contacts import Contact, Friction
+from ..statement.states import check_states
 from .allowed_symbols import check_symbols, declared
 from .assumptions import check_assumptions
 from .degree import has_degree
@@ -48,6 +49,7 @@ def check(model: Mechanism) -> None:
     """Raise ModelError at the first mistake found."""
     check_functions_of_time("inputs", [u for u, _ in model.inputs])
     check_functions_of_time("quasi_velocities", [y for y, _ in model.quasi_velocities])
+    check_states(model)
     _check_parameters(model)
     _check_names(model)
     _check_initial(model)
@@ -175,12 +177,14 @@ def _keys(model: Mechanism) -> tuple[tuple[str, list[str]], ...]:
 
 def _check_initial(model: Mechanism) -> None:
     quasi = [y for y, _ in model.quasi_velocities]
-    allowed = {*model.coordinates, *model.rates, *quasi}
+    allowed = {*model.coordinates, *model.rates, *quasi, *(z for z, _ in model.states)}
     for key, _ in model.initial:
         if not isinstance(key, sympy.Basic) or key not in allowed:
             spelt = isinstance(key, str) and key in map(name_of, allowed)
             hint = " Give the symbol, not its name." if spelt else nearest(name_of(key), map(name_of, allowed))
-            raise ModelError(f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate.{hint}")
+            raise ModelError(
+                f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate, nor a state.{hint}"
+            )
     given = {key for key, _ in model.initial}
     if given & set(model.rates) and given & set(quasi):
         raise ModelError("initial gives both rates and quasi-velocities. Give the velocities in one of the two.")
@@ -246,7 +250,7 @@ def _check_masses(model: Mechanism) -> None:
 def _check_resets(model: Mechanism) -> None:
     """A reset names coordinates, and velocities in rates or in quasi-velocities; an impact has a coordinate."""
     quasi = [y for y, _ in model.quasi_velocities]
-    allowed = {*model.coordinates, *model.rates, *quasi}
+    allowed = {*model.coordinates, *model.rates, *quasi, *(z for z, _ in model.states)}
     for name, event in model.events:
         keys = [key for key, _ in event.reset]
         for key in keys:

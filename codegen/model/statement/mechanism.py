@@ -34,6 +34,7 @@ class Mechanism:
     drawing: tuple[Shape, ...]
     contacts: tuple[tuple[str, Contact | Friction], ...]
     constraint_names: tuple[NamedRows, ...]
+    states: tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
     @property
     def n(self) -> int:

@@ -25,6 +25,7 @@ class Equations:
     M : (n, n) [J s^2 / (u_i u_j)]
     bias : (n, 1) [J / u_i]
     A : (m, n); b, gamma : (m, 1)
+    states : pairs z, zdot of first-order states
     """
 
     x: tuple[sympy.Expr, ...]
@@ -34,6 +35,7 @@ class Equations:
     A: sympy.ImmutableDenseMatrix
     b: sympy.ImmutableDenseMatrix
     gamma: sympy.ImmutableDenseMatrix
+    states: tuple[tuple[sympy.Expr, sympy.Expr], ...] = ()
 
     @property
     def v(self) -> tuple[sympy.Expr, ...]:
@@ -55,6 +57,7 @@ class Equations:
         """Return LaTeX: the form of the equations, and below what stands in it, ready for an `align*`."""
         names = {"M": "M", "bias": "h", "A": "A", "b": "b", "gamma": r"\gamma"}
         rows = [rf"{names[name]} &= {latex(part)}" for name, part in self.parts.items()]
+        rows += [rf"{left} &= {right}" for left, right in self.state_form]
         return (
             "\\begin{align*}\n"
             + " \\\\\n".join([rf"{left} &= {right}" for left, right in self.form] + rows)
@@ -67,6 +70,11 @@ class Equations:
         if not self.A.rows:
             return ((r"M \ddot{x}", "h"),)
         return ((r"M \ddot{x} + A^T \lambda", "h"), (r"A \dot{x} + b", "0"), (r"A \ddot{x} + \gamma", "0"))
+
+    @property
+    def state_form(self) -> tuple[tuple[str, str], ...]:
+        """Left and right sides of the rates of states, in LaTeX."""
+        return tuple((latex(z.diff(t)), latex(rate)) for z, rate in self.states)
 
     def source(self) -> str:
         """Return Python that makes these matrices."""
@@ -87,7 +95,7 @@ def equations_of(model: Mechanism) -> Equations:
     return Equations(
         model.coordinates, tuple(MULTIPLIER(sympy.Integer(row)) for row in range(m)),
         matrix(n, n, sum(found.M, ())), matrix(n, 1, found.f), matrix(m, n, sum(found.A, ())), matrix(m, 1, found.b),
-        matrix(m, 1, (-g for g in found.g)),
+        matrix(m, 1, (-g for g in found.g)), tuple((z, simplified(rate)) for z, rate in model.states),
     )  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from ..codegen.model.normalise import ModelError, shown
 from ..runtime import CompiledModel
 from .named_values import by_spelling, is_named, rate_name, spelled, unknown
 from .options import OptionError
+from .states import names_of_states
 from .tables import refuse_tables
 
 
@@ -19,8 +20,8 @@ class Differentiated(NamedTuple):
 
 
 def names_of(c: CompiledModel) -> tuple[str, ...]:
-    """Return all there are: coordinates, rates, quasi-velocities, inputs, parameters."""
-    return *c.coordinates, *rates_of(c.coordinates), *c.quasi_velocities, *c.inputs, *c.parameters
+    """Return all there are: coordinates, states, rates, quasi-velocities, inputs, parameters."""
+    return *c.coordinates, *rates_of(c.coordinates[: c.n - c.n_states]), *c.quasi_velocities, *c.inputs, *c.parameters
 
 
 @lru_cache(maxsize=16)
@@ -44,12 +45,12 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     if wrong := set(names) - known.keys():
         raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
     refuse_tables(c, names, "sensitivities")
-    quasi = [name for name in names if name in c.quasi_velocities]
+    quasi = [name for name in names if name in c.quasi_velocities and name not in names_of_states(c)]
     given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
     from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
     if quasi and not from_quasi:
         raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
-    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n:
+    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n - c.n_states:
         raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
     return Differentiated(names, from_quasi)
 

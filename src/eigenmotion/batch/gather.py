@@ -10,6 +10,7 @@ from ..arguments.named_values import Vector, by_name, by_spelling, is_named, ove
 from ..arguments.own_controllers import OwnControllers
 from ..arguments.sampled import Controlled, by_input
 from ..arguments.signals import Inputs, Signal, as_signal, check_samples
+from ..arguments.states import apart, refuse_states
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
@@ -104,24 +105,47 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
         parameters = np.array(system.prepare(parameters).parameters)
     p = found.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
     _check_shared(c, p)
-    x = found.table(x0, c.coordinates, c.initial_x, "coordinate of x0", "(0)")
+    x0, z0 = apart(c, x0)
+    x = found.table(x0, c.coordinates[: system.n], c.initial_x[: system.n], "coordinate of x0", "(0)")
+    z = found.table(z0, system.states, c.initial_v[system.n :], "state of x0", "(0)")
     v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
     quick = _rates(system, v0)
-    v = found.table(v0, c.coordinates, c.initial_v, "coordinate of v0", "'(0)") if quick else None
+    if isinstance(v0, Mapping):
+        refuse_states(c, v0)
+    v = (
+        found.table(v0, c.coordinates[: system.n], c.initial_v[: system.n], "coordinate of v0", "'(0)")
+        if quick
+        else None
+    )
     quasi = {} if v is not None or v0 is None else _columns(found, v0)
     signals = _signals(system, inputs, found)
     count = found.count
-    P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, c.coordinates, c.initial_x)
+    P, X = (
+        _filled(p, c.parameters, c.parameter_defaults),
+        _filled(x, c.coordinates[: system.n], c.initial_x[: system.n]),
+    )
     c.check_tables_of(P)
     reasons: dict[int, str] = {}
     own = OwnControllers(count, reasons)
     signals = tuple(own.column(column) for column in signals)
-    V = _by_member(system, t, count, P, X, quasi, reasons) if v is None else _filled(v, c.coordinates, c.initial_v)
+    if v is None:
+        V = _by_member(system, t, count, P, X, quasi, reasons)
+    else:
+        V = _filled(v, c.coordinates[: system.n], c.initial_v[: system.n])
+    if c.n_states:
+        X = np.hstack([X, np.zeros((len(X), c.n_states))])
+        V = _beside(V, _filled(z, system.states, c.initial_v[system.n :]))
     _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))
     refused = np.zeros(count, dtype=np.bool_)
     refused[list(reasons)] = True
     swept = {name: np.broadcast_to(column, count) for name, column in found.swept.items() if count > 1}
     return Members(count, P, X, V, signals, refused, reasons, swept)
+
+
+def _beside(left: Vector, right: Vector) -> Vector:
+    """Return rows (K or 1, ...) of both, side by side."""
+    count = max(len(left), len(right))
+    return np.hstack([np.broadcast_to(part, (count, part.shape[1])) for part in (left, right)])
 
 
 def _check_shared(c: CompiledModel, given: Table) -> None:

@@ -8,6 +8,7 @@ from ..arguments.named_values import Vector
 from ..arguments.options import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError
 from ..results.batch_arrays import REASONS, BatchArrays
+from ..results.sensitivity import Sensitivity
 from ..results.solution import Solution
 from ..runtime import EvaluationError, StopReason, explain
 from ..runtime.ensemble import Stop
@@ -53,10 +54,15 @@ def vary(asked: Asked, k: int, task: Task, solution: Solution, found: BatchArray
         _none(asked, k, found, error)
         return
     if rows:
-        S = np.array([np.vstack([one.dx, one.dv]).T for one in rows]).transpose(1, 2, 0)
+        S = np.array([_whole(one).T for one in rows]).transpose(1, 2, 0)
         S = S[-1:] if asked.end_only else S
         found.S[k, : len(S)] = S
         shifts[k] = np.array([np.concatenate([*(one.dt_events or ()), np.empty(0)]) for one in rows]).T
+
+
+def _whole(one: Sensitivity) -> Vector:
+    """Return derivatives (2 n, k) of x, v of compiled functions, without those of integrals of states."""
+    return np.vstack([one.dx, np.zeros_like(one.dz), one.dv, one.dz])
 
 
 def _none(asked: Asked, k: int, found: BatchArrays, error: Exception) -> None:

@@ -151,7 +151,7 @@ def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> di
     kinds = {
         "parameters": [spelled(key) for key, _ in model.parameters],
         "inputs": [spelled(key) for key, _ in model.inputs],
-        "x0": positions,
+        "x0": [*positions, *(spelled(z) for z, _ in model.states)],
         "v0": [*rates, *(spelled(y) for y, _ in model.quasi_velocities)],
     }
     known = [name for names in kinds.values() for name in names]

@@ -108,7 +108,7 @@ def check_memory(model: Model, design: Design, store: Path, rows: int, at_once: 
     UsageError
         There is not; says for what, and what to do.
     """
-    per_row = 2 * model.n + model.m + 1 + len(model.outputs)
+    per_row = 2 * model.n + model.m + 1 + len(model.outputs) + len(model.states)
     each = 8 * (rows * per_row + len(design.grid) + len(design.samples)) + _STOP
     of_part = min(at_once, design.count) * (each + 16 * rows * model.n)  # of states beside what is kept of them
     if short := shortage(of_part):

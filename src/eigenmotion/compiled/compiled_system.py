@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import SHARED_FROM_START, least_norm_of
 from ..arguments.signals import Inputs, Signal, bind, check_samples
+from ..arguments.states import apart, whole_v, whole_x
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, number, real
 from ..presentation.notebook import table
@@ -35,7 +36,7 @@ class CompiledSystem(Description):
 
     def __repr__(self) -> str:
         c = self._compiled
-        return f"<{type(self).__name__} {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
+        return f"<{type(self).__name__} {c.name}: n={self.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
 
     def _repr_html_(self) -> str:
         state = [f"{name}: y[{part.start}:{part.stop}]" for name, part in self.layout.items()]
@@ -81,20 +82,30 @@ class CompiledSystem(Description):
             M is not positive definite at x0; names the coordinate.
         """
         c, t = self.prepare(parameters), number(t, "t")
-        return self._compiled.state(t, *self.start(x0, v0, t, c), c)
+        return self._compiled.state(t, *self.begin(x0, v0, t, c), c)
 
     def start(
         self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
     ) -> tuple[Vector, Vector]:
         """Return x (n,), v (n,): what is given, over the model's `initial`.
 
-        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
+        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0. x0 may name
+        states, too, or have them behind the coordinates.
         """
+        x, v = self.begin(x0, v0, t, parameters)
+        return x[: self.n], v[: self.n]
+
+    def begin(
+        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
+    ) -> tuple[Vector, Vector]:
+        """Return x, v of compiled functions, as `start`: with states among the velocities, and their integrals."""
         c, t = self._compiled, number(t, "t")
         if x0 is None and v0 is None and c.initial_y is None:
-            return self.initial
-        x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
-        return x, initial_rates(c, self.prepare(parameters), t, x, v0)
+            return c.initial_x.copy(), c.initial_v.copy()
+        x0, z = apart(c, x0)
+        x = whole_x(c, x0)
+        v = initial_rates(c, self.prepare(parameters), t, x, v0)
+        return x, whole_v(c, v, z) if c.n_states else v
 
     def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
         """Return the inputs of a run: what is given, over the defaults."""
@@ -148,11 +159,13 @@ class CompiledSystem(Description):
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
         if (found := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
             return found
-        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
+        n = self.n
+        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))[:n, :n]
 
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
+        n = self.n
+        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))[:n, :n, :n]
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
@@ -162,20 +175,22 @@ class CompiledSystem(Description):
         EvaluationError
             Eigenvalues of one block coincide: C has no derivative there.
         """
-        prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
+        prepared, c, t, x, n = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x), self.n
         (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
-        return eigenfactor_gradient(c.factored_gradient(t, x, prepared), C, s, c.scales, self.blocks)
+        gradient = c.factored_gradient(t, x, prepared)[:n, :n, :n]
+        return eigenfactor_gradient(gradient, C[:n, :n], s[:n], self.scales, self.blocks)
 
     def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
         x, v = self.start(x, v, t, parameters)
         gradient = self.eigenfactor_gradient(x, t, parameters)
-        eta = gradient.s * (gradient.C @ (v / self._compiled.scales))
+        eta = gradient.s * (gradient.C @ (v / self.scales))
         return eta_sensitivity(gradient, eta)
 
     def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
         """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
-        return self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
+        A, b = self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
+        return A[:, : self.n], b
 
     def acceleration(
         self,
@@ -199,9 +214,10 @@ class CompiledSystem(Description):
         if found is not None:
             return found
         c, t = self.prepare(parameters), number(t, "t")
-        position, rates = self.start(x, v, t, c)
+        position, rates = self.begin(x, v, t, c)
         least_norm = self._compiled.shares(t, position, c, least_norm)
-        return self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
+        a, multipliers = self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
+        return a[: self.n], multipliers
 
     def project_initial_state(
         self,
@@ -222,7 +238,7 @@ class CompiledSystem(Description):
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
         c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.start(x0, v0, t, c)
+        x, v = self.begin(x0, v0, t, c)
         shares = self._compiled.shares(t, x, c, least_norm_of(dependent_constraints))
         return Projection(self._compiled, c, t, shares)(x, v)
 
@@ -241,7 +257,7 @@ class CompiledSystem(Description):
         if found is not None:
             return found
         c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.start(x, v, t, c)
+        x, v = self.begin(x, v, t, c)
         return tuple(self._compiled.energy_rows(np.array([t]), x[None], v[None], c)[0].tolist())
 
     def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
@@ -249,7 +265,7 @@ class CompiledSystem(Description):
         return real(t, "t"), vector(y, "y")
 
     def _x(self, x: Coordinates) -> Vector:
-        return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
+        return whole_x(self._compiled, apart(self._compiled, x)[0], "coordinate of x")
 
     def jacobian(
         self,
@@ -298,7 +314,7 @@ class CompiledSystem(Description):
         EvaluationError
             As `rhs`.
         """
-        c, n = self.compiled, self.n
+        c, n = self.compiled, self.compiled.n
         if c.formulation not in ("lagrange", "inverse"):
             raise ModelError(f"{c.name}: formulation {c.formulation!r} carries eta, which depends on parameters, too; "
                              "build with 'lagrange' or 'inverse', or ask simulate for sensitivities")  # fmt: skip

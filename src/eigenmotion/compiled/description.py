@@ -1,6 +1,7 @@
 """Description of a compiled model."""
 
 from ..arguments.named_values import Vector
+from ..arguments.states import names_of_states
 from ..runtime import CompiledModel
 
 
@@ -20,7 +21,7 @@ class Description:
     @property
     def n(self) -> int:
         """How many coordinates."""
-        return self._compiled.n
+        return self._compiled.n - self._compiled.n_states
 
     @property
     def m(self) -> int:
@@ -55,7 +56,12 @@ class Description:
     @property
     def coordinates(self) -> tuple[str, ...]:
         """Names of x, in order."""
-        return self._compiled.coordinates
+        return self._compiled.coordinates[: self.n]
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the first-order states z."""
+        return names_of_states(self._compiled)
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -90,7 +96,7 @@ class Description:
     @property
     def initial(self) -> tuple[Vector, Vector]:
         """The model's x (n,), v (n,) at the start. Copies."""
-        return self._compiled.initial_x.copy(), self._compiled.initial_v.copy()
+        return self._compiled.initial_x[: self.n].copy(), self._compiled.initial_v[: self.n].copy()
 
     @property
     def layout(self) -> dict[str, slice]:
@@ -105,13 +111,12 @@ class Description:
     @property
     def blocks(self) -> tuple[tuple[int, ...], ...]:
         """The coordinates of each diagonal block of M."""
-        block = self._compiled.block
-        return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))
+        return blocks_of(self._compiled, self.n)
 
     @property
     def scales(self) -> Vector:
         """(n,) units of the coordinates inside the eigenproblem. A copy."""
-        return self._compiled.scales.copy()
+        return self._compiled.scales[: self.n].copy()
 
     @property
     def conserves_energy(self) -> bool:
@@ -122,3 +127,9 @@ class Description:
     def compiled(self) -> CompiledModel:
         """The functions on bare float64 arrays."""
         return self._compiled
+
+
+def blocks_of(c: CompiledModel, n: int) -> tuple[tuple[int, ...], ...]:
+    """Return which of the first n coordinates each diagonal block of M has."""
+    block = c.block[:n]
+    return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.named_values import Vector, by_spelling, is_named, overlay, rate_name, unknown
+from ..arguments.states import refuse_states, whole_v
 from ..codegen.model import ModelError
 from ..codegen.model.check.elimination import is_singular
 from ..runtime import CompiledModel, Prepared
@@ -57,12 +58,16 @@ def initial_rates(
         Unknown names, rates and quasi-velocities together, or quasi-velocities where P is singular.
     """
     if not is_named(v0):
-        return _default(model, c, t, x) if v0 is None else overlay(v0, model.coordinates, model.initial_v, "v0")
+        n = model.n - model.n_states
+        if v0 is None:
+            return _default(model, c, t, x)
+        return whole_v(model, overlay(v0, model.coordinates[:n], model.initial_v[:n], "v0"), None)
     given = by_spelling(v0, "v0", rate_name)
+    refuse_states(model, given)
     quasi = given.keys() & set(model.quasi_velocities)
     if not quasi:
         _check_names(model, given)
-        complete = len(given) == model.n
+        complete = len(given) == model.n - model.n_states
         start = model.initial_v if complete else _default(model, c, t, x)
         return overlay(given, model.coordinates, start, "coordinate of v0")
     if rates := given.keys() & set(model.coordinates):

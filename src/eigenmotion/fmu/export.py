@@ -196,7 +196,7 @@ def _unit(
         variables=variables,
         outputs=tuple(places[v.name] for v in variables if v.causality == "output"),
         calculated=tuple(places[v.name] for v in variables if v.initial == "calculated"),
-        velocities=tuple(map(repr, system.start()[1].tolist())),
+        velocities=tuple(map(repr, system.begin()[1].tolist())),
         method=method.number,
         rtol=rtol,
         atol=atol,
@@ -214,13 +214,15 @@ def _check_xml(model: str, name: str) -> None:
 
 def _variables(system: "System") -> Iterator[Variable]:
     """Every number, in the order of em_unit.h."""
-    x, v = (values.tolist() for values in system.start())
+    x, v = (values.tolist() for values in system.begin())
+    places = (*system.coordinates, *(f"integral({name})" for name in system.states))
+    rates = (*(f"der({name})" for name in system.coordinates), *system.states)
     for name, value in system.parameters.items():
         yield Variable(name, "parameter", "fixed", "exact", repr(value))
-    for name, value in zip(system.coordinates, x, strict=True):
+    for name, value in zip(places, x, strict=True):
         yield Variable(name, "output", "continuous", "exact", repr(value))
-    for name, value in zip(system.coordinates, v, strict=True):
-        yield Variable(f"der({name})", "output", "continuous", "exact", repr(value))
+    for name, value in zip(rates, v, strict=True):
+        yield Variable(name, "output", "continuous", "exact", repr(value))
     for name, value in system.inputs.items():
         yield Variable(name, "input", "continuous", "", repr(value))
     for name in system.outputs:

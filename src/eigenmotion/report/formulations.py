@@ -54,6 +54,11 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
             f"{model.name}: its events act on the motion, and a report compares motions without impacts and contacts. "
             "Take out what acts, or compare runs by simulate(..., estimate_error=True)."
         )
+    if model.states:
+        raise ModelError(
+            f"{model.name}: it has first-order states, which the other solvers of a report do not know. Compare runs "
+            "by simulate(..., estimate_error=True)."
+        )
     start = time.perf_counter()
     derive(model)
     derivation = time.perf_counter() - start

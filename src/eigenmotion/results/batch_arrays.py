@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..arguments.members import Asked, Members
 from ..arguments.named_values import Vector
 from ..arguments.signals import Inputs
+from ..arguments.states import names_of_states
 from ..runtime import COUNTS, CompiledModel, StopReason
 from .trajectory import Segment
 
@@ -110,7 +111,7 @@ class Collection:
 
 def nothing(model: CompiledModel) -> dict[str, Any]:
     """Return what follows from the rows of a run that has none."""
-    n, m, h, empty = model.n, model.m, model.h, np.empty(0)
+    n, m, h, empty = model.n - model.n_states, model.m, model.h, np.empty(0)
     shapes = {
         "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
         "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),
@@ -118,5 +119,6 @@ def nothing(model: CompiledModel) -> dict[str, Any]:
     return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
         "drawing": None,
         "outputs": dict.fromkeys(model.outputs, empty),
+        "states": dict.fromkeys(names_of_states(model), empty),
         "quasi_velocities": dict.fromkeys(model.quasi_velocities, empty),
     }

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..arguments.members import Asked, Members
 from ..arguments.named_values import Vector
+from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
@@ -17,7 +18,7 @@ from ..runtime.ensemble import energies, reactions, velocities
 from .batch_arrays import REASONS, BatchArrays, nothing
 from .columns import columns
 from .multiplier_uniqueness import shared
-from .sensitivity import Sensitivity
+from .sensitivity import Sensitivity, parts_of
 from .solution import Solution
 from .trajectory import Trajectory
 
@@ -29,13 +30,13 @@ class Ensemble:
 
     t : (nt,); where only ends were asked for, the end of the span
     x, v : (K, n, nt); y (K, n_state, nt), published meaning
-    multipliers : (K, m, nt); energy, jacobi_integral : (K, nt); outputs : name -> (K, nt)
+    multipliers : (K, m, nt); energy, jacobi_integral : (K, nt); outputs, states : name -> (K, nt)
     t_end : (K,) where each run came to: a terminal event or a failure ends it earlier, and later rows are NaN. Where
         only ends were asked for, the row of a run that a terminal event ended is the state at the event
     success : (K,); stop : (K,) of StopReason; failed : indices of runs that failed; message(k) : how run k ended
     nfev, nsteps : (K,); method : the name of the one that ran
     swept : name -> (K,): what differs from run to run
-    sensitivity : name -> (dx, dv), each (K, n, nt), of what `sensitivities` asked for
+    sensitivity : name -> (dx, dv), each (K, n, nt), and dz (K, p, nt), of what `sensitivities` asked for
 
     ensemble[k] is run k as a Solution, without dense output.
 
@@ -155,12 +156,22 @@ class Ensemble:
     @property
     def x(self) -> Vector:
         """(K, n, nt)."""
-        return self.y[:, : self._model.n]
+        return self.y[:, : self._n]
 
     @cached_property
     def v(self) -> Vector:
         """(K, n, nt)."""
-        return np.moveaxis(self._v, 1, 2)
+        return np.moveaxis(self._v, 1, 2)[:, : self._n]
+
+    @property
+    def _n(self) -> int:
+        """The number of coordinates; states come behind (`arguments.states`)."""
+        return self._model.n - self._model.n_states
+
+    @property
+    def states(self) -> dict[str, Vector]:
+        """Name -> (K, nt): first-order states."""
+        return {name: self._v[:, :, self._n + k] for k, name in enumerate(names_of_states(self._model))}
 
     @property
     def energy(self) -> Vector:
@@ -185,8 +196,12 @@ class Ensemble:
     @property
     def sensitivity(self) -> dict[str, Sensitivity]:
         """Name -> dx, dv (K, n, nt); NaN where a run did not come, or has none."""
-        n, S = self._model.n, np.moveaxis(self._found.S, 1, 2)
-        return {name: Sensitivity(S[:, :n, :, k], S[:, n:, :, k]) for k, name in enumerate(self._differentiated)}
+        S = np.moveaxis(self._found.S, (2, 1, 0), (0, 1, 2))  # (2 n, nt, K, columns)
+        dx, dv, dz = (np.moveaxis(part, 2, 0) for part in parts_of(self._model, S))
+        return {
+            name: Sensitivity.of(dx[..., k], dv[..., k], dz[..., k], None)
+            for k, name in enumerate(self._differentiated)
+        }
 
     @property
     def _differentiated(self) -> tuple[str, ...]:
@@ -258,10 +273,10 @@ class Ensemble:
         return Solution(Trajectory(task, t, rows, segments), fields)
 
     def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:
-        n, S, pieces = self._model.n, self._found.S[k][there].T, self._event_pieces(k)
+        S, pieces = self._found.S[k][there].T, self._event_pieces(k)
         shifts = [self._found.dt_events[piece].T for piece in pieces]
         return {
-            name: Sensitivity.of(S[i, :n], S[i, n:], [shift[i] for shift in shifts] if pieces else None)
+            name: Sensitivity.of(*parts_of(self._model, S[i]), [shift[i] for shift in shifts] if pieces else None)
             for i, name in enumerate(self._differentiated)
         }
 
@@ -314,9 +329,15 @@ def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
     model = runs._model
     if model.m:
         data["multipliers"] = (("run", "row", "time"), runs.multipliers)
-    places: dict[str, Any] = {"time": runs.t, "coordinate": np.array(model.coordinates), "run": np.arange(len(runs))}
-    users = [*(("output", name) for name in runs.outputs), *(("swept", name) for name in runs.swept)]
+    places: dict[str, Any] = {
+        "time": runs.t,
+        "coordinate": np.array(model.coordinates[: runs._n]),
+        "run": np.arange(len(runs)),
+    }
+    named = runs.outputs | runs.states
+    users = [*(("output", name) for name in runs.outputs), *(("state", name) for name in runs.states),
+             *(("swept", name) for name in runs.swept)]  # fmt: skip
     names = iter(columns({*data, *places, "row"}, users))
-    data |= {name: (("run", "time"), values) for values, name in zip(runs.outputs.values(), names, strict=False)}
+    data |= {name: (("run", "time"), values) for values, name in zip(named.values(), names, strict=False)}
     places |= {name: ("run", values) for values, name in zip(runs.swept.values(), names, strict=True)}
     return data, places

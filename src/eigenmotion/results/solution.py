@@ -21,11 +21,11 @@ from .trajectory import Segment, Trajectory
 __all__ = ["DenseOutput", "Solution", "StopReason"]
 
 _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
-    "x": lambda rows: rows.x.T,
-    "v": lambda rows: rows.v.T,
-    "eta": lambda rows: rows.eta.T,
-    "C": lambda rows: np.moveaxis(rows.factors[0], 0, -1),
-    "s": lambda rows: rows.factors[1].T,
+    "x": lambda rows: rows.x.T[: rows.n],
+    "v": lambda rows: rows.v.T[: rows.n],
+    "eta": lambda rows: rows.eta.T[: rows.n],
+    "C": lambda rows: np.moveaxis(rows.factors[0], 0, -1)[: rows.n, : rows.n],
+    "s": lambda rows: rows.factors[1].T[: rows.n],
     "multipliers": lambda rows: rows.multipliers.T,
     "energy": lambda rows: rows.energies.sum(axis=1),
     "jacobi_integral": lambda rows: rows.energies @ (1.0, 0.0, -1.0, 1.0),
@@ -33,6 +33,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "position_residual": lambda rows: rows.position_residual.T,
     "factor_residual": lambda rows: rows.factor_residual,
     "outputs": lambda rows: rows.outputs,
+    "states": lambda rows: rows.states,
     "quasi_velocities": lambda rows: rows.quasi_velocities,
     "drawing": lambda rows: rows.drawing,
 }
@@ -113,7 +114,7 @@ class Solution(dict[str, Any]):
     constraint_residual : (m, k), A v + b
     position_residual : (h, k), phi
     factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
-    outputs, quasi_velocities : name -> (k,)
+    outputs, states, quasi_velocities : name -> (k,)
     drawing : a Drawing, its numbers (k, ...), None where the model has none
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
@@ -155,6 +156,12 @@ class Solution(dict[str, Any]):
             source = Trajectory(task, self["t"], self["y"].T, segments)
             _keep(self, source)
         return source
+
+    @property
+    def motion(self) -> tuple[Vector, Vector]:
+        """x, v as compiled functions take them, (n + p, k) each: the last of v are states, of x their integrals."""
+        rows = self._rows
+        return (self.x, self.v) if rows is None else (rows.x.T, rows.v.T)
 
     @property
     def model(self) -> CompiledModel | None:

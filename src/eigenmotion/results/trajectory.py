@@ -9,6 +9,7 @@ import scipy
 
 from ..arguments.named_values import Vector
 from ..arguments.options import Task
+from ..arguments.states import names_of_states
 from ..runtime import CompiledModel, Prepared
 from .pictures.moving_shapes import Drawing
 
@@ -42,6 +43,16 @@ class Trajectory:
             return tuple(map(np.concatenate, zip(*parts, strict=True)))
         return np.concatenate(parts)
 
+    @property
+    def n(self) -> int:
+        """The number of coordinates; of all arrays here these come first, states and their integrals behind."""
+        return self.model.n - self.model.n_states
+
+    @cached_property
+    def states(self) -> dict[str, Vector]:
+        """Name -> (k,): the first-order states."""
+        return {name: self.v[:, self.n + k] for k, name in enumerate(names_of_states(self.model))}
+
     @cached_property
     def x(self) -> Vector:
         """(k, n)."""
@@ -62,7 +73,7 @@ class Trajectory:
         """(k, n): the quasi-velocities the state carries (S C xdot (17), or L^T xdot), else S C xdot of M(x)."""
         for name, start, length in self.model.layout:
             if name == "eta":
-                return self.rows[:, start : start + length]
+                return self.rows[:, start : start + length + self.model.n_states]
         C, s = self.factors
         return np.asarray(s * np.einsum("kij,kj->ki", C, self.v / self.model.scales))
 

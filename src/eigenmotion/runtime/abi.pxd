@@ -231,3 +231,4 @@ cdef extern from "eigenmotion.h" nogil:
         int n_table_uses
         const em_table *tables
         void (*table_arguments)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
+        int n_states

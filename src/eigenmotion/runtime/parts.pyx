@@ -71,10 +71,13 @@ cdef class RunInParts(Run):
         held[0] = value
 
     def now(self):
-        """x, v (n,) at the current time."""
+        """x (n + p,), coordinates and states behind them, and v (n,) at the current time."""
         cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
         self.run.model.now(self.part.state, x.data, v.data)
-        return x.array, v.array
+        cdef int k, moving = self.model.n - self.model.n_states
+        for k in range(moving, self.model.n): # which the model has as the last of its velocities
+            x.data[k] = v.data[k]
+        return x.array, v.array[:moving]
 
     @property
     def over(self):

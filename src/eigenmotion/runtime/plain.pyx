@@ -2,7 +2,7 @@
 """Calls with plain arguments, which compiled code accepts without conversion: from Python to C and back at once.
 
 Arrays are NumPy's own, float64, C-contiguous, of the right shape and finite; numbers are Python's and finite; parameters
-are the defaults or prepared; keywords are spelt as in their table. For all other arguments a call here returns None. The
+are the defaults or prepared; the model has no states; keywords are spelt as in their table. For all other arguments a call here returns None. The
 checks in Python then convert or reject them, and call again with the result.
 """
 
@@ -80,7 +80,7 @@ def mass_matrix(PointModel model not None, Prepared defaults not None, x, t, par
     cdef double at
     cdef const double *c = constants(model, defaults, parameters)
     cdef Numbers q = vector(x, model.vector), M
-    if q is None or c == NULL or not is_finite(t, &at):
+    if model.n_states or q is None or c == NULL or not is_finite(t, &at):
         return None
     M = zeros(model.square)
     model.model.mass_matrix(at, q.data, c, M.data)
@@ -93,7 +93,7 @@ def energies(PointModel model not None, Prepared defaults not None, x, v, t, par
     cdef double[4] e
     cdef const double *c = constants(model, defaults, parameters)
     cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector)
-    if q is None or w is None or c == NULL or not is_finite(t, &at):
+    if model.n_states or q is None or w is None or c == NULL or not is_finite(t, &at):
         return None
     model.model.energy(at, q.data, w.data, c, e)
     return e[0], e[1], e[2], e[3]
@@ -119,7 +119,7 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
     cdef const double *c = constants(model, defaults, parameters)
     cdef const double *u = model.model.input_defaults
     cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector), signals, a, multipliers
-    if model.model.n_tables > 0 or q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
+    if model.n_states or model.model.n_tables > 0 or q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
         return None
     if inputs is not None:
         signals = vector(inputs, (model.n_inputs,))
@@ -223,6 +223,8 @@ cdef Numbers read_start(PointModel model, object x0, object v0, double t, const 
     cdef Numbers v = vector(model.initial_v if v0 is None else v0, model.vector)
     cdef Numbers y
     if x is None or v is None or (v0 is None and model.initial_y is not None) or model.extrapolates:
+        return None
+    if model.n_states and not (x0 is None and v0 is None): # users' arrays have other lengths
         return None
     y = zeros((model.n_state,))
     return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data, NULL, NULL) == 0 else None

@@ -21,6 +21,7 @@ class PointModel:
     m: int
     h: int
     n_state: int
+    n_states: int
     n_inputs: int
     n_outputs: int
     n_events: int

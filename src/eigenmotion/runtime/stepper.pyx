@@ -192,12 +192,23 @@ cdef class Steps:
     @property
     def x(self):
         """(n,) coordinates there."""
-        return self.copy(self.steps.x, self.model.n)
+        return self.copy(self.steps.x, self.model.n - self.model.n_states)
 
     @property
     def v(self):
         """(n,) velocities there."""
-        return self.copy(self.steps.v, self.model.n)
+        return self.copy(self.steps.v, self.model.n - self.model.n_states)
+
+    @property
+    def states(self):
+        """Name -> value of the first-order states there."""
+        cdef int n = self.model.n - self.model.n_states
+        return {self.model.coordinates[n + k]: self.steps.v[n + k] for k in range(self.model.n_states)}
+
+    @property
+    def motion(self):
+        """x, v there as compiled functions take them: states are the last of v."""
+        return self.copy(self.steps.x, self.model.n), self.copy(self.steps.v, self.model.n)
 
     @property
     def u(self):

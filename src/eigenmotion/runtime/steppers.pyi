@@ -13,6 +13,7 @@ class ManySteps:
     t: Vector
     x: Vector
     v: Vector
+    whole_v: Vector
     u: Vector
     goals: Vector
     ended: NDArray[Any]

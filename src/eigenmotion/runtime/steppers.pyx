@@ -56,7 +56,7 @@ cdef class ManySteps:
     cdef readonly PointModel model
     cdef readonly object asked
     cdef readonly int count, workers
-    cdef readonly object t, x, v, u, ended, nfev, nsteps, goals
+    cdef readonly object t, x, v, whole_v, u, ended, nfev, nsteps, goals # whole_v: with states behind the rates
 
     def __cinit__(self, asked, int count, int workers, *rest):
         cdef em_steppers *e = &self.e
@@ -93,9 +93,9 @@ cdef class ManySteps:
         if name == "t":
             self.t = shown
         elif name == "x":
-            self.x = shown
+            self.x = shown[:, :self.model.n - self.model.n_states]
         elif name == "v":
-            self.v = shown
+            self.whole_v, self.v = shown, shown[:, :self.model.n - self.model.n_states]
         else:
             self.u = shown
         self.held.append(made)

@@ -199,7 +199,7 @@ def _begin(
 ) -> Vector:
     """Return the initial y (n_state,): at x0, v0, or at the end of another run."""
     if given is None:
-        x, v = system.start(x0, v0, start, prepared)
+        x, v = system.begin(x0, v0, start, prepared)
         return start_state(system.compiled, prepared, start, x, v, rtol, atol)
     if not (x0 is None and v0 is None):
         raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")

@@ -73,14 +73,15 @@ class Stepper(Steps):
         return T2 - T0 + V
 
     def _energies(self) -> list[float]:
-        found = self.model.energy_rows(np.array([self.t]), self.x[None], self.v[None], self.prepared)
+        x, v = self.motion
+        found = self.model.energy_rows(np.array([self.t]), x[None], v[None], self.prepared)
         numbers: list[float] = found[0].tolist()
         return numbers
 
     @property
     def acceleration(self) -> Vector:
-        """(n,) d2x/dt2 with the present inputs."""
-        return self._motion()[0]
+        """(n,) d2x/dt2 with the inputs that hold."""
+        return self._motion()[0][: self.model.n - self.model.n_states]
 
     @property
     def multipliers(self) -> Vector:
@@ -90,23 +91,21 @@ class Stepper(Steps):
     def _motion(self) -> tuple[Vector, Vector]:
         task = self.task
         found: tuple[Vector, Vector] = self.model.acceleration(
-            self.t, self.x, self.v, self.prepared, self._inputs(), task.least_norm
+            self.t, *self.motion, self.prepared, self._inputs(), task.least_norm
         )
         return found
 
     @property
     def not_unique(self) -> tuple[int, ...]:
-        """The constraint rows whose multipliers are not unique here; those of least norm are given."""
-        found: tuple[int, ...] = self.model.redundant(self.t, self.x, self.prepared)[1]
+        """The constraint rows whose multipliers are one choice of many here, that of least norm."""
+        found: tuple[int, ...] = self.model.redundant(self.t, self.motion[0], self.prepared)[1]
         return found
 
     @property
     def outputs(self) -> dict[str, float]:
         """Name of each output -> its value."""
-        task, u = self.task, self._inputs()
-        rows = self.model.output_rows(
-            np.array([self.t]), self.x[None], self.v[None], u[None], self.prepared, task.least_norm
-        )
+        task, u, (x, v) = self.task, self._inputs(), self.motion
+        rows = self.model.output_rows(np.array([self.t]), x[None], v[None], u[None], self.prepared, task.least_norm)
         return dict(zip(self.model.outputs, rows[0].tolist(), strict=True))
 
     def _inputs(self) -> Vector:
@@ -208,5 +207,5 @@ def _start(
             raise ModelError("stepper: start= says all of t, x0 and v0; give either it or them")
         return given_start(system.compiled, prepared, start, rtol, atol)
     begin = 0.0 if t is None else number(t, "t")
-    x, v = system.start(x0, v0, begin, prepared)
+    x, v = system.begin(x0, v0, begin, prepared)
     return begin, start_state(system.compiled, prepared, begin, x, v, rtol, atol)

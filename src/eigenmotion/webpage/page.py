@@ -85,13 +85,17 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
         shapes.append({"kind": shape.kind, "first": first, "count": len(shape.numbers)} | around)
         first += len(shape.numbers)
     rates = zip(model.coordinates, model.rates, model.initial_x, strict=True)
+    start = dict(model.initial)
     return {
-        "name": model.name, "n": model.n, "m": model.m, "h": model.h, "conservesEnergy": conserves_energy,
+        "name": model.name, "n": model.n + len(model.states), "m": model.m, "h": model.h,
+        "conservesEnergy": conserves_energy,
         "coordinates": [
             {"name": name_of(x), "label": label(x), "rate": label(v), "value": run.value("x0", name_of(x), x0)}
             for x, v, x0 in rates
-        ],
-        "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)],
+        ] + [{"name": name_of(z), "label": label(z), "rate": label(z), "value": 0.0, "state": True}
+             for z, _ in model.states],
+        "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)]
+        + [run.value("x0", name_of(z), start.get(z, 0.0)) for z, _ in model.states],
         "parameters": [_parameter(model, p, run.value("parameters", p.name, value)) for p, value in model.parameters],
         "inputs": [
             {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value)}

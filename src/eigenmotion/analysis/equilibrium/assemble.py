@@ -81,12 +81,12 @@ def assemble(
     if not is_system(system):
         raise no_system("assemble", system)
     c, prepared, t = system.compiled, system.prepare(parameters), number(t, "t")
-    x, v = system.start(x0, v0, t, prepared)
-    held = _indices(keep, c.coordinates, "keep")
+    x, v = system.begin(x0, v0, t, prepared)
+    held = _indices(keep, system.coordinates, "keep")
     with np.errstate(all="ignore"):  # what is not finite has a name of its own
         closed = _apart(c, prepared, t, x, v, held)
         check_resolved(c, prepared, t, closed)
-        rates = _given_rates(v0, c.coordinates)
+        rates = [*_given_rates(v0, system.coordinates), *range(system.n, c.n)]
         moving = _moving(c, prepared, t, closed, v, rates)
         return _assembly(c, prepared, t, (x, v), (closed, moving))
 
@@ -247,7 +247,8 @@ def _assembly(c: CompiledModel, prepared: Prepared, t: float, guess: tuple[Vecto
     velocity_distance = length(c.factored_matrix(t, x, prepared), dv)
     branch, own = _branches(c, prepared, t, x)
     message = _words(c, dx, branch, own)
-    return Assembly(x, v, dx=dx, dv=dv, distance=distance, velocity_distance=velocity_distance,
+    n = c.n - c.n_states
+    return Assembly(x[:n], v[:n], dx=dx[:n], dv=dv[:n], distance=distance, velocity_distance=velocity_distance,
                     branch=branch, same_branch=branch == own, message=message)  # fmt: skip
 
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments.named_values import Vector, overlay, rate_name, spelled, unknown
 from ...arguments.options import is_system, no_system
+from ...arguments.states import apart, whole_v, whole_x
 from ...arguments.tables import refuse_tables, with_tables
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
@@ -36,6 +37,7 @@ class Equilibrium:
     multipliers : (m,) of the constraint rows, where they are not unique some that are possible; a contact pushes with
         minus its own
     mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
+    states : name -> value of each first-order state
     """
 
     system: CompiledSystem
@@ -51,13 +53,16 @@ class Equilibrium:
     velocity_residual: Vector
     multipliers: Vector
     mode: dict[str, float]
+    states: dict[str, float]
 
     def linearize(self, *, mode: Mapping[Any, float] | None = None) -> Linearization:
         """Return the linearised equations of motion there; `mode`: as of `System.linearize`, where modes meet."""
-        return linearize(self.system, self.x, self.v, self.t, self.parameters, self.inputs, mode=mode)
+        place = dict(zip(self.system.coordinates, self.x, strict=True)) | self.states
+        return linearize(self.system, place, self.v, self.t, self.parameters, self.inputs, mode=mode)
 
     def __repr__(self) -> str:
         state = ", ".join(f"{name}={value:.6g}" for name, value in zip(self.system.coordinates, self.x, strict=True))
+        state += "".join(f", {name}={value:.6g}" for name, value in self.states.items())
         return f"<Equilibrium {self.system.name}: {self.message}; {state}>"
 
     def _repr_html_(self) -> str:
@@ -126,12 +131,15 @@ def _sought(balance: Balance) -> tuple[Balance, Vector]:
 def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
              ) -> Balance:  # fmt: skip
     c = system.compiled
-    x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
-    v = overlay(v0, c.coordinates, np.zeros(c.n), "coordinate of v0")
+    n, (x0, z0) = system.n, apart(c, x0)
+    x = whole_x(c, x0)
+    v = whole_v(c, overlay(v0, c.coordinates[:n], np.zeros(n), "coordinate of v0"), z0)
     u = overlay(inputs, c.inputs, c.input_defaults, "input")
     p = overlay(with_tables(c, parameters), c.parameters, c.parameter_defaults, "parameter")
-    names = (*c.coordinates, *(f"{name}'" for name in c.coordinates), *c.inputs, *c.parameters)
-    chosen = tuple(range(c.n)) if free is None else _places(free, names, "free")
+    moving, states = system.coordinates, system.states
+    names = (*moving, *(f"integral of {name}" for name in states), *(f"{name}'" for name in moving), *states, *c.inputs,
+             *c.parameters)  # fmt: skip
+    chosen = (*range(n), *range(c.n + n, 2 * c.n)) if free is None else _places(free, names, "free")
     refuse_tables(c, tuple(names[k] for k in chosen), "free")
     if not chosen:
         raise ModelError("free names nothing: there is nothing to solve for")
@@ -156,18 +164,19 @@ def _found(balance: Balance, q: Vector) -> Equilibrium:
         at, bounds = _settled(at)
         multipliers = at.motion[1] if is_within(at) else multipliers
     inside = _inside(at)
-    z = balance.arguments(q)[2 * system.n :].tolist()
+    n, rest = system.n, balance.arguments(q)[2 * system.compiled.n :].tolist()
     A, b = at.model.pfaffian(at.t, at.x, at.prepared)
     phi = at.model.position(at.t, at.x, at.prepared)[0]
     residuals = at.motion[0], phi, A @ at.v + b
     steady = not (wrong.any() or inside) and _stays(at)
     message = inside or _words(balance, at, wrong, steady, bounds, residuals)
-    inputs = dict(zip(system.inputs, z[: len(system.inputs)], strict=True))
+    inputs = dict(zip(system.inputs, rest[: len(system.inputs)], strict=True))
     parameters = dict(zip(system.parameters, at.prepared.parameters, strict=True))
     mode = mode_of(at.model, at.prepared)
     return Equilibrium(
-        system, steady, message, at.x, at.v, balance.t, inputs, parameters, *residuals, at.motion[1], mode
-    )
+        system, steady, message, at.x[:n], at.v[:n], balance.t, inputs, parameters, residuals[0][:n], *residuals[1:],
+        at.motion[1], mode, dict(zip(system.states, at.v[n:].tolist(), strict=True)),
+    )  # fmt: skip
 
 
 def _settled(at: OperatingPoint) -> tuple[OperatingPoint, list[str]]:
@@ -186,19 +195,21 @@ def _inside(at: OperatingPoint) -> str:
 
 def _stays(at: OperatingPoint) -> bool:
     """Whether a motion goes on as it is: accelerations may vanish for an instant only."""
-    return not at.v.any() or linearized(at).steady
+    return at.rests or linearized(at).steady
 
 
 def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
            residuals: tuple[Vector, ...]) -> str:  # fmt: skip
     held = held_words(at)
     if steady:
-        kind = "at rest" if not at.v.any() else "steady"
+        kind = "at rest" if at.rests else "steady"
         return "; ".join([f"{kind}, {held}" if held else kind, *bounds])
     if not wrong.any():
         return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
     a, phi, rates = residuals
-    said = [f"{balance.system.coordinates[k]}'' = {a[k]:.3g}" for k in balance.rows]
+    names, n = balance.system.compiled.coordinates, balance.system.n
+    marks = ["''" if k < n else "'" for k in balance.rows]
+    said = [f"{names[k]}{mark} = {a[k]:.3g}" for k, mark in zip(balance.rows, marks, strict=True)]
     said += [f"{balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(phi)]
     said += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)

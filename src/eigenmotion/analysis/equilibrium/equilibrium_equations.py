@@ -45,7 +45,8 @@ class Balance:
 
     @property
     def of_coordinates_alone(self) -> bool:
-        return set(self.free) == set(range(self.system.n)) and not self.given[self.system.n : 2 * self.system.n].any()
+        n = self.system.compiled.n
+        return set(self.free) == set(range(n)) and not self.given[n : 2 * n].any()
 
     def arguments(self, q: Vector) -> Vector:
         z = self.given.copy()
@@ -53,7 +54,7 @@ class Balance:
         return z
 
     def point(self, q: Vector) -> OperatingPoint:
-        n, k = self.system.n, len(self.system.compiled.inputs)
+        n, k = self.system.compiled.n, len(self.system.compiled.inputs)
         x, v, u, p = np.split(self.arguments(q), [n, 2 * n, 2 * n + k])
         return OperatingPoint(self.system.compiled, self.system.prepare(p), self.t, x, v, u)
 
@@ -108,7 +109,7 @@ class Balance:
 
     def _scale(self, start: Vector) -> Vector:
         """Units of what is solved for: those of inertia for coordinates and rates, so that none is taken for far."""
-        at, n = self.point(start), self.system.n
+        at, n = self.point(start), self.system.compiled.n
         slope = self.equations(start)[1]
         inertia = at.inertia / np.linalg.norm(at.inertia) * np.sqrt(n)
         rate = np.sqrt(np.linalg.norm(at.inertia[:, None] * at.slopes[:, :n] / at.inertia)) or 1.0
@@ -145,7 +146,7 @@ class Balance:
 
     def relaxed(self, start: Vector) -> Vector:
         """Follow dx/dt = a(x) downhill by implicit steps that grow as it gets slower: to a rest that is stable."""
-        q, n, step, before = start, self.system.n, 0.0, np.inf
+        q, n, step, before = start, self.system.compiled.n, 0.0, np.inf
         for _ in range(_STEPS):
             try:
                 at = self.point(q)

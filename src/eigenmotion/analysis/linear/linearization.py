@@ -29,9 +29,10 @@ class Linearization:
     Attributes
     ----------
     A, B, C, D : (k, k), (k, n_inputs), (n_outputs, k), (n_outputs, n_inputs); inputs and outputs are the model's
-    Z : (2 n, k), k = 2 n - h - m less rows that depend on others, orthonormal: the tangent space of the constraints
-    full : A, B, C, D of all 2 n numbers (x, v), constraints included
-    t, x, v, u : the state; acceleration : (n,) there
+    Z : (2 n + p, k), k = 2 n + p - h - m less rows that depend on others, orthonormal: the tangent space of the
+        constraints, in x, v and p first-order states
+    full : A, B, C, D of all these numbers (x, v, z), constraints included
+    t, x, v, z, u : the state; acceleration : (n,) there
     mode : which contacts and frictions hold, as in `Solution.modes`; {} where there are none
     steady : whether these equations stay the same along the motion, coordinates on which nothing depends apart. Where
         not, they hold at this instant: eigenvalues are those of deviations of independent coordinates, and no promise
@@ -48,6 +49,7 @@ class Linearization:
     t: float
     x: Vector
     v: Vector
+    z: Vector
     u: Vector
     acceleration: Vector
     A: Vector
@@ -99,7 +101,8 @@ class Linearization:
         if not self.model.n_inputs:
             raise ModelError(f"{self.model.name} has no inputs, and scipy.signal.StateSpace needs some: "
                              "use A, C and eigenvalues(), or give the model an input")  # fmt: skip
-        C, D = (self.C, self.D) if self.model.n_outputs else (self.Z[: self.model.n], np.zeros((self.model.n, 1)))
+        n = len(self.x)
+        C, D = (self.C, self.D) if self.model.n_outputs else (self.Z[:n], np.zeros((n, 1)))
         return Continuous(self.A, self.B, C, np.broadcast_to(D, (len(C), self.model.n_inputs)))
 
     def __repr__(self) -> str:
@@ -109,13 +112,14 @@ class Linearization:
 
     def _repr_html_(self) -> str:
         names = self.model.coordinates
-        state = [f"{name} = {x:g}, {name}' = {v:g}" for name, x, v in zip(names, self.x, self.v, strict=True)]
+        state = [f"{name} = {x:g}, {name}' = {v:g}" for name, x, v in zip(names, self.x, self.v, strict=False)]
+        state += [f"{name} = {z:g}" for name, z in zip(names[len(self.x) :], self.z, strict=True)]
         return table(
             f"{self.model.name}, linearised: {len(self.A)} states, {self.message}",
             {
                 "state": state,
                 **({"mode": [f"{name} = {value:g}" for name, value in self.mode.items()]} if self.mode else {}),
-                "acceleration": [f"{name}: {a:g}" for name, a in zip(names, self.acceleration, strict=True)],
+                "acceleration": [f"{name}: {a:g}" for name, a in zip(names, self.acceleration, strict=False)],
                 "modes": [f"{written(mode.eigenvalue)}  {mode.words}" for mode in self.modes()],
                 "inputs": self.model.inputs or "none",
                 "outputs": self.model.outputs or "none",

@@ -72,12 +72,15 @@ def linearized(at: OperatingPoint) -> Linearization:
 
 def _linearized(at: OperatingPoint) -> Linearization:
     basis, steady = _chosen(at)
-    full = _full(at)
+    n, every, full = at.coordinates, at.model.n, _full(at)
     Z = np.linalg.qr(basis.Z)[0]
+    own = [*range(n), *range(every, 2 * every)]  # x, v, states
+    shown = [*range(n), *range(every + n, 2 * every)]  # x, states
     return Linearization(
-        model=at.model, t=at.t, x=at.x, v=at.v, u=at.u, acceleration=at.motion[0],
-        A=Z.T @ full.A @ Z, B=Z.T @ full.B, C=full.C @ Z, D=full.D, Z=Z, full=full,
-        steady=steady, independent=_reduced(at, basis), basis=basis.Z, inertia=at.inertia,
+        model=at.model, t=at.t, x=at.x[:n], v=at.v[:n], z=at.v[n:], u=at.u, acceleration=at.motion[0][:n],
+        A=Z.T @ full.A @ Z, B=Z.T @ full.B, C=full.C @ Z, D=full.D, Z=Z[own],
+        full=StateSpace(full.A[np.ix_(own, own)], full.B[own], full.C[:, own], full.D),
+        steady=steady, independent=_reduced(at, basis), basis=basis.Z[shown], inertia=at.inertia,
         mode=mode_of(at.model, at.prepared),
     )  # fmt: skip
 
@@ -140,7 +143,7 @@ def _chosen(at: OperatingPoint) -> tuple[Tangent, bool]:
     if _is_steady(at, best):
         return best, True
     n, rank = at.model.n, 2 * at.model.n - len([k for k in best.free if k >= at.model.n]) - at.model.n
-    if rank and at.v.any():
+    if rank and not at.rests:
         for dependent in islice(combinations(range(n), rank), _CHOICES):
             other = tangent(at, dependent)
             if _is_steady(at, other):

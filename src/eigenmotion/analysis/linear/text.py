@@ -10,7 +10,9 @@ from .linearization import Linearization, written
 
 def description(found: Linearization) -> str:
     """Return the state, and each mode on a line: eigenvalue [1/s], frequency [Hz], damping ratio, what it does."""
-    state = state_rows(found.model.coordinates, found.x, found.v, found.acceleration)
+    names, n = found.model.coordinates, len(found.x)
+    state = [*state_rows(names[:n], found.x, found.v, found.acceleration),
+             *(f"{name} = {z + 0.0:.6g}" for name, z in zip(names[n:], found.z.tolist(), strict=True))]  # fmt: skip
     held = [f"mode: {', '.join(f'{name} = {value:g}' for name, value in found.mode.items())}"] if found.mode else []
     return "\n".join([f"{found.model.name}: {len(found.A)} states, {found.message}", *held, "", *state, "",
                       *_modes(found), "", _verdict(found)])  # fmt: skip

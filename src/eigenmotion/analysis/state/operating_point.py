@@ -20,7 +20,7 @@ _ROUNDED = 256 * np.finfo(float).eps
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """A state with its time, inputs and parameters. x, v : (n,); u : (n_inputs,)"""
+    """A state with its time, inputs and parameters. x, v : (n,), states among v; u : (n_inputs,)"""
 
     model: CompiledModel
     prepared: Prepared
@@ -32,6 +32,16 @@ class OperatingPoint:
     def at(self, t: float, x: Vector, v: Vector) -> "OperatingPoint":
         """Return another state of the same system."""
         return OperatingPoint(self.model, self.prepared, t, x, v, self.u)
+
+    @property
+    def coordinates(self) -> int:
+        """How many of x are coordinates: what comes behind are integrals of first-order states."""
+        return self.model.n - self.model.n_states
+
+    @property
+    def rests(self) -> bool:
+        """Whether no coordinate moves."""
+        return not self.v[: self.coordinates].any()
 
     @cached_property
     def motion(self) -> tuple[Vector, Vector, Vector, Vector]:
@@ -134,4 +144,4 @@ def operating_point(
 ) -> OperatingPoint:
     """Return the operating point that the user's arguments describe."""
     prepared, t = system.prepare(parameters), number(t, "t")
-    return OperatingPoint(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))
+    return OperatingPoint(system.compiled, prepared, t, *system.begin(x, v, t, prepared), system.signals(inputs, t))

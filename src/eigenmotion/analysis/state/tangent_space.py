@@ -28,7 +28,7 @@ class Tangent:
 
 
 def tangent(at: OperatingPoint, dependent: Sequence[int] = ()) -> Tangent:
-    """Return the tangent space of the constraints.
+    """Return the tangent space of the constraints, without integrals of states, of which nothing depends.
 
     Of coordinates that are compared by their inertia those are dependent that the constraints determine best, or those
     whose velocities are named.
@@ -38,7 +38,9 @@ def tangent(at: OperatingPoint, dependent: Sequence[int] = ()) -> Tangent:
     x_free, Nx, _ = solved(rows[:h, :n], unit)
     v_free, Nv, lifted = solved(rows[h:, n : 2 * n], unit, -rows[h:, :n] @ Nx, dependent)
     Z = np.block([[Nx, np.zeros((n, len(v_free)))], [lifted, Nv]])
-    return Tangent(Z, (*x_free, *(n + k for k in v_free)))
+    free = (*x_free, *(n + k for k in v_free))
+    kept = [k for k, number in enumerate(free) if not at.coordinates <= number < n]
+    return Tangent(Z[:, kept], tuple(free[k] for k in kept))
 
 
 def solved(

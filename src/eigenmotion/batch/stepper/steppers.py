@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments.members import Asked
 from ...arguments.named_values import Vector
+from ...arguments.states import apart, names_of_states
 from ...codegen.model.normalise import ModelError, number
 from ...runtime import EvaluationError, ManySteps, StopReason
 from ...simulation.initial_state.consistency import start_state
@@ -179,12 +180,22 @@ class Steppers(ManySteps):
             times = begun.t if t is None else np.full(self.count, number(t, "t"))
             names = self.model.parameters
             p = rows(parameters, names, begun.parameters, chosen, "parameter")
-            x = rows(x0, self.model.coordinates, begun.x, chosen, "coordinate of x0")
-            v = rows(v0, self.model.coordinates, begun.v, chosen, "coordinate of v0")
+            x, v = self._start(x0, v0, begun, chosen)
             u = begun.inputs if inputs is None else columns(inputs, self.model.inputs, begun.inputs)
             self._begin(chosen, Begun(times, x, v, p, u))
         finally:
             self._busy = False
+
+    def _start(self, x0: Any, v0: Any, begun: Begun, chosen: NDArray[np.intp]) -> tuple[Vector, Vector]:
+        """Return x, v of compiled functions: what is given over what they begun with."""
+        c = self.model
+        n, (x0, z) = c.n - c.n_states, apart(c, x0)
+        x = rows(x0, c.coordinates[:n], begun.x[:, :n], chosen, "coordinate of x0")
+        v = rows(v0, c.coordinates[:n], begun.v[:, :n], chosen, "coordinate of v0")
+        if not c.n_states:
+            return x, v
+        z = rows(z, names_of_states(c), begun.v[:, n:], chosen, "state of x0")
+        return np.hstack([x, begun.x[:, n:]]), np.hstack([v, z])
 
     def _begin(self, chosen: NDArray[np.intp], begun: Begun) -> None:
         """Restart all these members; if one cannot start, restart none and raise."""
@@ -252,8 +263,13 @@ class Steppers(ManySteps):
 
     @property
     def acceleration(self) -> Vector:
-        """(K, n) d2x/dt2 with the present inputs."""
-        return self.reactions()[0]
+        """(K, n) d2x/dt2 with the inputs that hold."""
+        return self.reactions()[0][:, : self.model.n - self.model.n_states]
+
+    @property
+    def states(self) -> dict[str, Vector]:
+        """Name of each first-order state -> (K,)."""
+        return dict(zip(names_of_states(self.model), self.whole_v.T[self.model.n - self.model.n_states :], strict=True))
 
     @property
     def multipliers(self) -> Vector:

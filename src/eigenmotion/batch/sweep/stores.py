@@ -30,7 +30,7 @@ def arrays_of(runs: Ensemble, swept: Arrays) -> Arrays:
     kept = {"x": runs.x, "v": runs.v, "energy": runs.energy, "multipliers": runs.multipliers, "t_end": runs.t_end,
             "success": runs.success, "stop": np.array([str(reason) for reason in runs.stop], dtype="U32"),
             "nfev": runs.nfev}  # fmt: skip
-    kept |= {_OUTPUT + name: values for name, values in runs.outputs.items()}
+    kept |= {_OUTPUT + name: values for name, values in (runs.states | runs.outputs).items()}
     kept |= {_SWEPT + name: values for name, values in swept.items()}
     return {name: np.ascontiguousarray(values) for name, values in kept.items()}
 

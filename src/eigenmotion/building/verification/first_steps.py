@@ -8,6 +8,7 @@ import numpy as np
 
 from ...arguments.methods import METHODS
 from ...arguments.named_values import Vector
+from ...arguments.options import SHARED_FROM_START
 from ...codegen.model import ModelError
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
@@ -32,7 +33,7 @@ def first_steps(system: System, methods: Iterable[str] = tuple(METHODS)) -> Iter
     Methods are compiled ones, explicit ones first. A start that cannot be, or a run that ends there for a reason of its
     own, says nothing. Implicit steps go no farther than explicit ones, which are what they are judged by.
     """
-    x, far = system.initial[0], min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
+    x, far = system.compiled.initial_x, min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
     end = far
     with np.errstate(all="ignore"):
         for name in methods:
@@ -93,10 +94,10 @@ def _rests(system: System, run: Solution) -> bool:
 
     Rounding is what x moved in its last points makes of accelerations, or what is left of reactions that cancel forces.
     """
-    x, v = run.x[:, 0], run.v[:, 0]
+    x, v = (part[:, 0] for part in run.motion)
     near = x * (1 + 4 * np.finfo(float).eps)
     try:
-        pushed, moved = (np.array([system.acceleration(at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
+        pushed, moved = (np.array([_motion(system, at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
         cancelled = max(_cancelled(system, x, v, t) for t in (0.0, run.t[-1]))
     except EvaluationError:
         return False
@@ -106,22 +107,23 @@ def _rests(system: System, run: Solution) -> bool:
 
 def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
     """Return the largest acceleration that the reactions alone would cause."""
-    reactions = np.abs(system.pfaffian(x, t)[0].T) @ np.abs(system.acceleration(x, v, t)[1])
-    M = system.compiled.factored_matrix(t, x, system.prepare())
+    c, prepared = system.compiled, system.prepare()
+    reactions = np.abs(c.pfaffian(t, x, prepared)[0].T) @ np.abs(_motion(system, x, v, t)[1])
+    M = c.factored_matrix(t, x, prepared)
     return float((np.abs(np.linalg.inv(M)) @ reactions).max(initial=0.0))
 
 
 def _error(system: System, run: Solution, substeps: int) -> float:
     """Return how far the run is off, relative to the way of x and the change of v in the mass metric; NaN: unknown."""
-    n, times = system.n, np.linspace(0.0, run.t[-1], substeps * run.nsteps + 1)
-    start = z = np.concatenate([run.x[:, 0], run.v[:, 0]])
+    n, times = system.compiled.n, np.linspace(0.0, run.t[-1], substeps * run.nsteps + 1)
+    start = z = np.concatenate([part[:, 0] for part in run.motion])
     try:
         for t, h in zip(times, np.diff(times), strict=False):
             z = _classical_step(system, t, z, h)
         M = system.compiled.factored_matrix(0.0, start[:n], system.prepare())
     except EvaluationError:
         return np.nan
-    end = np.concatenate([run.x[:, -1], run.v[:, -1]])
+    end = np.concatenate([part[:, -1] for part in run.motion])
     off = [np.sqrt(d @ M @ d) for d in (end[:n] - z[:n], end[n:] - z[n:])]
     way = run.t[-1] * (np.sqrt(start[n:] @ M @ start[n:]) + np.sqrt(z[n:] @ M @ z[n:]))
     change = np.sqrt((z - start)[n:] @ M @ (z - start)[n:])
@@ -140,6 +142,13 @@ def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
 
 def _rate(system: System, t: float, z: Vector) -> Vector:
     """Return (v, a) at t, moved into the smooth interval between the time events around the start."""
-    n, (_, low, high) = system.n, system.compiled.piece(0.0, 1.0, system.prepare())
+    n, (_, low, high) = system.compiled.n, system.compiled.piece(0.0, 1.0, system.prepare())
     t = min(max(t, low), high)
-    return np.concatenate([z[n:], system.acceleration(z[:n], z[n:], t)[0]])
+    return np.concatenate([z[n:], _motion(system, z[:n], z[n:], t)[0]])
+
+
+def _motion(system: System, x: Vector, v: Vector, t: float) -> tuple[Vector, Vector]:
+    """Accelerations and multipliers at the defaults."""
+    c, prepared = system.compiled, system.prepare()
+    shares = c.shares(t, x, prepared, SHARED_FROM_START)
+    return c.acceleration(float(t), x, v, prepared, c.input_defaults, shares)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.named_values import Vector
-from ...codegen.model import Model
 from ...codegen.model.normalise import name_of
+from ...codegen.model.statement.mechanism import Mechanism
 from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, rounded
 from .compiled_values import CompiledValues
 from .solve_errors import Errors
@@ -33,14 +33,16 @@ class Identity:
     always: bool = False
 
 
-def expressions(model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
+def expressions(model: Mechanism, v: Vector, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
     """Identities of single expressions and their derivatives; v (k, n)."""
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
     second = [f"d2T / d{one} d{two} of kinetic_energy" for one in rates for two in rates]
     size, pace = geometric(found.factored), rounded(v)
     yield _equal(second, found.M, stated.M, size)
+    heavy_ones = model.n - len(model.states)  # states are velocities without energy
     squares, products = 0.5 * pace[:, :, None] * stated.M * pace[:, None, :], stated.G * pace
+    squares = squares[:, :heavy_ones, :heavy_ones]
     T2, T1, T0, V = found.energies.T[:, :, None]
     yield Identity(["T2 of kinetic_energy"], [rounded(T2), -_summed(flat(squares))], always=True)
     yield Identity(["T1 of kinetic_energy"], [rounded(T1), -_summed(products)], scale=np.abs(T2), always=True)
@@ -59,7 +61,7 @@ def expressions(model: Model, v: Vector, found: CompiledValues, stated: Symbolic
 
 
 def motion(
-    model: Model, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
+    model: Mechanism, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
     """Lagrange's equations (7), the differentiated constraints, and the outputs, which use their solution; v (k, n)."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
@@ -76,7 +78,7 @@ def equations(found: CompiledValues, stated: SymbolicValues) -> list[Rounded]:
     return [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, push]
 
 
-def row_names(model: Model) -> list[str]:
+def row_names(model: Mechanism) -> list[str]:
     """Names of the constraint rows, as in error messages of a Model."""
     kinds = {"holonomic_constraints": model.h, "nonholonomic_constraints": model.m - model.h}
     return [f"{kind}[{k}]" for kind, count in kinds.items() for k in range(count)]

@@ -33,7 +33,9 @@ def factored(
     M_rate = stated.M_rate + rate @ (W * stated.A) + turned @ (W * stated.A_rate)
     W_rate = rounded(_weights(stated.A.value, found.factored_rate - M_rate.value, units)[:, :, None])
     M_rate = (M_rate + turned @ (W_rate * stated.A)).off(_spread(found.rate_off + M_rate.bound, units))
-    names = [f"M + A^T W A of {one}, {two}" for one in system.coordinates for two in system.coordinates]
+    names = [
+        f"M + A^T W A of {one}, {two}" for one in system.compiled.coordinates for two in system.compiled.coordinates
+    ]
     same = Identity(names, [flat(rounded(found.factored)), -flat(M)], scale=(1.0 / units).reshape(len(units), -1))
     return replace(stated, M=M, M_rate=M_rate), iter((same,))
 

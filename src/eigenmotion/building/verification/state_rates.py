@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.named_values import Vector
+from ...compiled.description import blocks_of
 from ...system.system import System
 from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, inverse, root, rounded
 from .compiled_values import CompiledValues
@@ -30,16 +31,16 @@ def rates(
     system: System, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
     """Identities of the state y and its rate dy, for v (k, n)."""
-    n, layout, names = system.n, system.layout, system.coordinates
+    n, layout, names = system.compiled.n, system.layout, system.compiled.coordinates
     back = rounded(v).off(EPS * recovered(system, v, found))
     yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(found.dy[:, :n]), -back])
     yield Identity([f"{name}' of the state" for name in names], [rounded(found.velocity), -back])
     a = rounded(found.a).off(errors.a)
     if "v" in layout:
-        yield Identity([f"the rate of {name}'" for name in names], [rounded(found.dy[:, layout["v"]]), -a],
+        yield Identity([f"the rate of {name}'" for name in names], [rounded(found.dy[:, n:]), -a],
                        scale=speeds(found.a, found))  # fmt: skip
     elif system.formulation == "cholesky":
-        yield _of_root(names, rounded(found.dy[:, layout["eta"]]), back, a, stated)
+        yield _of_root(names, rounded(found.dy[:, n : 2 * n]), back, a, stated)
     else:
         yield from _of_eigenfactors(system, back, a, found, stated)
     if "s_delta" in layout:
@@ -79,20 +80,21 @@ def _of_eigenfactors(
     system: System, v: Rounded, a: Rounded, found: CompiledValues, stated: SymbolicValues
 ) -> Iterator[Identity]:
     """Identities of eta = S C v (17) and M = C^T S^2 C, in units of `scales`."""
-    unit, names = rounded(1.0 / system.scales), system.coordinates
-    both = system.scales[:, None] * system.scales
+    c = system.compiled
+    unit, names = rounded(1.0 / c.scales), c.coordinates
+    both = c.scales[:, None] * c.scales
     M, M_rate = both * stated.M, both * stated.M_rate
     factors = _factors_of(system, found, M_rate.value)
-    size = _largest(factors, system.blocks)
+    size = _largest(factors, blocks_of(c, c.n))
     yield from _factored([f"M of {one}, {two}" for one in names for two in names], factors, M, M_rate, size)
     C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
     Cv, Ca, turn = applied(C, v * unit), applied(C, a * unit), applied(C_rate, v * unit)
-    terms = [rounded(found.dy[:, system.layout["eta"]]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
+    terms = [rounded(found.dy[:, c.n : 2 * c.n]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
     wide = np.abs(factors.C)
     off = wide @ M_rate.bound @ wide.swapaxes(1, 2)  # of C Mdot C^T, by which C and s turn and stretch
     off = off + EPS * size * np.abs(factors.C_rate).max(axis=2, keepdims=True, initial=0.0)
     more = np.einsum("kij,kj->ki", off, np.abs(Cv.value)) / factors.s
-    yield Identity([f"the rate of eta number {k}" for k in range(system.n)], terms, more, _all(terms))
+    yield Identity([f"the rate of eta number {k}" for k in range(c.n)], terms, more, _all(terms))
 
 
 def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factors:
@@ -100,7 +102,9 @@ def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factor
     C, s, C_rate = found.C.copy(), found.s.copy(), np.zeros_like(found.C)
     s_rate = np.einsum("kij,kjl,kil->ki", C, M_rate, C) / (2.0 * s)
     if "s" in system.layout:
-        carried = [block for block in system.blocks if block[0] in system.compiled.carried]
+        carried = [
+            block for block in blocks_of(system.compiled, system.compiled.n) if block[0] in system.compiled.carried
+        ]
         for block, (at, root) in zip(carried, _places(system, "C", "s", carried), strict=True):
             square = np.ix_(range(len(C)), block, block)
             shape = (len(C), len(block), len(block))

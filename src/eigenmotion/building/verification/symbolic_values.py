@@ -10,7 +10,8 @@ import numpy as np
 import sympy
 
 from ...arguments.named_values import Vector
-from ...codegen.model import Model, multiplier, t
+from ...codegen.model import multiplier, t
+from ...codegen.model.statement.mechanism import Mechanism
 from .arithmetic.evaluate import Evaluation
 from .arithmetic.hyperdual import HyperDual, given
 from .arithmetic.rounding_bounds import EPS, Rounded, joined, rounded
@@ -53,7 +54,7 @@ class SymbolicValues:
     unknown: frozenset[str]
 
 
-def evaluate(model: Model, points: Points, found: CompiledValues, speed: Vector) -> SymbolicValues:
+def evaluate(model: Mechanism, points: Points, found: CompiledValues, speed: Vector) -> SymbolicValues:
     """Evaluate all expressions of a model; velocities have the error bound eps `speed` (k, n)."""
     statement = _Values(model, points, found, speed)
     with np.errstate(all="ignore"):
@@ -68,7 +69,7 @@ def evaluate(model: Model, points: Points, found: CompiledValues, speed: Vector)
 class _Values:
     """Evaluations of one model at the same points, with different parts varied."""
 
-    def __init__(self, model: Model, points: Points, found: CompiledValues, speed: Vector) -> None:
+    def __init__(self, model: Mechanism, points: Points, found: CompiledValues, speed: Vector) -> None:
         self.model, self.points, self.found = model, points, found
         self.k, self.n = points.x.shape
         self.x = _columns(rounded(points.x))

@@ -27,8 +27,8 @@ class Points:
     def described(self, number: int, system: System) -> str:
         """Say where one of them is, in the model's names."""
         values = [("t", self.t[number])]
-        values += zip(system.coordinates, self.x[number], strict=True)
-        values += zip((f"{name}'" for name in system.coordinates), self.v[number], strict=True)
+        values += zip(system.compiled.coordinates, self.x[number], strict=True)
+        values += zip((f"{name}'" for name in system.compiled.coordinates), self.v[number], strict=True)
         values += zip(system.inputs, self.u[number], strict=True)
         changed = self.p[number] != system.compiled.parameter_defaults
         values += [(name, p) for name, p, new in zip(system.parameters, self.p[number], changed, strict=True) if new]
@@ -41,7 +41,8 @@ def draw(system: System, attempt: int) -> Points:
     What follows a failed attempt lies closer to the start. Some points have other parameters than the defaults.
     """
     random = np.random.default_rng(attempt)
-    c, n, start = system.compiled, system.n, np.concatenate(system.initial)
+    c = system.compiled
+    n, start = c.n, np.concatenate([c.initial_x, c.initial_v])
     own = np.where(start == 0.0, 1.0, np.abs(start))
     far = _both_signs(random, np.array([*(np.full(2 * n, size) for size in SIZES), own]) * 0.3**attempt)
     z = np.concatenate([[start], far, _nearby(random, start, 0.3 * 0.1**attempt, 4)])

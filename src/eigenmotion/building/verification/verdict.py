@@ -10,6 +10,8 @@ import numpy as np
 from ...arguments.methods import METHODS
 from ...arguments.named_values import Vector
 from ...codegen.model import Model
+from ...codegen.model.statement.mechanism import Mechanism
+from ...codegen.model.statement.states import as_mechanism
 from ...system.system import System
 from ..errors import BuildError
 from .arithmetic.rounding_bounds import FACTOR
@@ -57,7 +59,7 @@ def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS))
     ProofError
         One of these checks fails.
     """
-    _prove_identities(model, system)
+    _prove_identities(as_mechanism(model), system)
     prove_methods(model, system, methods)
 
 
@@ -73,7 +75,7 @@ def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
         raise ProofError(f"{model.name}: what was compiled is not the model: a run by {method} {what} {_rest(system)}")
 
 
-def _prove_identities(model: Model, system: System) -> None:
+def _prove_identities(model: Mechanism, system: System) -> None:
     """Check identities at new points until each term had a value somewhere, and log the terms without one."""
     for attempt in range(_ATTEMPTS):
         unproved, silent = _compare(model, system, draw(system, attempt))
@@ -85,7 +87,7 @@ def _prove_identities(model: Model, system: System) -> None:
         _log.info("%s: not proved: %s has no value, or is all rounding, at the states tried", model.name, name)
 
 
-def _compare(model: Model, system: System, points: Points) -> tuple[list[str], bool]:
+def _compare(model: Mechanism, system: System, points: Points) -> tuple[list[str], bool]:
     """Return the names of identities that no point decides, and whether the model has no acceleration at any point."""
     found = ask(system, points)
     stated = evaluate(model, points, found, recovered(system, points.v, found))
@@ -102,7 +104,7 @@ def _compare(model: Model, system: System, points: Points) -> tuple[list[str], b
 
 
 def _identities(
-    model: Model, system: System, points: Points, found: CompiledValues, stated: SymbolicValues
+    model: Mechanism, system: System, points: Points, found: CompiledValues, stated: SymbolicValues
 ) -> Iterator[Identity]:
     yield from expressions(model, points.v, found, stated)
     whole, added = factored(system, found, stated)
@@ -127,7 +129,7 @@ def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
     return left, bound, size
 
 
-def _refuse(model: Model, system: System, points: Points, identity: Identity, left: Vector, bound: Vector) -> None:
+def _refuse(model: Mechanism, system: System, points: Points, identity: Identity, left: Vector, bound: Vector) -> None:
     """Raise ProofError with the identity and the point of a residual above its rounding bound."""
     wrong = np.argwhere(left > FACTOR * bound)
     if len(wrong) == 0:

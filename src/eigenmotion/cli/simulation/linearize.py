@@ -18,8 +18,8 @@ from ..options import Shape, check_writable, model, shaping, values
 @click.command("linearize")
 @model
 @click.option("--at", "settings", multiple=True, metavar="NAME=VALUE",
-              help="The state: a coordinate, theta'=1 for a rate, a parameter or an input. Other values are the "
-              "model's initial ones, or follow from the constraints. floor_held=0 selects a contact mode.")  # fmt: skip
+              help="The state: a coordinate or state, theta'=1 for a rate, a parameter or an input. Other values are "
+              "the model's initial ones, or follow from the constraints. floor_held=0 selects a contact mode.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the eigenvalues, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @shaping
@@ -31,9 +31,13 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
     with clock():
         system = system_of(request)
         x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
-        x, v = assemble(system, x0, v0, parameters=parameters, keep=tuple(x0 or ()))
+        keep = tuple(name for name in x0 or () if name in system.coordinates)
+        x, v = assemble(system, x0, v0, parameters=parameters, keep=keep)
+        states = {name: value for name, value in (x0 or {}).items() if name in system.states}
         mode = named_modes(system.compiled, parameters or {})
-        found = system.linearize(x, v, parameters=parameters, inputs=inputs, mode=mode)
+        found = system.linearize(
+            dict(zip(system.coordinates, x, strict=True)) | states, v, parameters=parameters, inputs=inputs, mode=mode
+        )
     click.echo(description(found))
     if plot:
         click.echo(f"drawn to {save(plane(found), plot)}")

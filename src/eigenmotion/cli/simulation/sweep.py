@@ -12,6 +12,7 @@ import click
 import numpy as np
 
 from eigenmotion.arguments.methods import AUTO, METHODS
+from eigenmotion.arguments.named_values import spelled
 from eigenmotion.batch.simulate_ensemble import chosen_method, simulate_ensemble
 from eigenmotion.batch.sweep.design import KINDS, Design
 from eigenmotion.batch.sweep.stores import STORES, arrays_of, check_names, finish, is_done, require
@@ -87,7 +88,8 @@ def command(
     swept = (*design.grid, *design.samples)
     check_set(settings, swept)
     check_memory(request.model, design, store, rows, chunk * (_AT_ONCE if scheduler else 1))
-    check_names(store, swept, [name for name, _ in request.model.outputs])
+    states = [spelled(z) for z, _ in request.model.states]
+    check_names(store, swept, [*(name for name, _ in request.model.outputs), *states])
     times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
     with clock():
         system = system_of(request)

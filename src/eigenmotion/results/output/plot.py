@@ -21,13 +21,14 @@ _FEW = 30  # events that a line each does not hide the picture
 
 
 def coordinates(system: CompiledSystem, solution: Solution) -> Any:
-    """Return a figure of x over t, one line a coordinate, with a row for each event below, and the mechanism beside.
+    """Return a figure of x and states over t, one line each, with a row for each event below, and the mechanism beside.
 
     Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
     second; those of the coordinates are the model's and not known here.
     """
     rows = len(system.events)
-    heights = [max(4.0, 0.5 + 0.2 * system.n), *([0.2 * rows + 0.05] if rows else [])]
+    names = (*system.coordinates, *system.states)
+    heights = [max(4.0, 0.5 + 0.2 * len(names)), *([0.2 * rows + 0.05] if rows else [])]
     drawn = _drawn(solution)
     figure = blank(8 if drawn is None else 12.5, sum(heights) + 0.6)
     places = figure.add_gridspec(len(heights), 1 if drawn is None else 2, height_ratios=heights,
@@ -36,9 +37,9 @@ def coordinates(system: CompiledSystem, solution: Solution) -> Any:
     strip = [figure.add_subplot(places[1, 0], sharex=axes)] if rows else []
     axes.tick_params(labelbottom=not strip)
     t, x = _smooth(system, solution)
-    _draw_lines(axes, t, x, system.coordinates)
-    _name_lines(axes, x, system.coordinates)
-    axes.set(ylabel="coordinates", title=system.name.replace("_", " "))
+    _draw_lines(axes, t, x, names)
+    _name_lines(axes, x, names)
+    axes.set(ylabel="coordinates and states" if system.states else "coordinates", title=system.name.replace("_", " "))
     for events in strip:
         _draw_events(events, axes, system.events, solution.t_events)
     if t[0] != t[-1]:
@@ -114,8 +115,9 @@ def _label(name: str) -> str:
 
 
 def _smooth(system: CompiledSystem, solution: Solution) -> tuple[Vector, Vector]:
-    """Return t (k,) and x (n, k): dense enough for the eye where the solution was kept dense, else its rows."""
+    """Return t (k,) and x, states (n + p, k): dense enough for the eye where the solution is dense, else its rows."""
     if solution.sol is None:
-        return solution.t, solution.x
+        return solution.t, np.vstack([solution.x, *solution.states.values()])
     t = np.linspace(solution.t[0], solution.t[-1], 2000)
-    return t, solution.sol(t)[system.layout["x"]]
+    rows = solution.sol(t)
+    return t, np.vstack([rows[system.layout["x"]], rows[system.layout.get("z", slice(0))]])

@@ -27,19 +27,21 @@ def _npz(system: CompiledSystem, solution: Solution) -> bytes:
     buffer = io.BytesIO()
     arrays = {name: solution[name] for name in _ARRAYS}
     arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
+    arrays |= {f"state_{name}": values for name, values in solution.states.items()}
     arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
     np.savez_compressed(buffer, coordinates=np.array(system.coordinates), **arrays)
     return buffer.getvalue()
 
 
 def _csv(system: CompiledSystem, solution: Solution) -> bytes:
-    """Columns: t, each coordinate, each rate (marked '), each multiplier, energy, each output; full precision."""
+    """Columns: t, each coordinate, rate (marked '), multiplier, energy, output, state; full precision."""
     ours = ["t", *(f"lambda{k}" for k in range(system.m)), "energy"]
     motion = moving(ours, system.coordinates)
-    outputs = columns({*ours, *motion, *system.coordinates}, [("output", name) for name in solution.outputs])
+    others = [*(("output", name) for name in solution.outputs), *(("state", name) for name in solution.states)]
+    named = columns({*ours, *motion, *system.coordinates}, others)
     numbers = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
-                         *solution.outputs.values()])  # fmt: skip
-    return as_csv(["t", *motion, *ours[1:], *outputs], numbers.T.tolist()).encode()
+                         *solution.outputs.values(), *solution.states.values()])  # fmt: skip
+    return as_csv(["t", *motion, *ours[1:], *named], numbers.T.tolist()).encode()
 
 
 SAVERS: dict[str, Callable[[CompiledSystem, Solution], bytes]] = {".npz": _npz, ".csv": _csv}

@@ -1,5 +1,7 @@
 """Summary of a run, in a few lines of text."""
 
+from itertools import zip_longest
+
 import numpy as np
 
 from ...arguments.named_values import Vector
@@ -96,15 +98,16 @@ def _estimate(solution: Solution) -> list[tuple[str, str]]:
 
 def _final_state(system: CompiledSystem, solution: Solution) -> str:
     """The last row; beside it the error of each number, where that was estimated there."""
-    width, estimate = max(map(len, system.coordinates)), solution.error_estimate
+    width, estimate = max(map(len, (*system.coordinates, *system.states))), solution.error_estimate
     table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
     lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]
     for name, *numbers in zip(system.coordinates, *table.values(), strict=True):
         lines.append(f"{name:<{width}} " + " ".join(f"{number + 0.0:>23.16g}" for number in numbers))
+    lines += [f"{name:<{width}} {values[-1] + 0.0:>23.16g}" for name, values in solution.states.items()]
     if estimate is None or np.isnan(estimate.scaled) or estimate.t != solution.t[-1]:
         return "\n".join(lines)
     errors = ["errors of x, xdot", *(f"{x:>14.1e} {v:>8.1e}" for x, v in zip(estimate.x, estimate.v, strict=True))]
-    return "\n".join(f"{line}   {more}" for line, more in zip(lines, errors, strict=True))
+    return "\n".join(f"{line}   {more}".rstrip() for line, more in zip_longest(lines, errors, fillvalue=""))
 
 
 def _largest(values: Vector) -> float:

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 26 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 27 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -217,6 +217,9 @@ typedef struct em_model {
     const em_table_use *table_uses; /* (n_table_uses) */
     void (*table_arguments)(double t, const double *x, const double *v, const double *c, const double *u,
                             double *at); /* (n_table_uses); NULL: there is no table */
+    int n_states;                /* of the n coordinates, how many last ones exist for the sake of their velocities,
+                                    which are first-order states z: coordinates[k] is the name of z, v[k] its value,
+                                    x[k] its integral, initial_v[k] its start */
 } em_model;
 
 #endif

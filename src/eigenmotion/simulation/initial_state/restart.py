@@ -40,7 +40,7 @@ def given_start(
 def _of_solution(model: CompiledModel, start: Solution) -> tuple[float, Vector | None, Vector, Vector]:
     if len(start.t) == 0:
         raise ModelError(f"{model.name}: start is a Solution without rows: there is no state to go on from")
-    x, v, y, other = start["x"][:, -1], start["v"][:, -1], start.y[:, -1], start.model
+    (x, v), y, other = (part[:, -1] for part in start.motion), start.y[:, -1], start.model
     if len(x) != model.n or (other is not None and (other.name, other.coordinates) != (model.name, model.coordinates)):
         raise ModelError(f"{model.name}: start is a Solution of {other.name if other else 'another model'}")
     same = len(y) == model.n_state and (other is None or other.formulation == model.formulation)

@@ -1,6 +1,6 @@
 """Sensitivities of a motion to parameters, inputs and its start."""
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +10,7 @@ from ...arguments.methods import Method
 from ...arguments.named_values import Vector
 from ...arguments.options import Task
 from ...codegen.model.normalise import ModelError
-from ...results.sensitivity import Sensitivity
+from ...results.sensitivity import Sensitivity, parts_of
 from ...results.solution import Solution
 from ...runtime import EvaluationError, Run
 from ...runtime.variations import quasi_partials, tangent, vary
@@ -55,7 +55,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
     if task.inputs.sampled:
         raise through_no_controller(c.name)
     S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
-    state, given = _places(c.coordinates, c.inputs, c.parameters)
+    state, given = _places(c.coordinates, c.n_states, c.inputs, c.parameters)
     for column, name in enumerate(names):
         if name in state:
             S[state[name], column] = 1.0
@@ -70,11 +70,14 @@ def directions(asked: Differentiated, task: Task) -> Directions:
 
 @lru_cache(maxsize=16)
 def _places(
-    coordinates: tuple[str, ...], inputs: tuple[str, ...], parameters: tuple[str, ...]
+    coordinates: tuple[str, ...], n_states: int, inputs: tuple[str, ...], parameters: tuple[str, ...]
 ) -> tuple[dict[str, int], dict[str, int]]:
-    """Return the rows of S and of P by name."""
-    state, given = (*coordinates, *rates_of(coordinates)), (*inputs, *parameters)
-    return {name: row for row, name in enumerate(state)}, {name: row for row, name in enumerate(given)}
+    """Return the rows of S and of P by name; states are velocities (`arguments.states`)."""
+    n = len(coordinates) - n_states
+    moving, given = (*rates_of(coordinates[:n]), *coordinates[n:]), (*inputs, *parameters)
+    state = {name: row for row, name in enumerate(coordinates[:n])}
+    state |= {name: len(coordinates) + row for row, name in enumerate(moving)}
+    return state, {name: row for row, name in enumerate(given)}
 
 
 def _check_constant(task: Task, k: int) -> None:
@@ -105,7 +108,7 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
         A force jumps where no event of the model says so, or events act whose times have no derivative: two at
         once, or one that only touches zero.
     """
-    n, path = task.model.n, path_of(task, solution)
+    path, parts = path_of(task, solution), partial(parts_of, task.model)
     found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3.0))
     if fault is not None and solution.success:  # otherwise the run itself has failed, and its message says why
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
@@ -113,9 +116,9 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
     rows = found[path.of_rows].T  # (columns, 2 n, k)
     if not task.model.events:
-        return {name: Sensitivity(dx, dv) for name, dx, dv in zip(asked.names, rows[:, :n], rows[:, n:], strict=True)}
+        return {name: Sensitivity.of(*parts(one), None) for name, one in zip(asked.names, rows, strict=True)}
     return {
-        name: Sensitivity.of(one[:n], one[n:], [shifts[marks, column] for marks in path.of_events])
+        name: Sensitivity.of(*parts(one), [shifts[marks, column] for marks in path.of_events])
         for column, (name, one) in enumerate(zip(asked.names, rows, strict=True))
     }
 

@@ -27,13 +27,13 @@ class Page {
     const make = (parent, entries, write, coordinate) => entries.map((entry, k) => entry.mode ? null :
       new Control(element(parent), entry, (control, done) => { write(k, control.value); this.changed(coordinate && done); }));
     const { parameters, inputs, coordinates, v } = about;
-    const rate = (one, k) => ({ name: `${one.name}'`, label: one.rate, value: v[k], ...around(v[k], 2) });
+    const rate = (one, k) => ({ name: one.state ? one.name : `${one.name}'`, label: one.rate, value: v[k], ...around(v[k], 2) });
     this.fields = {
       parameters: make("parameters", parameters.map((one) => ({ ...one, ...rangeOf(one.value, one.positive) })),
         (k, value) => { this.engine.parameters[k] = value; }),
       inputs: make("parameters", inputs.map((one) => ({ ...one, ...around(one.value, 1) })),
         (k, value) => { this.engine.inputs[k] = value; }),
-      x: make("initial", coordinates.map((one) => ({ ...one, ...around(one.value, 1) })),
+      x: make("initial", coordinates.map((one) => ({ ...one, mode: one.state, ...around(one.value, 1) })),
         (k, value) => { this.engine.x.set(this.start.x); this.engine.x[k] = this.start.x[k] = value; }, true),
       v: make("initial", coordinates.map(rate),
         (k, value) => { this.engine.v.set(this.start.v); this.engine.v[k] = this.start.v[k] = value; }, true),
@@ -56,7 +56,7 @@ class Page {
     const moved = about.coordinates.some((_, k) => Math.abs(engine.x[k] - this.start.x[k]) > 1e-9);
     this.start = { x: Array.from(engine.x), v: Array.from(engine.v) };
     for (const [kind, values] of [["x", engine.x], ["v", engine.v]]) {
-      this.fields[kind].forEach((field, k) => { if (document.activeElement !== field.slider || this.settled) field.set(values[k]); });
+      this.fields[kind].forEach((field, k) => { if (field && (document.activeElement !== field.slider || this.settled)) field.set(values[k]); });
     }
     const motion = engine.run(tEnd), { end } = motion;
     this.say(end.status, end.reached, end.coordinate, moved);

@@ -132,7 +132,9 @@ function ticks(low, high, count, whole = false) {
 function plotsOf(about) {
   const column = (place, label) => ({ label, values: (motion) => motion.column(motion.places[place[0]] + place[1]) });
   const digits = (value) => Math.log10(Math.max(Math.abs(value), 1e-17));
-  const found = [{ title: "coordinates", series: about.coordinates.map((one, k) => column(["x", k], one.label)) }];
+  const series = about.coordinates.map((one, k) => ({ ...column([one.state ? "v" : "x", k], one.label), state: one.state }));
+  const found = [{ title: "coordinates", series: series.filter((one) => !one.state) }];
+  if (series.some((one) => one.state)) found.push({ title: "states", series: series.filter((one) => one.state) });
   if (about.conservesEnergy) {
     const drift = (motion) => {
       const energy = motion.column(motion.places.energy);
