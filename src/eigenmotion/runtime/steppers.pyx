@@ -215,7 +215,7 @@ cdef class ManySteps:
                 made.row(k)[i] = rows.t[rows.count - 1] if rows.count > 0 else NAN
         return made.array
 
-    def states(self):
+    def published(self):
         """y (K, n_state), published meaning."""
         cdef Numbers made = zeros((self.count, self.model.n_state))
         cdef em_fault fault

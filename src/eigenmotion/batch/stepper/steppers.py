@@ -246,7 +246,7 @@ class Steppers(ManySteps):
     @property
     def y(self) -> Vector:
         """(K, n_state) the states, published meaning."""
-        return self.states()
+        return self.published()
 
     @property
     def energy(self) -> Vector:
