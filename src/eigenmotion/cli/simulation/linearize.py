@@ -19,7 +19,7 @@ from ..options import Shape, check_writable, model, shaping, values
 @model
 @click.option("--at", "settings", multiple=True, metavar="NAME=VALUE",
               help="The state: a coordinate or state, theta'=1 for a rate, a parameter or an input. Other values are "
-              "the model's initial ones, or follow from the constraints. floor_held=0 selects a contact mode.")  # fmt: skip
+              "the model's initial ones, or follow from constraints. floor_held=0 selects a contact mode.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the eigenvalues, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @shaping
