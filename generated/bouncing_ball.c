@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:4527c24d5a35fd52c3007a556dfe48a0a1bc35e56ae4c7f5a688df292d53832e */
+/* body sha256:195a39c67296983ab72cf6c22a9c03dd87356ba326ba18d3021a4d0aeb400e2b */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,6 +32,7 @@
 
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold in some modes */
 #define EM_ACTS
+#define EM_HAS_ROWS
 #include "numeric/em_functions.h"
 #include "constraints/em_multipliers.h"
 

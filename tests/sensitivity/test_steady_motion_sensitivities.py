@@ -10,7 +10,7 @@ from scipy.linalg import block_diag, expm
 
 import eigenmotion as em
 from eigenmotion import System
-from eigenmotion.analysis.state.operating_point import place as place_of
+from eigenmotion.analysis.state.operating_point import operating_point as place_of
 
 from ..support.generation import NAMES, system_of
 

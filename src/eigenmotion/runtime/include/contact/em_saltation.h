@@ -75,7 +75,7 @@ EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_imp
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_LAW_NOT_DERIVED, NAN);
     for (int row = 0; row < N_ROWS; ++row) impulse[row] = -b->s.p[row];
     impact_balance_partials(a->t, a->x, change, impulse, r->c, D);
-#if N_ROWS > 0
+#ifdef EM_HAS_ROWS
     double E[(N_POSITIONS + N_ROWS) * N_ARGUMENTS];
     constraint_partials(a->t, a->x, a->v, r->c, E);
     em_along(d, N_POSITIONS + N_ROWS, E, rates);
