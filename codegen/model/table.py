@@ -154,6 +154,15 @@ class TableCall(sympy.Function):  # type: ignore[misc]
         power = f"^{{{exp}}}" if exp else ""
         return rf"\operatorname{{{name}}}{power}\left({', '.join(map(printer.doprint, self.args))}\right)"
 
+    def as_undefined(self) -> sympy.Expr:
+        """Return the same of a function of this name without numbers."""
+        function = sympy.Function(self.table.name)
+        if not any(self.orders):
+            return function(*self.args)
+        places = sympy.symbols(f"at_:{len(self.args)}")
+        derivative = sympy.Derivative(function(*places), *zip(places, self.orders, strict=True))
+        return sympy.Subs(derivative, places, self.args)
+
     @property
     def label(self) -> str:
         """Its name, with as many ' as it was differentiated; of two arguments, (1, 0) behind it."""

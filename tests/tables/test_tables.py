@@ -1,7 +1,9 @@
 """Tables in expressions: their values and derivatives in C, and motions under them, against SciPy's."""
 
 import pickle
+from concurrent.futures import ProcessPoolExecutor
 from itertools import pairwise
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -110,7 +112,11 @@ def test_sympy_differentiates_evaluates_and_prints_tables() -> None:
     assert pickle.loads(pickle.dumps(call)) == call
     x = sympy.Symbol("x")
     assert sympy.lambdify(x, load(x) ** 2)(0.3) == pytest.approx(float(SPLINE(0.3)) ** 2, rel=1e-14)
-    assert "load" in str(pendulum(load, "shown").equations().bias)
+    equations = pendulum(load, "shown").equations()
+    assert "load(theta(t))" in str(equations.bias)
+    made: dict[str, object] = {}
+    exec(pendulum(load, "shown", forces={THETA: call.diff(THETA)}).equations().source(), made)
+    assert made["bias"].has(sympy.Subs)
 
 
 TORQUES_PLUS = si.CubicSpline(ANGLES, TORQUES + 1.0)
@@ -177,6 +183,20 @@ def test_steps_end_at_joins_that_are_rough() -> None:
             (start, end), z, method="DOP853", rtol=1e-11, atol=1e-12, max_step=2e-3).y[:, -1]  # fmt: skip
     assert [run.x[0, -1], run.v[0, -1]] == pytest.approx(z, abs=1e-6)
     assert all(np.abs(run.t - at).min() < 1e-12 for at in times)
+
+
+def test_slopes_that_jump_at_joins_do_not_disturb_sensitivities(loaded: em.System) -> None:
+    """Lines join with a jump of the slope; a jump of the force itself has no derivative, and is refused."""
+    lines = (ANGLES, TORQUES)
+
+    def end(g: float) -> float:
+        return loaded.simulate((0.0, 2.0), parameters={"load": lines, "g": g}, rtol=1e-12, atol=1e-13).x[0, -1]
+
+    run = loaded.simulate((0.0, 2.0), parameters={"load": lines}, sensitivities=["g"], rtol=1e-9, atol=1e-10)
+    assert run.sensitivity["g"].dx[0, -1] == pytest.approx((end(9.81 + 1e-5) - end(9.81 - 1e-5)) / 2e-5, abs=1e-7)
+    jumps = si.PPoly(np.array([[0.0, 0.5]]), [-4.0, 0.2, 4.0])
+    with pytest.raises(ModelError, match="a force jumps"):
+        loaded.simulate((0.0, 2.0), parameters={"load": jumps}, sensitivities=["g"])
 
 
 # --- beyond the range -----------------------------------------------------------------------------------------------
@@ -255,6 +275,19 @@ def test_runs_refuse_what_is_no_such_table(loaded: em.System) -> None:
         loaded.simulate((0.0, 1.0), sensitivities=["load"])
     with pytest.raises(ModelError, match="'load', which is a table"):
         em.find_equilibrium(loaded, free=["load"])
+
+
+def test_tables_travel_to_other_processes(loaded: em.System) -> None:
+    """An address says nothing elsewhere: arrays travel, and get an address there."""
+    scaled = [(ANGLES, k * TORQUES) for k in (0.5, 1.0)]
+    members = {"parameters": {"load": scaled}, "rtol": 1e-8}
+    here = em.simulate_ensemble(loaded, (0.0, 1.0), **members)
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as executor:
+        there = em.simulate_ensemble(loaded, (0.0, 1.0), executor=executor, **members)
+    assert (here.x == there.x).all()
+    many = loaded.steppers(**members)
+    many.advance(1.0)
+    assert many.x[:, 0] == pytest.approx(here.x[:, 0, -1], abs=1e-12)
 
 
 # --- ways in --------------------------------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ def latex(expression: sympy.Basic) -> str:
 
 def as_python(parts: Mapping[str, sympy.MatrixBase]) -> str:
     """Return Python that makes matrices: first their symbols, in the order of names, then each by its name."""
+    parts = {name: part.applyfunc(_without_tables) for name, part in parts.items()}
     held = {atom for part in parts.values() for atom in part.atoms(sympy.Symbol, AppliedUndef)} - {t}
     symbols = sorted(held, key=lambda atom: (isinstance(atom, AppliedUndef), name_of(atom)))
     names = _identifiers(symbols, parts)
@@ -32,6 +33,11 @@ def as_python(parts: Mapping[str, sympy.MatrixBase]) -> str:
         f"{name} = Matrix({part.rows}, {part.cols}, {printer.doprint(part.flat())})" for name, part in parts.items()
     ]
     return "\n".join([*_PREAMBLE, *declared, "", *made])
+
+
+def _without_tables(expression: sympy.Expr) -> sympy.Expr:
+    """Write calls of tables as those of functions that are not defined, which Python can be told without numbers."""
+    return expression.replace(lambda part: hasattr(part, "as_undefined"), lambda part: part.as_undefined())
 
 
 def _identifiers(symbols: Iterable[sympy.Basic], taken: Iterable[str]) -> dict[sympy.Basic, str]:

@@ -7,13 +7,17 @@ import logging
 import os
 import pickle
 import time
+from collections.abc import Mapping
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, wait
+from dataclasses import replace
 from functools import lru_cache
 
 from ..arguments.members import Asked, Members
+from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError, shown
 from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
+from ..runtime.tables import packed, unpacked
 from .chunk import run_chunk
 from .threads import Report, pieces
 
@@ -51,9 +55,11 @@ def _asked(packed: bytes) -> Asked:
     return asked
 
 
-def timed_chunk(packed: bytes, members: Members) -> tuple[BatchArrays, float]:
+def timed_chunk(packed: bytes, members: Members, tables: Mapping[float, Vector]) -> tuple[BatchArrays, float]:
     """Run members in one thread of a worker; return their results and the seconds it took."""
     asked = _asked(packed)
+    places = [place for place, _ in asked.model.tables.values()]
+    members = replace(members, parameters=unpacked(members.parameters, places, tables)) if tables else members
     start = time.perf_counter()
     found = run_chunk(asked, members, Stop())
     return found, time.perf_counter() - start
@@ -84,6 +90,7 @@ class _Work:
     def __init__(self, asked: Asked, members: Members, executor: Executor, report: Report) -> None:
         self.packed, self.members, self.executor, self.report = _packed(asked), members, executor, report
         self.found, self.seconds = Collection(asked, members.count), 0.0
+        self.tables = tuple(asked.model.tables.values())
         self.waiting: dict[Future[tuple[BatchArrays, float]], tuple[int, int]] = {}
         self.tries: dict[tuple[int, int], int] = {}
 
@@ -91,11 +98,17 @@ class _Work:
         """Submit chunks (start, stop); if the executor accepts no more, run them in this process."""
         for part in parts:
             members = self.members.part(*part)
+            tables = self._tables(members)
             try:
-                self.waiting[self.executor.submit(timed_chunk, self.packed, members)] = part
+                self.waiting[self.executor.submit(timed_chunk, self.packed, members, tables)] = part
             except (BrokenExecutor, RuntimeError) as error:
                 _log.warning("the executor is lost (%s): members %d to %d run here", error, part[0], part[1] - 1)
-                self._put(part, timed_chunk(self.packed, members))
+                self._put(part, timed_chunk(self.packed, members, tables))
+
+    def _tables(self, members: Members) -> dict[float, Vector]:
+        """The tables that members were given, which travel as arrays."""
+        places = [place for place, _ in self.tables]
+        return packed(members.parameters[:, places].ravel().tolist()) if places else {}
 
     def finish(self) -> None:
         """Wait for all submitted chunks."""

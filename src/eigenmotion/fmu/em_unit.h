@@ -79,13 +79,17 @@ static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
         "singular mass matrix", "dependent constraints", "coincident eigenvalues", "position not reached", "interrupted",
         "out of memory", "eigenfactors drifted", "an event has no value", "energy drifted", "constraints drifted",
         "no motion starts there", "events pile up", "an impact has no solution", "a reset leaves the constraints",
-        "the model jumps", "a reset ends inside an impact", "a value that was not declared"};
+        "the model jumps", "a reset ends inside an impact", "contacts clash", "a value that was not declared",
+        "the motion leaves the range of a table"};
     const size_t count = sizeof reasons / sizeof *reasons, status = (size_t)fault->status;
     const int row = fault->status == EM_DEPENDENT_CONSTRAINTS || fault->status == EM_POSITION_NOT_REACHED ||
                     fault->status == EM_CONSTRAINTS_DRIFTED;
-    const int named = !row && fault->first >= 0 && fault->first < unit->model->n;
+    const int named = !row && fault->status != EM_OUTSIDE_TABLE && fault->first >= 0 && fault->first < unit->model->n;
     const char *const reason = status < count ? reasons[status] : "failed";
-    if (row) snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s, row %d", t, reason, fault->first);
+    if (fault->status == EM_OUTSIDE_TABLE)
+        snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s %s, at %.9g", t, reason,
+                 unit->model->parameters[unit->model->tables[fault->first].parameter], fault->size);
+    else if (row) snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s, row %d", t, reason, fault->first);
     else snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s%s%s", t, reason, named ? ", coordinate " : "",
                   named ? unit->model->coordinates[fault->first] : "");
     return -1;
@@ -141,6 +145,13 @@ static int em_unit_refuses(em_unit *unit, unsigned reference, double value) {
     return 1;
 }
 
+/* Whether a reference is that of a table, which a unit does not change. */
+static int em_unit_is_table(const em_model *m, unsigned reference) {
+    for (int k = 0; k < m->n_tables; ++k)
+        if (reference == (unsigned)m->tables[k].parameter) return 1;
+    return 0;
+}
+
 /* A number by its reference. 0, or -1 and words. */
 static int em_unit_set(em_unit *unit, unsigned reference, double value) {
     const size_t inputs = (size_t)(unit->model->n_parameters + 2 * unit->model->n);
@@ -148,6 +159,11 @@ static int em_unit_set(em_unit *unit, unsigned reference, double value) {
         snprintf(unit->words, sizeof unit->words, "value reference %u: %s", reference,
                  !isfinite(value) ? "not a finite number" : reference < inputs ? "parameters and start are fixed while stepping"
                                                                                : "no number that can be set");
+        return -1;
+    }
+    if (value != 0.0 && em_unit_is_table(unit->model, reference)) {
+        snprintf(unit->words, sizeof unit->words, "%s is a table, which a unit has as it was exported: leave it at 0",
+                 unit->model->parameters[reference]);
         return -1;
     }
     if (em_unit_refuses(unit, reference, value)) return -1;
