@@ -108,6 +108,8 @@ def _remedy_for_state(what: str) -> str:
 
 
 def _remedy_for_input(what: str) -> str:
+    if "constraints[" in what:
+        return "A motion that is prescribed is a function of time: eigenmotion.Table(CubicSpline(times, values))(t)."
     return "Draw it as a coordinate." if what.startswith("drawing") else "Let it act through forces."
 
 
@@ -153,7 +155,8 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
         )
     if isinstance(symbol, AppliedUndef) and symbol.args != (t,):
         return (
-            f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it out."
+            f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it "
+            "out, or give it by numbers: eigenmotion.Table."
         )
     where = "coordinates, states, quasi_velocities or inputs" if isinstance(symbol, AppliedUndef) else "parameters"
     return f"{what} contains {name!r}, which is not declared. Add it to {where}.{nearest(name, kinds)}"

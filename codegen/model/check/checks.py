@@ -243,7 +243,8 @@ def _check_masses(model: Mechanism) -> None:
         if not (T.has(v) or any(row.has(v) for row in held)):
             raise ModelError(
                 f"kinetic_energy does not contain the rate of {name_of(x)!r}: the mass matrix is singular. Give what "
-                "moves with this coordinate a mass, hold it by a constraint, or take it out of coordinates."
+                "moves with this coordinate a mass, hold it by a constraint, or, if it has a rate of its own, put it "
+                "under states."
             )
 
 
