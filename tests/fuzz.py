@@ -1,6 +1,6 @@
 """`make fuzz`: random trees and mechanisms by the thousand; prints what is wrong and a line of counts, exits with 1.
 
-    python -m tests.fuzz [--trees N] [--mechanisms N] [--first SEED] [--workers N]
+    python -m tests.fuzz [--trees N] [--mechanisms N] [--states N] [--first SEED] [--workers N]
 
 Everything wrong is named by its seed: `--first SEED --trees 1 --mechanisms 0` looks at it again.
 """
@@ -19,7 +19,7 @@ from dataclasses import fields
 
 from eigenmotion.building.toolchain import OPTIMISED, toolchain
 
-from .equations import mechanism_checks
+from .equations import mechanism_checks, state_checks
 from .graph import tree_checks
 from .support.generation import FORMULATIONS
 
@@ -44,6 +44,14 @@ def one_mechanism(seed: int) -> mechanism_checks.Counts:
         mechanism_checks.check(seed, counts, FORMULATIONS, *OPTIMISED, *toolchain().flags)
         if seed % mechanism_checks.RUN_EVERY == 0:
             mechanism_checks.check_run(seed, counts, *OPTIMISED, *toolchain().flags)
+    return counts
+
+
+def one_with_states(seed: int) -> mechanism_checks.Counts:
+    """All formulations of a mechanism with first-order states."""
+    counts = mechanism_checks.Counts()
+    with _noted(f"states {seed}", counts.wrong):
+        state_checks.check(seed, counts, FORMULATIONS, *OPTIMISED, *toolchain().flags)
     return counts
 
 
@@ -74,12 +82,20 @@ def summed(name: str, seconds: float, counts: list) -> str:  # type: ignore[type
 def main() -> int:
     """Run what the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name, default in (("trees", 10_000), ("mechanisms", 300), ("first", 0), ("workers", os.cpu_count() or 1)):
+    for name, default in (
+        ("trees", 10_000),
+        ("mechanisms", 300),
+        ("states", 40),
+        ("first", 0),
+        ("workers", os.cpu_count() or 1),
+    ):
         parser.add_argument(f"--{name}", type=int, default=default)
     asked = parser.parse_args()
     lines, wrong = [], 0
     with ProcessPoolExecutor(asked.workers) as pool:
-        for name, check, count in (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms)):
+        kinds = (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms),
+                 ("states", one_with_states, asked.states))  # fmt: skip
+        for name, check, count in kinds:
             start = time.monotonic()
             found = list(swept(check, range(asked.first, asked.first + count), pool))
             if found:
