@@ -199,3 +199,35 @@ def test_states_are_reset_by_events_and_seen_by_them():
     after = found.t > at
     assert found.y_after_events[1][0][system.layout["z"]][1] == 0.0
     assert found.states["e"][after][-1] != 0.0
+
+
+def test_a_push_that_grows_makes_a_block_slide():
+    """A state f = t pushes; dry friction of 2 N holds until then, and a bounce at a wall leaves the state alone."""
+    f = dynamicsymbols("f")
+    model = em.Model(
+        name="pushed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces={x: f}, states={f: sympy.Integer(1)},
+        contacts={"rub": em.Friction(x.diff(), 2), "wall": em.Contact(1 - x, restitution=0.5)},
+    )  # fmt: skip
+    found = system_for(model, "lagrange").simulate((0, 4), rtol=1e-10, atol=1e-12)
+    assert found.success
+    begins = found.t[found.x[0] > 1e-9][0]
+    assert 2.0 <= begins < 2.2
+    strikes = found.t_events[1][0]
+    assert strikes == pytest.approx(2 + 6 ** (1 / 3), abs=1e-8)
+    np.testing.assert_allclose(found.states["f"], found.t, atol=1e-9)
+    before = (found.t > 2.3) & (found.t < strikes)
+    np.testing.assert_allclose(found.x[0, before], (found.t[before] - 2) ** 3 / 6, atol=1e-8)
+    after = found.t > strikes + 1e-3
+    assert (found.x[0, after] < 1 + 1e-9).all()
+
+
+def test_a_limit_of_friction_that_is_a_state():
+    """A brake whose force decays: m a = 1 - N, N' = -N, from 3: it holds until N is 1."""
+    N = dynamicsymbols("N")
+    model = em.Model(
+        name="brake", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces={x: 1}, states={N: -N},
+        initial={N: 3.0}, contacts={"pads": em.Friction(x.diff(), N)},
+    )  # fmt: skip
+    found = system_for(model, "lagrange").simulate((0, 3), t_eval=[2.0, 3.0], rtol=1e-10, atol=1e-12)
+    s = np.array([2.0, 3.0]) - np.log(3.0)
+    np.testing.assert_allclose(found.v[0], s - (1 - np.exp(-s)), atol=1e-8)
