@@ -1,5 +1,7 @@
 """First-order states in all that takes a mechanism: starts, ensembles, steppers, derivatives, linear models, files."""
 
+import pickle
+
 import numpy as np
 import pytest
 from eigenmotion.codegen.compiler import explain
@@ -31,6 +33,23 @@ def test_starts_by_name_and_by_array(system):
     assert system.simulate((0, 1), x0=[0.2], **TOLERANCES).states["i"][0] == 0.1
     go_on = system.simulate((1, 2), start=named, **TOLERANCES)
     np.testing.assert_allclose(end(go_on), end(system.simulate((0, 2), x0=[0.2, 0.3, 0.0], **TOLERANCES)), atol=1e-10)
+
+
+def test_copies_go_on(system):
+    found = system.simulate((0, 1), x0={"i": 0.3}, **TOLERANCES)
+    copied = pickle.loads(pickle.dumps(found))
+    np.testing.assert_array_equal(copied.states["i"], found.states["i"])
+    np.testing.assert_array_equal(system.simulate((1, 2), start=copied).y, system.simulate((1, 2), start=found).y)
+
+
+def test_consistent_states_are_of_coordinates(system):
+    x, v = system.project_initial_state({"i": 0.3})
+    assert x.shape == v.shape == (1,)
+    x, v = em.assemble(system, {"theta": 0.2})
+    assert x.shape == v.shape == (1,)
+    assert system.mass_matrix([0.1]).shape == (1, 1)
+    assert system.acceleration([0.1, 0.2, 0.3], [0.4])[0] == pytest.approx(0.2 - 3 * np.sin(0.1))
+    assert system.energy([0.1], [0.4]) == pytest.approx(0.08 - 3 * np.cos(0.1))
 
 
 def test_wrong_starts_are_named(system):

@@ -240,7 +240,7 @@ class CompiledSystem(Description):
         c, t = self.prepare(parameters), number(t, "t")
         x, v = self.begin(x0, v0, t, c)
         shares = self._compiled.shares(t, x, c, least_norm_of(dependent_constraints))
-        return Projection(self._compiled, c, t, shares)(x, v)
+        return Projection(self._compiled, c, t, shares)(x, v).of_coordinates(self.n)
 
     def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T + V [J]."""

@@ -39,6 +39,13 @@ class ConsistentState(tuple[Vector, Vector]):
         made.__dict__.update(moved, x=x, v=v)
         return made
 
+    def of_coordinates(self, n: int) -> "ConsistentState":
+        """Return it of the first n numbers: behind them are first-order states, which no constraint moves."""
+        if len(self.x) == n:
+            return self
+        parts = {name: getattr(self, name)[:n] for name in ("x", "v", "dx", "dv")}
+        return ConsistentState(**self.__dict__ | parts)
+
     def __repr__(self) -> str:
         return f"ConsistentState(x={self.x}, v={self.v}, distance={self.distance:.3g})"
 

@@ -161,7 +161,10 @@ class Solution(dict[str, Any]):
     def motion(self) -> tuple[Vector, Vector]:
         """x, v as compiled functions take them, (n + p, k) each: the last of v are states, of x their integrals."""
         rows = self._rows
-        return (self.x, self.v) if rows is None else (rows.x.T, rows.v.T)
+        if rows is not None:
+            return rows.x.T, rows.v.T
+        states = list(self["states"].values())  # of a copy from another process, whose integrals nobody needs
+        return np.vstack([self.x, *(0.0 * z for z in states)]), np.vstack([self.v, *states])
 
     @property
     def model(self) -> CompiledModel | None:
