@@ -77,7 +77,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
         c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
         c.drawn_rows(time, position, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
-        _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
+        _rate(c, t, y[0], prepared, u, least_norm), c.velocity_rows(time, y, prepared)[0],
         np.array(least_norm),
     )  # fmt: skip
 
@@ -104,9 +104,10 @@ def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
     return c.prepare(free)
 
 
-def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) -> Vector:
+def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector, least_norm: bool) -> Vector:
+    """Return dy, NaN where there is none: rows that depend on each other are refused, but for the luck of rounding."""
     try:
-        return c.rhs(t, y, prepared, u)
+        return np.full(c.n_state, np.nan) if least_norm else c.rhs(t, y, prepared, u)
     except EvaluationError:
         return np.full(c.n_state, np.nan)
 
