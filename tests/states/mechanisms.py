@@ -42,7 +42,7 @@ def integrated(rate, start, times, **options) -> np.ndarray:
 
 # --- a four-bar linkage with a motor at its crank ---
 
-drive, current, integral, speed = dynamicsymbols("drive current integral speed")
+current, integral = dynamicsymbols("current integral")
 MOTOR = {"constant": 0.5, "resistance": 1.0, "inductance": 0.05, "gain": 2.0, "rate": 4.0}
 """V s, Ohm, H, V s, V."""
 
@@ -74,7 +74,8 @@ class OneCoordinate:
     def __init__(self) -> None:
         bars = model_of("four_bar")
         self.start = np.array(bars.initial_x)
-        self.a, self.b, self.c, self.d = (dict(bars.parameters)[p] for p in bars.parameters and _lengths(bars))
+        lengths = {p.name: value for p, value in bars.parameters}
+        self.a, self.b, self.c, self.d = (lengths[name] for name in "abcd")
 
     def closed(self, q1: float, near=None) -> np.ndarray:
         """All angles, those of coupler and rocker by Newton's method."""
@@ -115,11 +116,6 @@ class OneCoordinate:
         pull = MOTOR["constant"] * amperes - slope(self.potential, q1)
         a = (pull - slope(self.inertia, q1) * w**2 / 2) / self.inertia(q1)
         return [w, a, *motor_rate(amperes, error, w)]
-
-
-def _lengths(bars: em.Model) -> list[sympy.Symbol]:
-    by_name = {p.name: p for p, _ in bars.parameters}
-    return [by_name[name] for name in "abcd"]
 
 
 def slope(function, at: float, h: float = 2e-3) -> float:

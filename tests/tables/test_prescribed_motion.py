@@ -62,6 +62,8 @@ def test_of_a_cubic_spline_all_is_that_of_the_spline(system):
     right = torque(spline(rows), spline(rows, 1), spline(rows, 2))
     np.testing.assert_allclose(found.x[0], spline(rows), rtol=0, atol=1e-12)
     np.testing.assert_allclose(found.outputs["torque"], right, rtol=0, atol=1e-8)
+    recorded = torque(motion(rows), motion(rows, 1), motion(rows, 2))
+    assert 1e-5 < np.abs(found.outputs["torque"] - recorded).max() < 1e-3  # as docs/prescribed.md warns
 
 
 @pytest.mark.parametrize("kind", ["holonomic_constraints", "nonholonomic_constraints"])

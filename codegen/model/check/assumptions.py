@@ -57,6 +57,12 @@ def check_assumptions(model: Mechanism) -> None:
                     f"{kind}[{name_of(symbol)}] is {value:g}, but {name_of(symbol)!r} was declared {declared(bits)}, "
                     "by which SymPy simplified what it stands in. Give it such a value, or declare it otherwise."
                 )
+    for z, _ in model.states:
+        if allowed(z) != ANY:
+            raise ModelError(
+                f"states contains {name_of(z)!r}, declared {declared(allowed(z))}. A state may come to any number, and "
+                "nothing keeps it there: declare it without."
+            )
     for x in model.coordinates:
         if not holds(bits := allowed(x), dict(model.initial).get(x, 0.0)):
             raise ModelError(

@@ -21,7 +21,7 @@ class Differentiated(NamedTuple):
 
 def names_of(c: CompiledModel) -> tuple[str, ...]:
     """Return all there are: coordinates, states, rates, quasi-velocities, inputs, parameters."""
-    return *c.coordinates, *rates_of(c.coordinates[: c.n - c.n_states]), *c.quasi_velocities, *c.inputs, *c.parameters
+    return *c.coordinates, *rates_of(c.coordinates[: c.n_coordinates]), *c.quasi_velocities, *c.inputs, *c.parameters
 
 
 @lru_cache(maxsize=16)
@@ -50,7 +50,7 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
     if quasi and not from_quasi:
         raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
-    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n - c.n_states:
+    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n_coordinates:
         raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
     return Differentiated(names, from_quasi)
 

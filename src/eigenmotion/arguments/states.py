@@ -19,7 +19,7 @@ Given = Mapping[Any, Any] | ArrayLike | None
 
 def names_of_states(c: CompiledModel) -> tuple[str, ...]:
     """Return the names of the states; () where there are none."""
-    return c.coordinates[c.n - c.n_states :]
+    return c.coordinates[c.n_coordinates :]
 
 
 def apart(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
@@ -30,7 +30,7 @@ def apart(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
     if x0 is None or not c.n_states:
         return x0, None
     if not is_named(x0):
-        values, n = vector(x0, "x0"), c.n - c.n_states
+        values, n = vector(x0, "x0"), c.n_coordinates
         whole = values.ndim > 0 and values.shape[-1] == c.n
         return (values[..., :n], values[..., n:]) if whole else (values, None)
     named, states = by_spelling(x0, "x0"), names_of_states(c)
@@ -42,13 +42,13 @@ def apart(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
 
 def whole_x(c: CompiledModel, x: Given, what: str = "coordinate of x0") -> Vector:
     """Return x (n + p,) of compiled functions: coordinates over the model's `initial`, and integrals, which are 0."""
-    n = c.n - c.n_states
+    n = c.n_coordinates
     return np.concatenate([overlay(x, c.coordinates[:n], c.initial_x[:n], what), np.zeros(c.n_states)])
 
 
 def whole_v(c: CompiledModel, v: Vector, z: Given) -> Vector:
     """Return v (n + p,) of compiled functions: rates, of which the first n are given, and states over `initial`."""
-    n = c.n - c.n_states
+    n = c.n_coordinates
     return np.concatenate([v[:n], overlay(z, names_of_states(c), c.initial_v[n:], "state of x0")])
 
 

@@ -106,35 +106,26 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     p = found.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
     _check_shared(c, p)
     x0, z0 = apart(c, x0)
-    x = found.table(x0, c.coordinates[: system.n], c.initial_x[: system.n], "coordinate of x0", "(0)")
-    z = found.table(z0, system.states, c.initial_v[system.n :], "state of x0", "(0)")
+    names, n = system.coordinates, system.n
+    x = found.table(x0, names, c.initial_x[:n], "coordinate of x0", "(0)")
+    z = found.table(z0, system.states, c.initial_v[n:], "state of x0", "(0)")
     v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
     quick = _rates(system, v0)
     if isinstance(v0, Mapping):
         refuse_states(c, v0)
-    v = (
-        found.table(v0, c.coordinates[: system.n], c.initial_v[: system.n], "coordinate of v0", "'(0)")
-        if quick
-        else None
-    )
+    v = found.table(v0, names, c.initial_v[:n], "coordinate of v0", "'(0)") if quick else None
     quasi = {} if v is not None or v0 is None else _columns(found, v0)
     signals = _signals(system, inputs, found)
     count = found.count
-    P, X = (
-        _filled(p, c.parameters, c.parameter_defaults),
-        _filled(x, c.coordinates[: system.n], c.initial_x[: system.n]),
-    )
+    P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, names, c.initial_x[:n])
     c.check_tables_of(P)
     reasons: dict[int, str] = {}
     own = OwnControllers(count, reasons)
     signals = tuple(own.column(column) for column in signals)
-    if v is None:
-        V = _by_member(system, t, count, P, X, quasi, reasons)
-    else:
-        V = _filled(v, c.coordinates[: system.n], c.initial_v[: system.n])
+    V = _by_member(system, t, count, P, X, quasi, reasons) if v is None else _filled(v, names, c.initial_v[:n])
     if c.n_states:
         X = np.hstack([X, np.zeros((len(X), c.n_states))])
-        V = _beside(V, _filled(z, system.states, c.initial_v[system.n :]))
+        V = _beside(V, _filled(z, system.states, c.initial_v[n:]))
     _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))
     refused = np.zeros(count, dtype=np.bool_)
     refused[list(reasons)] = True

@@ -21,7 +21,7 @@ class Description:
     @property
     def n(self) -> int:
         """How many coordinates."""
-        return self._compiled.n - self._compiled.n_states
+        return self._compiled.n_coordinates
 
     @property
     def m(self) -> int:

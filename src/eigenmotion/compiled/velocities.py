@@ -58,7 +58,7 @@ def initial_rates(
         Unknown names, rates and quasi-velocities together, or quasi-velocities where P is singular.
     """
     if not is_named(v0):
-        n = model.n - model.n_states
+        n = model.n_coordinates
         if v0 is None:
             return _default(model, c, t, x)
         return whole_v(model, overlay(v0, model.coordinates[:n], model.initial_v[:n], "v0"), None)
@@ -67,7 +67,7 @@ def initial_rates(
     quasi = given.keys() & set(model.quasi_velocities)
     if not quasi:
         _check_names(model, given)
-        complete = len(given) == model.n - model.n_states
+        complete = len(given) == model.n_coordinates
         start = model.initial_v if complete else _default(model, c, t, x)
         return overlay(given, model.coordinates, start, "coordinate of v0")
     if rates := given.keys() & set(model.coordinates):

@@ -111,7 +111,7 @@ class Collection:
 
 def nothing(model: CompiledModel) -> dict[str, Any]:
     """Return what follows from the rows of a run that has none."""
-    n, m, h, empty = model.n - model.n_states, model.m, model.h, np.empty(0)
+    n, m, h, empty = model.n_coordinates, model.m, model.h, np.empty(0)
     shapes = {
         "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
         "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),

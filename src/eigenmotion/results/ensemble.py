@@ -166,7 +166,7 @@ class Ensemble:
     @property
     def _n(self) -> int:
         """The number of coordinates; states come behind (`arguments.states`)."""
-        return self._model.n - self._model.n_states
+        return self._model.n_coordinates
 
     @property
     def states(self) -> dict[str, Vector]:

@@ -34,5 +34,5 @@ class Sensitivity(_Rows):
 
 def parts_of(model: CompiledModel, S: Vector) -> tuple[Vector, Vector, Vector]:
     """Return dx, dv, dz of derivatives (2 n, ...) of x, v of compiled functions, of which states are the last v."""
-    n, every = model.n - model.n_states, model.n
+    n, every = model.n_coordinates, model.n
     return S[:n], S[every : every + n], S[every + n :]

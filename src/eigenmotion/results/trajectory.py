@@ -46,7 +46,7 @@ class Trajectory:
     @property
     def n(self) -> int:
         """The number of coordinates; of all arrays here these come first, states and their integrals behind."""
-        return self.model.n - self.model.n_states
+        return self.model.n_coordinates
 
     @cached_property
     def states(self) -> dict[str, Vector]:

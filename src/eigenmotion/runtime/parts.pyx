@@ -30,6 +30,14 @@ cdef void go(em_part *part, double t) noexcept nogil:
     part.jumped = False
 
 
+cdef void measure(em_part *part, PointModel model, double *x, double *v) noexcept:
+    """Write x, v (n + p) of the current time; states, which are the last of v, stand behind the coordinates of x, too."""
+    cdef int k
+    part.run.model.now(part.state, x, v)
+    for k in range(model.n_coordinates, model.n):
+        x[k] = v[k]
+
+
 cdef class RunInParts(Run):
     """A run that advances to times of the caller's choice, at its start; parameters as of `Run`."""
 
@@ -73,11 +81,8 @@ cdef class RunInParts(Run):
     def now(self):
         """x (n + p,), coordinates and states behind them, and v (n,) at the current time."""
         cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
-        self.run.model.now(self.part.state, x.data, v.data)
-        cdef int k, moving = self.model.n - self.model.n_states
-        for k in range(moving, self.model.n): # which the model has as the last of its velocities
-            x.data[k] = v.data[k]
-        return x.array, v.array[:moving]
+        measure(&self.part, self.model, x.data, v.data)
+        return x.array, v.array[:self.model.n_coordinates]
 
     @property
     def over(self):
@@ -149,13 +154,13 @@ cdef class RunsInParts:
         return found
 
     def now(self):
-        """x, v (K, n), new arrays: where the runs are."""
+        """x (K, n + p), v (K, n), new arrays: where the runs are, as `RunInParts.now`."""
         cdef Py_ssize_t k, count = len(self.runs)
         cdef Numbers x = zeros((count, self.model.n)), v = zeros((count, self.model.n))
         for k in range(count):
             if self.parts[k].state != NULL:
-                self.model.model.now(self.parts[k].state, x.row(k), v.row(k))
-        return x.array, v.array
+                measure(self.parts[k], self.model, x.row(k), v.row(k))
+        return x.array, v.array[:, :self.model.n_coordinates]
 
     def set(self, Py_ssize_t place, values):
         """Set a constant input from here on, to values (K,)."""

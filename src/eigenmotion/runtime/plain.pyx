@@ -2,7 +2,7 @@
 """Calls with plain arguments, which compiled code accepts without conversion: from Python to C and back at once.
 
 Arrays are NumPy's own, float64, C-contiguous, of the right shape and finite; numbers are Python's and finite; parameters
-are the defaults or prepared; the model has no states; keywords are spelt as in their table. For all other arguments a call here returns None. The
+are the defaults or prepared; the model has no states; keywords are spelt as in their table. For all others a call returns None. The
 checks in Python then convert or reject them, and call again with the result.
 """
 
@@ -119,7 +119,9 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
     cdef const double *c = constants(model, defaults, parameters)
     cdef const double *u = model.model.input_defaults
     cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector), signals, a, multipliers
-    if model.n_states or model.model.n_tables > 0 or q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not int:
+    if model.n_states or model.model.n_tables > 0 or q is None or w is None or c == NULL:
+        return None
+    if not is_finite(t, &at) or type(least_norm) is not int:
         return None
     if inputs is not None:
         signals = vector(inputs, (model.n_inputs,))

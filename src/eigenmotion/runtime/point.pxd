@@ -12,7 +12,7 @@ cdef class PointModel:
     cdef em_model *taken        # the same, writable, for parts that are loaded later
     cdef list others            # owners of its functions
     cdef readonly str name, formulation, close_eigenvalues, schur
-    cdef readonly int n, m, h, n_state, n_states, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
+    cdef readonly int n, m, h, n_state, n_states, n_coordinates, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly dict tables  # name -> (place among the parameters, number of arguments)
     cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting

@@ -22,6 +22,7 @@ class PointModel:
     h: int
     n_state: int
     n_states: int
+    n_coordinates: int
     n_inputs: int
     n_outputs: int
     n_events: int

@@ -58,7 +58,8 @@ cdef class PointModel:
         self.model, self.others = self.taken, []
         self.name, self.formulation = c.name.decode("utf-8"), c.formulation.decode("utf-8")
         self.close_eigenvalues, self.schur = c.close_eigenvalues.decode("utf-8"), c.schur.decode("utf-8")
-        self.n, self.m, self.h, self.n_state, self.n_states = c.n, c.m, c.h, c.n_state, c.n_states
+        self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
+        self.n_states, self.n_coordinates = c.n_states, c.n - c.n_states
         self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
         self.n_arguments, self.conserves_energy = c.n_arguments, c.conserves_energy
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"

@@ -192,17 +192,17 @@ cdef class Steps:
     @property
     def x(self):
         """(n,) coordinates there."""
-        return self.copy(self.steps.x, self.model.n - self.model.n_states)
+        return self.copy(self.steps.x, self.model.n_coordinates)
 
     @property
     def v(self):
         """(n,) velocities there."""
-        return self.copy(self.steps.v, self.model.n - self.model.n_states)
+        return self.copy(self.steps.v, self.model.n_coordinates)
 
     @property
     def states(self):
         """Name -> value of the first-order states there."""
-        cdef int n = self.model.n - self.model.n_states
+        cdef int n = self.model.n_coordinates
         return {self.model.coordinates[n + k]: self.steps.v[n + k] for k in range(self.model.n_states)}
 
     @property

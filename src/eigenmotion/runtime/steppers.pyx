@@ -93,9 +93,9 @@ cdef class ManySteps:
         if name == "t":
             self.t = shown
         elif name == "x":
-            self.x = shown[:, :self.model.n - self.model.n_states]
+            self.x = shown[:, :self.model.n_coordinates]
         elif name == "v":
-            self.whole_v, self.v = shown, shown[:, :self.model.n - self.model.n_states]
+            self.whole_v, self.v = shown, shown[:, :self.model.n_coordinates]
         else:
             self.u = shown
         self.held.append(made)

@@ -81,7 +81,7 @@ class Stepper(Steps):
     @property
     def acceleration(self) -> Vector:
         """(n,) d2x/dt2 with the inputs that hold."""
-        return self._motion()[0][: self.model.n - self.model.n_states]
+        return self._motion()[0][: self.model.n_coordinates]
 
     @property
     def multipliers(self) -> Vector:

@@ -247,7 +247,7 @@ def _assembly(c: CompiledModel, prepared: Prepared, t: float, guess: tuple[Vecto
     velocity_distance = length(c.factored_matrix(t, x, prepared), dv)
     branch, own = _branches(c, prepared, t, x)
     message = _words(c, dx, branch, own)
-    n = c.n - c.n_states
+    n = c.n_coordinates
     return Assembly(x[:n], v[:n], dx=dx[:n], dv=dv[:n], distance=distance, velocity_distance=velocity_distance,
                     branch=branch, same_branch=branch == own, message=message)  # fmt: skip
 

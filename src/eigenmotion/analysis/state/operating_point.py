@@ -36,7 +36,7 @@ class OperatingPoint:
     @property
     def coordinates(self) -> int:
         """How many of x are coordinates: what comes behind are integrals of first-order states."""
-        return self.model.n - self.model.n_states
+        return self.model.n_coordinates
 
     @property
     def rests(self) -> bool:

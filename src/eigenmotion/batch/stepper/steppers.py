@@ -189,7 +189,7 @@ class Steppers(ManySteps):
     def _start(self, x0: Any, v0: Any, begun: Begun, chosen: NDArray[np.intp]) -> tuple[Vector, Vector]:
         """Return x, v of compiled functions: what is given over what they begun with."""
         c = self.model
-        n, (x0, z) = c.n - c.n_states, apart(c, x0)
+        n, (x0, z) = c.n_coordinates, apart(c, x0)
         x = rows(x0, c.coordinates[:n], begun.x[:, :n], chosen, "coordinate of x0")
         v = rows(v0, c.coordinates[:n], begun.v[:, :n], chosen, "coordinate of v0")
         if not c.n_states:
@@ -264,12 +264,12 @@ class Steppers(ManySteps):
     @property
     def acceleration(self) -> Vector:
         """(K, n) d2x/dt2 with the inputs that hold."""
-        return self.reactions()[0][:, : self.model.n - self.model.n_states]
+        return self.reactions()[0][:, : self.model.n_coordinates]
 
     @property
     def states(self) -> dict[str, Vector]:
         """Name of each first-order state -> (K,)."""
-        return dict(zip(names_of_states(self.model), self.whole_v.T[self.model.n - self.model.n_states :], strict=True))
+        return dict(zip(names_of_states(self.model), self.whole_v.T[self.model.n_coordinates :], strict=True))
 
     @property
     def multipliers(self) -> Vector:
