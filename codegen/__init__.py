@@ -1,4 +1,4 @@
-"""From energies to C: the model, its derivation and the text of its program. Pure: SymPy in, text out."""
+"""Code generator: from the energies of a model to C source text. Pure: SymPy in, text out, no files touched."""
 
 from .model import Contact as Contact
 from .model import Event as Event

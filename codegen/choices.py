@@ -1,4 +1,4 @@
-"""The choices of `build`: how the equations of a model are computed."""
+"""Code-generation options of `build`: how the equations of a model are computed."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ SCHUR = ("auto", "factor", "eigenfactor")
 
 @dataclass(frozen=True, slots=True)
 class Choices:
-    """The options that shape generated code; see section "Build" of the manual.
+    """Options that change the generated code; see section "Build" of the manual.
 
     Raises
     ------
     ModelError
-        A choice is unknown.
+        The value of an option is unknown.
     """
 
     formulation: str = "eigenfactor"
@@ -39,7 +39,7 @@ class Choices:
 
     @property
     def carries_v(self) -> bool:
-        """Whether the state contains xdot itself."""
+        """Whether the state is (x, xdot)."""
         return self.formulation in CARRY_V
 
     @property

@@ -1,4 +1,4 @@
-"""The compiler: from a model to the text of its files, in four calls."""
+"""Compiler: turns a model into the text of its files, in four calls (derive, specialise, lower, emit)."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ def generate(
     Parameters
     ----------
     origin
-        The command to name in the files.
+        The command that the head of each file names.
     savings
         The simplifications allowed; tests switch some off to compare with the general program.
     whole
-        Whether to generate derivatives too. Runs do not need them, and they take as long as all the rest, whose text
-        does not depend on them.
+        Whether to generate derivatives too. Runs do not need them, and they take as long to generate as everything
+        else. The text of the other functions does not depend on them.
 
     Raises
     ------
     ModelError
-        The model has a mistake, or does not allow one of the choices.
+        The model has a mistake, or one of the choices does not work with it.
     """
     made = program(model, choices, savings, whole=whole)
     return emit(made, origin or _origin(model, choices), input_hash(model, choices))
@@ -59,12 +59,12 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:
-    """Return the SHA-256 of everything that the generated files depend on, except this compiler itself."""
+    """Return the SHA-256 of the model and the choices: all inputs of the generated files except the compiler."""
     return hashlib.sha256("\n".join((model.canonical(), *astuple(choices))).encode()).hexdigest()
 
 
 def explain(model: Model, choices: Choices = STANDARD) -> str:
-    """Return a description for users: states, blocks, operation counts, and what was left out and why."""
+    """Return a description for users: states, blocks, operation counts, and the terms left out, with reasons."""
     made = program(model, choices, whole=False)
     layout = [f"  {part.name:8} y[{part.start}:{part.start + part.length}]" for part in made.layout]
     blocks = [f"  {{{block.names}}}: {_kind(block.turning, block.fixed)}" for block in made.blocks]
@@ -89,14 +89,14 @@ def _lanes(made: Program) -> tuple[str, ...]:
 
 
 def _time_events(made: Program) -> tuple[str, ...]:
-    """Return lines about the time events, and about conditions on time alone that were not solved."""
-    found, lines = made.kernels.time_events, []
-    if found.named:
+    """Return lines about time events, and about conditions on time alone that were not solved for time."""
+    time_events, lines = made.kernels.time_events, []
+    if time_events.named:
         lines += ["", "Time events: steps end where a condition on time alone changes, t =",
-                  *(f"  {at}" for at in found.named)]  # fmt: skip
-    if found.unsolved:
+                  *(f"  {at}" for at in time_events.named)]  # fmt: skip
+    if time_events.unsolved:
         lines += ["", "Conditions on time alone that steps may pass over, since they are not solved for it",
-                  *(f"  {condition}" for condition in found.unsolved)]  # fmt: skip
+                  *(f"  {condition}" for condition in time_events.unsolved)]  # fmt: skip
     return tuple(lines)
 
 
@@ -107,7 +107,7 @@ def _kind(turning: bool, fixed: bool) -> str:
 
 
 def _origin(model: Model, choices: Choices) -> str:
-    """Return the call that generates these files, for a model that is not from a file."""
+    """Return the call to `build` that generates these files; used for a model that does not come from a file."""
     chosen = ", ".join(f"{name}={value!r}" for name, value in asdict(choices).items())
     return f"eigenmotion.build(<Model {model.name}>, {chosen})"
 
@@ -130,7 +130,10 @@ def _defaults(model: Model) -> Defaults:
 
 
 def _declared(model: Model) -> tuple[tuple[int, str], ...]:
-    """Return the values that parameters, coordinates and inputs may have; () if all may have any value."""
+    """Return (bits, description) of the values that parameters, coordinates and inputs may take; () if all take any.
+
+    The bits are those of `model.check.assumptions`.
+    """
     coordinates = as_mechanism(model).coordinates
     symbols = (*(p for p, _ in model.parameters), *coordinates, *(u for u, _ in model.inputs))
     bits = [allowed(symbol) for symbol in symbols]

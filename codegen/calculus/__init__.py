@@ -1,1 +1,1 @@
-"""Calculus and algebra of expressions on the graph: derivatives, values, bounds of rounding, identities."""
+"""Calculus of expressions on the graph: derivatives, evaluation, rounding error bounds, identity tests."""

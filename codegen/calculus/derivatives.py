@@ -1,7 +1,7 @@
-"""Derivatives on the graph, forward (along one direction) and reverse (of one scalar).
+"""Automatic differentiation on the graph: forward mode (along one direction) and reverse mode (of one scalar).
 
-Griewank & Walther, Evaluating Derivatives, 2nd ed., chapters 3.1 and 3.2. Both give expressions of the same graph,
-so that values and derivatives share what they have in common.
+Griewank & Walther, Evaluating Derivatives, 2nd ed., chapters 3.1 and 3.2. Both give expressions of the same graph, so
+values and derivatives share common subexpressions.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ ONE = 1
 
 
 class Tangent(Fold[Node]):
-    """Forward mode: the derivative along symbol -> rate, all other symbols held.
+    """Forward mode: the derivative along the direction symbol -> rate, with all other symbols constant.
 
     With rate(x_k) = v_k and rate(t) = 1 this is d/dt along the motion: M -> Mdot, A -> Adot, G -> Gdot.
     """
@@ -30,7 +30,7 @@ class Tangent(Fold[Node]):
         super().__init__(graph)
         self._rates = rates
 
-    def _made(self, node: Node) -> Node:
+    def _result(self, node: Node) -> Node:
         graph, known = self.graph, self._known
         kind, operands = graph.records[node]
         if kind is Kind.NUMBER:
@@ -48,16 +48,16 @@ class Tangent(Fold[Node]):
 def gradient(graph: Graph, root: Node, names: Sequence[str]) -> tuple[Node, ...]:
     """Return d root / d symbol for each name by one reverse sweep.
 
-    The cost is a small multiple of that of root itself, however many symbols there are.
+    The cost is a small multiple of that of root, whatever the number of symbols.
     """
     return _Reverse(graph, names)(root)
 
 
 class _Reverse:
-    """Gradients of nodes; one sweep for the root, and one for each piece of a choice below it.
+    """Gradients of nodes: one sweep for the root, and one for each alternative of a select, min or max below it.
 
-    The pieces have sweeps of their own, for a factor of 0 does not silence a piece that is undefined where it is not
-    chosen: 0 x NaN is NaN.
+    The alternatives need separate sweeps: multiplying the derivative of an alternative that is not chosen by 0 would
+    fail where it is undefined, since 0 x NaN is NaN.
     """
 
     def __init__(self, graph: Graph, names: Sequence[str]) -> None:
@@ -68,7 +68,7 @@ class _Reverse:
     def __call__(self, root: Node) -> tuple[Node, ...]:
         """Return the derivatives of root with respect to the sources."""
         pieces = {piece for node in self.graph.reachable([root], self._known) for piece in self._pieces(node)}
-        for node in sorted({*pieces, root} - {*self._known}):  # inner ones first
+        for node in sorted({*pieces, root} - {*self._known}):  # innermost first
             self._known[node] = self._swept(node)
         return self._known[root]
 
@@ -102,7 +102,7 @@ class _Reverse:
 
 
 def _above(graph: Graph, nodes: Sequence[Node], sources: set[Node]) -> set[Node]:
-    """Return those of the nodes, in order of evaluation, that depend on a source."""
+    """Return the nodes that depend on a source, from nodes in order of evaluation."""
     moving: set[Node] = set()
     for node in nodes:
         if node in sources or any(child in moving for child in graph.children(node)):
@@ -123,7 +123,7 @@ def _push(graph: Graph, node: Node, adjoint: Node, moving: set[Node], adjoints: 
 
 
 def partial(graph: Graph, node: Node, child: Node) -> Node:
-    """Return d node / d child for a product or a call, over all places where child stands."""
+    """Return d node / d child for a product or a call, over all occurrences of child."""
     kind, operands = graph.records[node]
     if kind is Kind.PRODUCT:
         power = dict(operands)[child]
@@ -143,7 +143,7 @@ def _partial_of_call(graph: Graph, node: Node, name: str, operands: tuple[Node, 
 
 
 def _chosen(graph: Graph, node: Node, derivative: Callable[[Node], Node]) -> Node:
-    """Return the derivative of select, min or max: that of the chosen piece; where a piece is undefined, so is it."""
+    """Return the derivative of select, min or max: that of the chosen alternative, or NaN where that is undefined."""
     name, *operands = graph.records[node].operands
     if name == "select":
         condition, yes, no = operands
@@ -155,7 +155,7 @@ def _chosen(graph: Graph, node: Node, derivative: Callable[[Node], Node]) -> Nod
 
 
 def is_undefined(graph: Graph, node: Node) -> bool:
-    """Whether a node is the number that is none: what a Piecewise is where no condition holds."""
+    """Whether a node is the number NaN, the value of a Piecewise where no condition holds."""
     kind, operands = graph.records[node]
     return kind is Kind.NUMBER and operands[0] != operands[0]
 
@@ -172,7 +172,7 @@ def _partial_of_two(graph: Graph, node: Node, name: str, operands: tuple[Node, .
 
 
 def _partial_of_one(graph: Graph, node: Node, name: str, a: Node) -> Node:
-    """The derivative f'(a) of the functions of one variable, in terms of f(a) where that saves work."""
+    """Return f'(a) for a function of one variable, in terms of f(a) where that saves operations."""
     power, call, number = graph.power, graph.call, graph.number
 
     def one_and(sign: int, base: Node) -> Node:

@@ -1,14 +1,14 @@
 """Running error bound of an expression, as another expression of the same graph.
 
-Every value that is computed is off by eps of itself, and so is every coordinate; what that makes of the whole follows
-to first order from the derivatives on the way (Higham, Accuracy and Stability of Numerical Algorithms, 3.3):
+Every computed value, and every coordinate, has a relative error of eps. To first order, the error of the result follows
+from the derivatives with respect to all of them (Higham, Accuracy and Stability of Numerical Algorithms, 3.3):
 
     sum       sum_i |c_i| s(a_i), which is at least the sum of the absolute values of its terms
-    product   sum_i |d p / d a_i| s(a_i), over what varies
+    product   sum_i |d p / d a_i| s(a_i), over the operands that vary
     call      |f| + sum_i |d f / d a_i| s(a_i)
 
-and s = |a| of a symbol or number, so that s >= |a| throughout. eps s is right where terms cancel, also inside: of
-(x - 1000)^2 it counts the rounding of x, but not 1000^2.
+and s = |a| for a symbol or number, so that s >= |a| throughout. eps s also accounts for cancellation inside an
+expression: for (x - 1000)^2 it includes the rounding error of x, but not that of a term 1000^2.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from .derivatives import STEPS, partial
 
 
 class Rounding(Fold[Node]):
-    """node -> s, the size of the terms that make it: eps s is its rounding."""
+    """Function node -> s, the size of its terms; eps s bounds its rounding error to first order."""
 
-    def _made(self, node: Node) -> Node:
+    def _result(self, node: Node) -> Node:
         graph = self.graph
         kind, operands = graph.records[node]
         if kind is Kind.SUM:
@@ -46,7 +46,7 @@ class Rounding(Fold[Node]):
         return self.graph.add(self._absolute(node), *self._parts(node))
 
     def _parts(self, node: Node) -> list[Node]:
-        """|d node / d a_i| s(a_i) of each operand; no derivative is divided out of it where s(a_i) = |a_i|."""
+        """Return |d node / d a_i| s(a_i) for each operand; |(d node / d a_i) a_i| if s = |a_i|, to avoid division."""
         graph, parts = self.graph, []
         for child in self._rounded(node):
             rate, size = partial(graph, node, child), self._known[child]
@@ -55,12 +55,12 @@ class Rounding(Fold[Node]):
         return parts
 
     def _rounded(self, node: Node) -> list[Node]:
-        """The operands that vary: factors of parameters are what they are."""
+        """Return the operands that vary, or all if none does; parameters count as exact."""
         children = list(dict.fromkeys(self.graph.children(node)))
         return [child for child in children if self.graph.varies(child)] or children
 
     def _absolute(self, node: Node) -> Node:
-        """|node|, without a call where the form shows its sign."""
+        """Return |node|, without a call of abs where the sign is evident from its form."""
         graph = self.graph
         kind, operands = graph.records[node]
         if kind is Kind.NUMBER:

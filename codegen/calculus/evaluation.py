@@ -1,4 +1,4 @@
-"""Values of expressions in floating point."""
+"""Floating-point evaluation of expressions."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     "==": operator.eq, "!=": operator.ne, "and": lambda a, b: bool(a) and bool(b),
     "or": lambda a, b: bool(a) or bool(b), "not": operator.not_,
 }  # fmt: skip
-"""What the module math does not have under the same name."""
+"""Functions that the module math does not have under the same name."""
 
 
 class Evaluation(Fold[Value]):
-    """node -> its value; `undefined` where it has none."""
+    """Function node -> value, which is `undefined` where evaluation fails."""
 
     undefined: Value
 
-    def _made(self, node: Node) -> Value:
+    def _result(self, node: Node) -> Value:
         try:
             return self._value(node)
         except (ArithmeticError, AttributeError, TypeError, ValueError):
@@ -39,7 +39,7 @@ class Evaluation(Fold[Value]):
 
 
 class At(Evaluation[float]):
-    """Real values where symbols have the values given; not a number where they are not defined."""
+    """Real values of nodes at given values of the symbols; NaN where a node is undefined."""
 
     undefined = math.nan
 
@@ -64,5 +64,5 @@ class At(Evaluation[float]):
         return float((FUNCTIONS.get(name) or getattr(math, name))(*(known[child] for child in arguments)))
 
     def rows(self, rows: Sequence[Sequence[Node]]) -> list[list[float]]:
-        """Return the numbers of a matrix."""
+        """Return the values of a matrix of nodes."""
         return [[self(entry) for entry in row] for row in rows]

@@ -1,10 +1,10 @@
-"""Numbers for nodes: to tell what vanishes identically although its form does not show it.
+"""Randomised identity test: detects expressions that are identically zero although their form does not show it.
 
-A few points tell that a function vanishes where it is analytic: (sin q)^2 + (cos q)^2 - 1. They do not where it is
-pieced together: sqrt(q^2) - q is zero for positive q only, and Max(0, q - 3) up to 3. So every root is tried on each
-of its branches, absolute values with both signs, and what any other function but sin, cos and tan gives counts as an
-unknown of its own. What vanishes all the same does so on every piece; what does not, or what has too many branches
-to try, is kept.
+For an analytic function such as (sin q)^2 + (cos q)^2 - 1, values at a few random points suffice. They do not for a
+function that is defined piecewise: sqrt(q^2) - q is zero for positive q only, and Max(0, q - 3) up to 3. Therefore
+every root is tested on each of its branches, absolute values with both signs, and the value of any other function
+except sin, cos and tan is treated as an independent unknown. An expression that vanishes in all these cases is zero
+everywhere. Otherwise, or if there are too many branches to try, it counts as nonzero.
 """
 
 from __future__ import annotations
@@ -22,39 +22,39 @@ from ..graph.store import Kind, Node
 from .evaluation import Evaluation
 
 NEAR, FAR, TINY = 3, 2, 1
-"""Random points at which an expression must vanish to count as zero: with values about 1, of 1e-3 to 1e3, and tiny.
+"""Numbers of random points at which an expression must vanish: values about 1, from 1e-3 to 1e3, and tiny.
 
-What turns within 1e-6, such as atan(1e6 q), does not vary elsewhere by more than rounding."""
+The tiny ones are for functions such as atan(1e6 q), which vary only within 1e-6 of 0."""
 ROUNDING = 1e-13
-"""What counts as cancelled, relative to the sum of the absolute values of the terms."""
+"""A value counts as zero if its ratio to the sum of the absolute values of its terms is at most this."""
 MOST_BRANCHES = 64
-"""What has more combinations of branches than these is kept."""
+"""An expression with more combinations of branches counts as nonzero."""
 HIGHEST_ROOT = 6
-"""Roots of higher degree are unknowns of their own."""
+"""Roots of higher degree are treated as independent unknowns."""
 
 SIGN = 0
-"""Stands for the degree where a branch is a sign: that of an absolute value."""
+"""In place of the degree in a Branch: an absolute value or sign, whose branches are the two signs."""
 
 Branch = tuple[Node, int]
-"""A root, by its base and degree."""
+"""A root by its base and degree, or an absolute value by its argument and SIGN."""
 Value = float | complex
 Sized = tuple[Value, float]
 
 
 class Point(Evaluation[Sized]):
-    """One random point: value and magnitude (the sum of the absolute terms behind it) of every node asked for.
+    """Evaluation at a random point: the value of each node, and its size (the sum of the absolute values of its terms).
 
-    Both are not a number where the expression is not defined at this point.
-    Roots of negative numbers are complex here: an identity holds there too.
+    Both are NaN where the expression is undefined at this point. Roots of negative numbers are complex, since
+    identities hold there too.
 
     Parameters
     ----------
     sample
-        Which point.
+        Number of the point, from which its random values follow.
     signs
         Names of symbols known to be positive (1) or negative (-1); all others take either sign.
     branches
-        Which of its values a root takes, 0 (the principal one, for those not named) to its degree - 1.
+        The branch of each root, from 0 (the principal one, and the default) to its degree - 1.
     """
 
     undefined = math.nan, math.nan
@@ -118,7 +118,7 @@ class Point(Evaluation[Sized]):
 
 
 def _size(value: Value, magnitude: float, power: float, result: Value) -> float:
-    """How large value^power may be for a value known to magnitude x rounding; not a number where nobody knows."""
+    """Return the size of value^power for a value with an error of magnitude x ROUNDING; NaN where it is unknown."""
     if power >= 1:
         return float(magnitude**power)
     if abs(value) > ROUNDING * magnitude:
@@ -127,7 +127,7 @@ def _size(value: Value, magnitude: float, power: float, result: Value) -> float:
 
 
 def degree_of(power: Number) -> int:
-    """Return n for a power k/n; what is given in floating point is as good as no root."""
+    """Return n for a power k/n; more than HIGHEST_ROOT for a floating-point power."""
     return HIGHEST_ROOT + 1 if isinstance(power, float) else Fraction(power).denominator
 
 
@@ -146,7 +146,7 @@ class Zeros:
         self._points = [Point(graph, sample, self._signs) for sample in range(NEAR + FAR + TINY)]
 
     def __call__(self, node: Node) -> bool:
-        """Whether a node is zero wherever it is defined, on all its branches; what can not be told counts as not."""
+        """Whether a node is zero wherever it is defined, on all branches; False where that cannot be decided."""
         if node == self.graph.zero:
             return True
         return all(_vanishes(point, node) for point in self._points) and self._on_every_branch(node)
@@ -160,24 +160,24 @@ class Zeros:
         if math.prod(map(_count, branches)) > MOST_BRANCHES:
             return False
         ways = product(*(range(_count(branch)) for branch in branches))
-        next(ways)  # the principal branches are those of the points already tried
-        tried = (Point(self.graph, sample, self._signs, dict(zip(branches, way, strict=True)))
-                 for way in ways for sample in (0, NEAR))  # fmt: skip
-        return all(_vanishes(point, node) for point in tried)
+        next(ways)  # the principal branches, which self._points have tested already
+        points = (Point(self.graph, sample, self._signs, dict(zip(branches, way, strict=True)))
+                  for way in ways for sample in (0, NEAR))  # fmt: skip
+        return all(_vanishes(point, node) for point in points)
 
     def _branches(self, root: Node) -> list[Branch]:
-        found: dict[Branch, None] = {}
+        branches: dict[Branch, None] = {}
         for node in self.graph.reachable([root]):
             kind, operands = self.graph.records[node]
             if kind is Kind.CALL and operands[0] in ("abs", "sign"):
-                found[operands[1], SIGN] = None
+                branches[operands[1], SIGN] = None
             elif kind is Kind.PRODUCT:
                 roots = ((base, degree_of(power)) for base, power in operands if not self._is_positive(base))
-                found.update(dict.fromkeys(root for root in roots if 1 < root[1] <= HIGHEST_ROOT))
-        return list(found)
+                branches.update(dict.fromkeys(root for root in roots if 1 < root[1] <= HIGHEST_ROOT))
+        return list(branches)
 
     def _is_positive(self, node: Node) -> bool:
-        """Whether a node is positive by its form: such a base has but its principal root."""
+        """Whether the form of a node shows that it is positive; only the principal root of such a base is tested."""
         kind, operands = self.graph.records[node]
         if kind is Kind.NUMBER:
             return bool(operands[0] > 0)

@@ -1,4 +1,4 @@
-"""The exact algebraic inverse of a small symmetric matrix, its minors shared: the paper's "brute force"."""
+"""Symbolic inverse of a small symmetric matrix by cofactors with shared minors: the paper's "brute force"."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from ..graph.graph import Graph
 from ..graph.store import Node
 
 LARGEST = 6
-"""The size up to which an algebraic inverse is formed; the number of its minors grows like 4^n."""
+"""The largest size for which a symbolic inverse is formed; the number of its minors grows like 4^n."""
 
 
 def inverse(graph: Graph, M: Sequence[Sequence[Node]]) -> tuple[list[list[Node]], Node]:
-    """Return M^-1 (n, n), by cofactors over the determinant (Cramer), and the determinant.
+    """Return M^-1 (n, n), as cofactors divided by the determinant (Cramer's rule), and the determinant.
 
-    Minors are expanded along their first row, each formed once.
+    Minors are expanded along their first row; each is computed once.
     """
     n = len(M)
 

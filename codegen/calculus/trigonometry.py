@@ -1,4 +1,4 @@
-"""Sines and cosines of sums of angles from those of the parts, where that is cheaper."""
+"""Addition theorems: sines and cosines of sums of angles from those of the summands, where that is cheaper."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from ..graph.rewrite import Rewriter
 from ..graph.store import Kind, Node
 
 SINE_AND_COSINE = 20
-"""What sin and cos of one angle cost, in multiplications."""
+"""Cost of sin and cos of one angle, in multiplications."""
 ADDITION_THEOREM = 6
-"""sin(a + b) and cos(a + b) from those of a and b: four multiplications, two additions."""
+"""Cost of sin(a + b) and cos(a + b) from those of a and b: four multiplications, two additions."""
 
 Parts = tuple[tuple[Node, Number], ...]
 
 
 def expansion(graph: Graph, roots: Sequence[Node]) -> Rewriter:
-    """Return what writes sin and cos of sums out, for those sums where that saves work in computing the roots.
+    """Return the rewriter that applies the addition theorems to sums of angles where that makes the roots cheaper.
 
-    The angles are judged in groups that share parts: n link angles and their n (n - 1) / 2 differences cost n
-    pairs of sin and cos, one lone difference costs one.
+    The decision is made for groups of angles with common parts. n link angles and their n (n - 1) / 2 differences need
+    only n pairs of sin and cos; a single difference needs one pair, and its expansion would need two.
     """
     angles = _angles(graph, roots)
     sums = {angle: parts for angle in angles if len(parts := _parts(graph, angle)) > 1}
@@ -39,7 +39,7 @@ def _angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
 
 
 def _parts(graph: Graph, angle: Node) -> Parts:
-    """Return an angle as ((part, sign), ...), numeric factors within the parts."""
+    """Return an angle as ((part, sign), ...); numeric factors belong to the parts."""
     terms = _terms(graph, angle, 1)
     return tuple((graph.scale(node, magnitude(factor)), 1 if factor > 0 else -1) for node, factor in terms)
 
@@ -52,14 +52,14 @@ def _terms(graph: Graph, node: Node, factor: Number) -> list[tuple[Node, Number]
 
 
 def _groups(sums: dict[Node, Parts]) -> list[list[Node]]:
-    """Return the angles in groups connected by common parts."""
+    """Return the angles in groups that are connected by common parts."""
     groups: list[tuple[set[Node], list[Node]]] = []
     for angle, parts in sums.items():
-        held, members = {part for part, _ in parts}, [angle]
-        for other in [group for group in groups if group[0] & held]:
+        summands, members = {part for part, _ in parts}, [angle]
+        for other in [group for group in groups if group[0] & summands]:
             groups.remove(other)
-            held, members = held | other[0], other[1] + members
-        groups.append((held, members))
+            summands, members = summands | other[0], other[1] + members
+        groups.append((summands, members))
     return [members for _, members in groups]
 
 
@@ -85,7 +85,7 @@ class _Expansion(Rewriter):
         return self._sine_and_cosine(self._chosen[operands[1]])[operands[0] == "cos"]
 
     def _sine_and_cosine(self, parts: Parts) -> tuple[Node, Node]:
-        """Build (sin, cos) from the left, so that sums with a common beginning share it."""
+        """Return (sin, cos) of a sum, built from the left so that sums with a common prefix share its nodes."""
         if parts not in self._expanded:
             self._expanded[parts] = self._of_one(*parts[0]) if len(parts) == 1 else self._of_two(parts)
         return self._expanded[parts]

@@ -1,1 +1,1 @@
-"""From a model to the terms of its equations of motion."""
+"""Derivation of the terms of the equations of motion from a model."""

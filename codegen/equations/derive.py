@@ -1,4 +1,4 @@
-"""From energies, forces and constraints to the terms of the equations of motion."""
+"""Derivation of M, G, Q, A, b and the other terms from energies, forces and constraints."""
 
 from __future__ import annotations
 
@@ -30,22 +30,23 @@ class Mechanics:
 
     Attributes
     ----------
-    x, v : (n,) symbols; v_k is named after x_k with `_dot` behind it.
+    x, v : (n,) symbols; the name of v_k is that of x_k followed by `_dot`.
     M : (n, n), symmetric [J s^2 / (u_i u_j)] (5)
-    W : (m,) weights of the constraint rows in M + A^T W A, which is factored where M is singular; else all zero
+    W : (m,) weights of the constraint rows in M + A^T W A, which is factored if M is singular; otherwise all zero
     G : (n,) [J s / u_i] (6)
-    kinetic_energy, T0, V : [J]; kinetic_energy is T(x, v, t) as given (4)
+    kinetic_energy, T0, V : [J]; kinetic_energy is T(x, v, t) as the user wrote it (4)
     Q : (n,) [J / u_i]
     A : (m, n); b : (m,) (8)
     phi : (h,) the holonomic constraints
     outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
     drawing : the shapes, in x, t and parameters
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
-    impacts, resets : what events do
-    P : (m + r, n); multipliers, and r norms of them, push with -P^T (lambda, rho): A, less what forces take (friction)
-    norms : (r,) of which multipliers each rho is the root of the sum of squares
-    levels : (level, the limit at rest) of each switch of the model
-    n_states : how many of x, the last ones, are there for the sake of their v, which are first-order states
+    impacts, resets : the actions of events
+    P : (m + r, n); the force of the multipliers, and of r norms rho of multipliers, is -P^T (lambda, rho). P is A (and
+    zeros), minus the derivatives of forces with respect to (lambda, rho), as for friction
+    norms : (r,) the rows whose multipliers' norm is each rho
+    levels : `level` and `at_rest` of each switch of the model
+    n_states : number of first-order states; these are the last entries of v, and nothing depends on their x
     """
 
     name: str
@@ -79,13 +80,13 @@ class Mechanics:
 
     @property
     def coordinate_names(self) -> tuple[str, ...]:
-        """(n) what readers know coordinates by: their own names, and those of the states whose integrals they are."""
+        """(n) names of coordinates for users; a coordinate that represents a first-order state has the state's name."""
         n = len(self.x) - self.n_states
         return tuple(symbol.name for symbol in (*self.x[:n], *self.v[n:]))
 
     @property
     def pushes(self) -> bool:
-        """Whether forces take part of multipliers."""
+        """Whether forces contain multipliers, as those of friction do, so that P differs from A."""
         return bool(self.P != self.A)
 
     @property
@@ -95,7 +96,7 @@ class Mechanics:
 
     @property
     def factored(self) -> sympy.ImmutableDenseMatrix:
-        """What is factored: M + A^T W A (n, n), which is M where all weights are zero."""
+        """(n, n) the matrix that is factored: M + A^T W A, which is M if all weights are zero."""
         added = [self.A[row, :].T * w * self.A[row, :] for row, w in enumerate(self.W) if w != 0]
         return sum(added, self.M)
 
@@ -105,17 +106,16 @@ class Mechanics:
 
 
 def derive(model: Mechanism) -> Mechanics:
-    """Read M, G, T0, V, Q, A and b off the energies, forces and constraints.
+    """Derive M, G, T0, V, Q, A and b from the energies, forces and constraints.
 
-    T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0.
-    What does not vary is recognised: where M_ij does not depend on x_k although its form holds it,
-    x_k is put to a number there.
+    T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0. Where M_ij contains
+    x_k but does not depend on it, x_k is replaced by a number.
 
     Raises
     ------
     ModelError
-        T is of higher than second degree in the velocities, a constraint not linear in them, or a symbol is
-        unknown; names it. Or a term divides by velocities, or holds a number that no double does.
+        T is of higher than second degree in the velocities, a constraint is not linear in them, a symbol is unknown
+        (names it), a term divides by velocities, or a number is beyond the range of a double.
     """
     try:
         return _Derivation(model).mechanics()
@@ -131,7 +131,7 @@ def derive(model: Mechanism) -> Mechanics:
 
 
 class _Derivation:
-    """What the steps of one derivation share: the symbols and the graph."""
+    """The symbols, graph and operators that the steps of one derivation share."""
 
     def __init__(self, model: Mechanism) -> None:
         self.model = model
@@ -151,15 +151,15 @@ class _Derivation:
         M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
         back = partial(map, self.to_sympy)
         actions = EventActions(model, self.graph, names, self.node, self.to_sympy)
-        Q, taken = actions.forces()
+        Q, from_forces = actions.forces()
         A = sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)])
         norms = tuple(dict.fromkeys(switch.presses for switch in model.switches if switch.presses))
-        P = A.col_join(sympy.ImmutableDenseMatrix.zeros(len(norms), len(names.x))) - taken
+        P = A.col_join(sympy.ImmutableDenseMatrix.zeros(len(norms), len(names.x))) - from_forces
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
             M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
-            G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
+            G=tuple(back(self.simplified(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
             V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=P,
             b=tuple(back(b)), phi=tuple(back(phi)),
@@ -170,8 +170,8 @@ class _Derivation:
             resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()), n_states=len(model.states),
         )  # fmt: skip
 
-    def shape(self, given: Shape) -> Shape:
-        return replace(given, numbers=tuple(self.to_sympy(self.node(number)) for number in given.numbers))
+    def shape(self, source: Shape) -> Shape:
+        return replace(source, numbers=tuple(self.to_sympy(self.node(number)) for number in source.numbers))
 
     def node(self, expression: sympy.Expr) -> Node:
         try:
@@ -184,8 +184,8 @@ class _Derivation:
         constants = {symbol.name: value for symbol, value in self.model.parameters}
         return weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
 
-    def vanishing(self, nodes: Iterable[Node]) -> list[Node]:
-        """Put what is zero, but does not look it, to zero."""
+    def simplified(self, nodes: Iterable[Node]) -> list[Node]:
+        """Replace nodes that are identically zero by zero."""
         return [self.graph.zero if self.zeros(node) else node for node in nodes]
 
     def mass_matrix(self, momenta: Sequence[Node]) -> list[list[Node]]:
@@ -198,19 +198,19 @@ class _Derivation:
         return M
 
     def quadratic(self, entry: Node, i: int, j: int) -> Node:
-        """Return M_ij without velocities, which it may hold in form only."""
+        """Return M_ij at rest, after checking that it does not depend on velocities."""
         rest = self.at_rest(entry)
         if rest != entry and not self.zeros.equal(rest, entry):
-            held = [v.name for v in self.names.v if self.graph.depends(entry, v.name)]
+            velocities = [v.name for v in self.names.v if self.graph.depends(entry, v.name)]
             raise ModelError(
                 f"model {self.model.name}: the kinetic energy is of higher than second degree in the velocities: "
-                f"d2T / d{self.names.v[i]} d{self.names.v[j]} still depends on {', '.join(held)}; "
+                f"d2T / d{self.names.v[i]} d{self.names.v[j]} still depends on {', '.join(velocities)}; "
                 "T must be T2 + T1 + T0, at most quadratic in them"
             )
         return rest
 
     def independent(self, entry: Node) -> Node:
-        """Free an entry of the coordinates it holds in form only."""
+        """Eliminate the coordinates on which an entry does not depend although it contains them."""
         if self.zeros(entry):
             return self.graph.zero
         for symbol in (*self.names.x, self.names.time):
@@ -236,18 +236,18 @@ class _Derivation:
         return list(self.model.holonomic_constraints)
 
     def constraints(self) -> tuple[list[list[Node]], list[Node]]:
-        """Return A (m, n) and b (m,): the holonomic rows dphi/dx, dphi/dt, then the rows given as velocities (8)."""
+        """Return A (m, n) and b (m,): the holonomic rows dphi/dx and dphi/dt, then the nonholonomic rows (8)."""
         rows, b = [], []
         xs, vs = [x.name for x in self.names.x], [v.name for v in self.names.v]
         for phi in map(self.node, self.phi()):
-            rows.append(self.vanishing(gradient(self.graph, phi, xs)))
+            rows.append(self.simplified(gradient(self.graph, phi, xs)))
             b.append(Tangent(self.graph, {self.names.time.name: self.graph.one})(phi))
         for number, expression in enumerate(self.model.nonholonomic_constraints):
             psi = self.node(expression)
             row = gradient(self.graph, psi, vs)
-            rows.append(self.vanishing(self.linear(entry, number, expression) for entry in row))
+            rows.append(self.simplified(self.linear(entry, number, expression) for entry in row))
             b.append(self.at_rest(psi))
-        return rows, self.vanishing(b)
+        return rows, self.simplified(b)
 
     def linear(self, entry: Node, number: int, expression: sympy.Expr) -> Node:
         rest = self.at_rest(entry)

@@ -1,4 +1,4 @@
-"""Event actions: impacts, resets, and the part of multipliers that friction takes."""
+"""Event actions: impacts and resets; also the multipliers in forces, and the levels of contacts and frictions."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Reset:
 
 
 class EventActions:
-    """The event actions of a model, and the forces without multipliers."""
+    """Derivation of a model's event actions, and of the dependence of its forces on multipliers."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class EventActions:
         self.model, self.graph, self.names, self.node, self.to_sympy = model, graph, names, node, to_sympy
 
     def forces(self) -> tuple[list[Node], sympy.ImmutableDenseMatrix]:
-        """Return Q (n) without multipliers, and dQ/d(multipliers, norms of multipliers) transposed, (m + r, n)."""
+        """Return Q (n) at zero multipliers, and the transpose (m + r, n) of dQ/d(multipliers, norms of multipliers)."""
         names = [symbol.name for symbol in (*self.names.multipliers, *self.names.norms.values())]
         Q = [self.node(force.xreplace(self.names.norms)) for force in self.model.forces]
         by = [gradient(self.graph, force, names) for force in Q]
@@ -84,12 +84,12 @@ class EventActions:
             if event.reset:
                 after, ys = dict(event.reset), dict(model.quasi_velocities)
                 quasi = any(y in after for y in ys)
-                after |= {y: after[rate] for y, rate in ys.items() if rate in after}  # a state is both
+                after |= {y: after[rate] for y, rate in ys.items() if rate in after}  # a state is both rate and y
                 places = (*model.coordinates, *(ys if quasi else model.rates))
                 yield Reset(number, tuple(self.to_sympy(self.node(after.get(q, q))) for q in places), quasi)
 
     def levels(self) -> Iterator[tuple[sympy.Expr, sympy.Expr]]:
-        """Yield `level` and `at_rest` of each contact and friction: see `Switch`."""
+        """Yield `level` and `at_rest` of each contact and friction (see `Switch`)."""
         for switch in self.model.switches:
             level, at_rest = (self.to_sympy(self.node(expression)) for expression in (switch.level, switch.at_rest))
             yield level, at_rest

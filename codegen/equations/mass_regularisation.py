@@ -1,9 +1,8 @@
-"""Regularisation of a mass matrix that is singular for every x, but regular along the constraints.
+"""Regularisation of a mass matrix that is singular for every x, but regular on the constraints (augmented Lagrangian).
 
-A quaternion with |q| = 1, a massless coordinate that a constraint holds: M has no inverse, [M A^T; A 0] has one. With
-any weights W, as A a + gamma = 0, the same a and lambda solve it with M + A^T W A in place of M and f - A^T W gamma in
-place of f (the matrix of an augmented Lagrangian). This module decides whether that is needed, for which rows, and with
-which weights.
+For a quaternion with |q| = 1, or a massless coordinate in a constraint, M has no inverse but [M A^T; A 0] has one.
+Since A a + gamma = 0, the system has the same solution a, lambda if M is replaced by M + A^T W A and f by
+f - A^T W gamma, for any weights W. This module decides whether that is needed, for which rows, and with which weights.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ ENOUGH = 0.1
 def weights(
     graph: Graph, M: Rows, A: Rows, phi: Sequence[Node], start: Mapping[str, float], constants: Mapping[str, float]
 ) -> list[Node]:
-    """Return the weights W (m,) of the rows of A in M + A^T W A; all zero if M itself is to be factored.
+    """Return the weights W (m,) of the rows of A in M + A^T W A; all zero if M itself can be factored.
 
     phi : (h,), whose gradients are the first rows of A
     start : coordinates and time -> their initial values; constants : parameters -> their default values
@@ -37,10 +36,10 @@ def weights(
     none = [graph.zero] * len(A)
     if not A or not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
         return none
-    given = Weights(samples).all()
-    augmented = _Augmented([(m, place.rows(A), [place(w) for w in given]) for place, m in masses])
-    rows = augmented.enough(sorted(range(len(A)), key=lambda row: sum(entry != graph.zero for entry in A[row])))
-    return [given[row] if row in rows else graph.zero for row in range(len(A))]
+    W = Weights(samples).all()
+    augmented = _Augmented([(m, place.rows(A), [place(w) for w in W]) for place, m in masses])
+    rows = augmented.needed(sorted(range(len(A)), key=lambda row: sum(entry != graph.zero for entry in A[row])))
+    return [W[row] if row in rows else graph.zero for row in range(len(A))]
 
 
 def _finite(rows: Iterable[Iterable[float]]) -> bool:
@@ -54,36 +53,37 @@ class _Augmented:
         self.states = [state for state in states if _finite([*state[1], state[2]])]
         self.wholes = [_sum(*state, range(len(state[1]))) for state in self.states]
 
-    def enough(self, rows: Sequence[int]) -> list[int]:
-        """Return rows, early ones preferred, that make the matrix as regular as all rows do; [] if all rows do not."""
-        if max(self.soundness(rows), default=0.0) <= DEPENDENT:
+    def needed(self, rows: Sequence[int]) -> list[int]:
+        """Return a subset of rows, preferably early ones, that makes the matrix regular; [] if even all rows do not."""
+        if max(self.least_pivots(rows), default=0.0) <= DEPENDENT:
             return []
-        taken: list[int] = []
+        chosen: list[int] = []
         for row in rows:
-            if self.do(taken, rows):
+            if self.suffice(chosen, rows):
                 break
-            if self.rank([*taken, row]) > self.rank(taken):
-                taken.append(row)
+            if self.rank([*chosen, row]) > self.rank(chosen):
+                chosen.append(row)
         for row in rows:
-            if row not in taken and not self.do(taken, rows):
-                taken.append(row)
+            if row not in chosen and not self.suffice(chosen, rows):
+                chosen.append(row)
         for row in rows[::-1]:
-            if row in taken and self.do(rest := [other for other in taken if other != row], rows):
-                taken = rest
-        return taken
+            if row in chosen and self.suffice(rest := [other for other in chosen if other != row], rows):
+                chosen = rest
+        return chosen
 
-    def do(self, some: Sequence[int], rows: Sequence[int]) -> bool:
-        """Return whether these rows suffice at every state; which rows are needed may differ between states."""
-        pairs = zip(self.soundness(some), self.soundness(rows), strict=True)
+    def suffice(self, some: Sequence[int], rows: Sequence[int]) -> bool:
+        """Whether some of the rows suffice at every state; which rows are needed may differ between states."""
+        pairs = zip(self.least_pivots(some), self.least_pivots(rows), strict=True)
         return all(part >= ENOUGH * whole for part, whole in pairs if whole > DEPENDENT)
 
     def rank(self, rows: Iterable[int]) -> int:
         return max((_rank(_sum(*state, rows)) for state in self.states), default=0)
 
-    def soundness(self, rows: Iterable[int]) -> list[float]:
-        """Return the least pivot at each state, relative to the diagonal with all rows.
+    def least_pivots(self, rows: Iterable[int]) -> list[float]:
+        """Return the least pivot at each state, relative to the diagonal entry with all rows.
 
-        Beside its own, a row that alone holds a coordinate without inertia looks sound wherever its entry is not 0.
+        Relative to its own diagonal entry, the pivot of a massless coordinate in a single row would always be 1,
+        however small that entry is.
         """
         return [min(_pivots(_sum(*state, rows), whole)) for state, whole in zip(self.states, self.wholes, strict=True)]
 
@@ -102,7 +102,7 @@ def _rank(M: Numbers) -> int:
 
 
 def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
-    """Return the pivots of a pivoted Cholesky factorisation of M, scaled by the diagonal of `whole`, or by its own."""
+    """Return the pivots of a pivoted Cholesky factorisation of M, scaled by the diagonal of `whole` or else of M."""
     size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
     rest = [[a * s * t for a, t in zip(row, size, strict=True)] for row, s in zip(M, size, strict=True)]
     pivots: list[float] = []

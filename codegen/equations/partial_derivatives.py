@@ -5,10 +5,10 @@ The derivatives of a and lambda follow from those, at fixed a and lambda, of
     r = M a + P^T (lambda, rho) - bias,  s = A a + gamma                                                      (11) (39)
 
 because r and s vanish along the motion: M da + P^T dlambda = -dr and A da = -ds. All entries share subexpressions. They
-are formed forward, column by column, or in reverse, row by row, whichever costs fewer operations in total.
+are computed in forward mode, column by column, or in reverse mode, row by row, whichever costs fewer operations.
 
-At a kink the derivative is one-sided: of |x| and sign(x) at 0 that of x > 0, of Piecewise that of the piece that
-applies, of Min and Max that of the first of equal arguments.
+At a kink the derivative is one-sided: at x = 0, |x| and sign(x) have the derivatives of x > 0; Piecewise has that of
+the piece that applies, and Min and Max that of the first of equal arguments.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from ..schedule.schedule import weight
 from .terms import Rows, Terms
 
 MANY = 500
-"""Number of nodes from which on only reverse mode is tried: it is then cheaper, and forming both takes long."""
+"""With more nodes than this, only reverse mode is tried: it is then cheaper, and forming both is slow."""
 
 
 class Partials:
-    """Rows of partial derivatives, for any choice of columns."""
+    """Rows of partial derivatives with respect to any choice of symbols."""
 
     def __init__(self, terms: Terms) -> None:
         self.terms = terms
         mechanics = terms.scene.mechanics
         self.state = (*terms.x, *terms.v)
-        self.given = (
+        self.forcing = (
             *(symbol.name for symbol in mechanics.inputs),
             *(symbol.name for symbol in mechanics.parameters),
             mechanics.time.name,
@@ -43,7 +43,7 @@ class Partials:
 
     @cached_property
     def residual(self) -> tuple[Node, ...]:
-        """(n + m,) r, then s."""
+        """(n + m,) r, followed by s."""
         terms, graph = self.terms, self.terms.graph
         n, m = terms.scene.n, terms.scene.m
         a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
@@ -56,8 +56,8 @@ class Partials:
         return *balance, *(graph.add(terms.dot(terms.A[row], a), terms.gamma[row]) for row in range(m))
 
     @cached_property
-    def blow(self) -> tuple[Node, ...]:
-        """(n + m,) M a + A^T lambda, then A a: the balance of an impact, with velocity change a and impulses lambda."""
+    def impact_balance(self) -> tuple[Node, ...]:
+        """(n + m,) M a + A^T lambda, followed by A a; at an impact a is the change of velocity, lambda the impulses."""
         terms, graph = self.terms, self.terms.graph
         n, m = terms.scene.n, terms.scene.m
         a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
@@ -69,7 +69,7 @@ class Partials:
 
     @cached_property
     def constraints(self) -> tuple[Node, ...]:
-        """(h + m,) phi, then A v + b."""
+        """(h + m,) phi, followed by A v + b."""
         terms, graph = self.terms, self.terms.graph
         v = list(map(graph.symbol, terms.v))
         return *terms.phi, *(graph.add(terms.dot(row, v), b) for row, b in zip(terms.A, terms.b, strict=True))
@@ -77,12 +77,12 @@ class Partials:
     def of(self, roots: Sequence[Node], names: Sequence[str]) -> Rows:
         """Return d root / d symbol, (roots, names)."""
         graph = self.terms.graph
-        given = [self._sided(self.terms.expanded(root)) for root in roots]
-        reverse = tuple(gradient(graph, root, names) for root in given)
-        if len(graph.reachable(given)) > MANY:
+        expanded = [self._sided(self.terms.expanded(root)) for root in roots]
+        reverse = tuple(gradient(graph, root, names) for root in expanded)
+        if len(graph.reachable(expanded)) > MANY:
             return reverse
         along = [Tangent(graph, {name: graph.one}) for name in names]
-        forward = tuple(tuple(rate(root) for rate in along) for root in given)
+        forward = tuple(tuple(rate(root) for rate in along) for root in expanded)
         return min(reverse, forward, key=lambda rows: weight(graph, [entry for row in rows for entry in row]))
 
 

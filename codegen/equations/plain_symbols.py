@@ -1,4 +1,4 @@
-"""Plain symbols for what the user writes as functions of time."""
+"""Plain symbols in place of the user's functions of time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..model.statement.mechanism import Mechanism
 
 
 class Names:
-    """Plain symbols for what the user writes as functions of time."""
+    """Plain symbols for coordinates, rates, accelerations, inputs, multipliers and time, with unique names."""
 
     def __init__(self, model: Mechanism) -> None:
         self.model = model
@@ -42,12 +42,12 @@ class Names:
         return sympy.Symbol(name)
 
     def by_name(self) -> Mapping[str, sympy.Symbol]:
-        """Return every plain symbol under its name."""
+        """Return all plain symbols by name."""
         every = (*self.parameters, *self.x, *self.v, *self.inputs, *self.accelerations, *self.multipliers, self.time)
         return {symbol.name: symbol for symbol in (*every, *self.norms.values())}
 
     def signs(self) -> Mapping[str, int]:
-        """Return 1 or -1 for the parameters declared positive or negative; coordinates move through either sign."""
+        """Return 1 or -1 for parameters declared positive or negative; coordinates may have either sign."""
         return {p.name: 1 if p.is_positive else -1 for p in self.parameters if p.is_positive or p.is_negative}
 
     def _plain(self) -> tuple[dict[sympy.Basic, sympy.Expr], ...]:
@@ -61,7 +61,7 @@ class Names:
         return second, first, zeroth | rows
 
     def plain(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return an expression in plain symbols; quasi-velocities become what they are in xdot."""
+        """Return an expression in plain symbols; quasi-velocities are replaced by P xdot (3)."""
         expression = self.model.in_rates(expression)
         for replacements in self._replacements:
             expression = expression.xreplace(replacements)

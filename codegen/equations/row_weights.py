@@ -1,4 +1,4 @@
-"""Weights W of the constraint rows in M + A^T W A."""
+"""Weights W of the constraint rows in the regularised mass matrix M + A^T W A."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from .sample_states import Samples
 
 
 class Weights:
-    """The weight of each row: 1 / sum_k A_rk^2 / M_kk, with angles as at the start and at a state near it.
+    """The weight of each row r: 1 / sum_k A_rk^2 / M_kk, summed over the start and a state near it.
 
-    In any units, a row then weighs as much as the inertia that it acts on; a coordinate without inertia gets that of
-    its rows. Parameters, and coordinates that are not angles, stay symbols, so that W follows lengths along the motion.
-    Angles are replaced by numbers, because any single entry vanishes at some angles.
+    In any units, A^T W A is then as large as the inertia that the row acts on. A coordinate without inertia is assigned
+    the inertia of its rows. Parameters, and coordinates that are not angles, stay symbols, so that W varies with
+    lengths along the motion. Angles are replaced by numbers, because any single entry vanishes at some angles.
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -29,17 +29,17 @@ class Weights:
 
     def all(self) -> list[Node]:
         """Return W (m,)."""
-        found: dict[int, Node] = {}
-        while len(found) < len(self.A):
-            new = {row: w for row in range(len(self.A)) if row not in found and (w := self.weight(row)) is not None}
+        weights: dict[int, Node] = {}
+        while len(weights) < len(self.A):
+            new = {row: w for row in range(len(self.A)) if row not in weights and (w := self.weight(row)) is not None}
             if not new:
                 self.inertia = {k: self.inertia.get(k, self.graph.one) for k in range(len(self.A[0]))}
                 new = {row: self.graph.one for row in range(len(self.A))
-                       if row not in found and self.weight(row) is None}  # fmt: skip
-            found |= new
+                       if row not in weights and self.weight(row) is None}  # fmt: skip
+            weights |= new
             for row, w in new.items():
-                self.lend(row, w)
-        return [found[row] for row in range(len(self.A))]
+                self.assign_inertia(row, w)
+        return [weights[row] for row in range(len(self.A))]
 
     def weight(self, row: int) -> Node | None:
         """Return W of a row that acts on inertia; a constant number if the symbolic W is zero or infinite somewhere."""
@@ -52,7 +52,7 @@ class Weights:
         return self.graph.power(whole, -1)
 
     def _terms(self, row: int, symbols: tuple[str, ...]) -> Iterator[Node]:
-        """Return A_rk^2 / M_kk at both states, in parameters and the given symbols; time is always a number."""
+        """Yield A_rk^2 / M_kk at both states, as functions of parameters and these symbols; time is always a number."""
         for at, values in self.places:
             there = self._put(values, symbols)
             for k, inertia in self.inertia.items():
@@ -65,7 +65,7 @@ class Weights:
         numbers = {name: value for name, value in values.items() if name not in symbols or name == time}
         return Substitution(self.graph, {name: self.graph.number(value) for name, value in numbers.items()})
 
-    def lend(self, row: int, w: Node) -> None:
+    def assign_inertia(self, row: int, w: Node) -> None:
         """Assign the inertia of a row to its coordinates without inertia."""
         for k, entry in enumerate(self.A[row]):
             if k not in self.inertia and entry != self.graph.zero:
@@ -73,7 +73,7 @@ class Weights:
 
 
 def _edges(lengths: list[str], samples: Samples) -> Iterator[At]:
-    """Return states in which lengths vanish: all, each one, and all but one."""
+    """Yield states in which lengths vanish: all of them, each one alone, and all but one."""
     beside = dict(samples.beside)
     groups = [lengths, *([name] for name in lengths), *([o for o in lengths if o != name] for name in lengths)]
     for group in groups:

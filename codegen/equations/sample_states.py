@@ -1,4 +1,4 @@
-"""States at which terms are looked at in numbers, and their values there."""
+"""Sample states about the initial state, at which ranks of matrices are determined numerically."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ Rows = Sequence[Sequence[Node]]
 Numbers = list[list[float]]
 
 POINTS = 24
-"""Random states, besides the start, at which ranks are looked at."""
+"""Number of random states, besides the start."""
 FAR = 1.9
-"""How far from the start they are, in parts of what a coordinate is measured by."""
+"""Largest distance from the start, in units of each coordinate's length scale."""
 
 
 @dataclass(frozen=True)
 class Samples:
-    """States about the start of a mechanism, each coordinate moved by parts of what it is measured by.
+    """States about the start of a mechanism, at random distances in proportion to each coordinate's length scale.
 
-    Coordinates that stand in sines and cosines alone are angles, as far as matters here: any turn of them is a state.
-    The others may be lengths in any unit: what they are measured by, follows from what cancels in the constraints.
+    Coordinates that occur only in sines and cosines are treated as angles, which may have any value. The others may be
+    lengths in any unit: their scales follow from the terms that cancel in the constraints.
 
-    start : coordinates and time -> their first values; constants : parameters -> their default values
+    start : coordinates and time -> their initial values; constants : parameters -> their default values
     """
 
     graph: Graph
@@ -42,9 +42,9 @@ class Samples:
 
     @cached_property
     def unbounded(self) -> tuple[str, ...]:
-        """Coordinates and time, where they stand outside of sines and cosines."""
+        """The coordinates (and time) that occur outside of sines and cosines."""
         roots = [entry for rows in (self.M, self.A) for row in rows for entry in row]
-        found, seen = set[str](), set[Node]()
+        outside, seen = set[str](), set[Node]()
         while roots:
             node = roots.pop()
             if node in seen:
@@ -52,43 +52,43 @@ class Samples:
             seen.add(node)
             kind, operands = self.graph.records[node]
             if kind is Kind.SYMBOL:
-                found.add(operands[0])
+                outside.add(operands[0])
             elif not (kind is Kind.CALL and operands[0] in ("sin", "cos")):
                 roots += self.graph.children(node)
-        return tuple(name for name in self.start if name in found)
+        return tuple(name for name in self.start if name in outside)
 
     def at(self, values: Mapping[str, float]) -> At:
-        """Return values of nodes in a state."""
+        """Return the evaluation of nodes at a state."""
         return At(self.graph, {**values, **self.constants})
 
     @cached_property
     def beside(self) -> dict[str, float]:
-        """A state near the start in which no coordinate is where it was."""
+        """A state near the start, at which every coordinate differs from its initial value."""
         return {name: value + self.units[name] * (5 + k % 3) / 8 for k, (name, value) in enumerate(self.start.items())}
 
     @cached_property
     def units(self) -> dict[str, float]:
-        """coordinates and time -> what they are measured by: 1 for angles, for lengths what makes up for a row."""
-        found = dict.fromkeys(self.start, 1.0)
+        """coordinates and time -> their scales: 1 for angles; a length from the terms of the constraints otherwise."""
+        scales = dict.fromkeys(self.start, 1.0)
         for column, name in enumerate(self.start):
             if name in self.unbounded and column < len(self.A[0] if self.A else ()):
-                sizes = [abs(self.start[name]), min(self._sizes(column), default=0.0)]
-                found[name] = max(sizes) or 1.0
-        return found
+                sizes = [abs(self.start[name]), min(self._lengths(column), default=0.0)]
+                scales[name] = max(sizes) or 1.0
+        return scales
 
-    def _sizes(self, column: int) -> Iterator[float]:
-        """How far a coordinate may go before it alone makes up for the terms of a row, at any turn of the angles."""
+    def _lengths(self, column: int) -> Iterator[float]:
+        """Yield the change of a coordinate that changes phi by the size of its terms, for each phi."""
         along = Tangent(self.graph, {list(self.start)[column]: self.graph.one})
         for phi, row in zip(self.phi, self.A, strict=False):
-            terms = self._turned_sum(self._rounding(phi))
-            rates, bends = self._turned_sum(row[column]), self._turned_sum(along(row[column]))
-            if 0 < terms < math.inf and 0 < rates < math.inf:
-                yield terms / rates
-            elif 0 < terms < math.inf and 0 < bends < math.inf:
-                yield math.sqrt(terms / bends)
+            terms = self._sum_over_angles(self._rounding(phi))
+            first, second = self._sum_over_angles(row[column]), self._sum_over_angles(along(row[column]))
+            if 0 < terms < math.inf and 0 < first < math.inf:
+                yield terms / first
+            elif 0 < terms < math.inf and 0 < second < math.inf:
+                yield math.sqrt(terms / second)
 
-    def _turned_sum(self, node: Node) -> float:
-        """The magnitudes of a term at any turn of the angles, added."""
+    def _sum_over_angles(self, node: Node) -> float:
+        """Return the sum of |node| at the start with random angles."""
         return math.fsum(abs(place(node)) for place in self._turned)
 
     @cached_property
@@ -97,21 +97,21 @@ class Samples:
 
     @cached_property
     def _turned(self) -> list[At]:
-        """The start with its angles turned anyhow."""
+        """The start with random angles."""
         angles = [name for name in self.start if name not in self.unbounded]
-        return [self.at({**self.start, **{name: _drawn(name, seed, math.pi) for name in angles}}) for seed in range(4)]
+        return [self.at({**self.start, **{name: _random(name, seed, math.pi) for name in angles}}) for seed in range(4)]
 
     def states(self) -> Iterator[dict[str, float]]:
-        """The start, states about it by parts of its own numbers, and states about it by numbers of both signs."""
+        """Yield the start and random states, whose lengths differ in proportion to their start, or to their scale."""
         yield dict(self.start)
         for seed in range(POINTS):
-            yield {name: value + self._moved(name, value, seed) for name, value in self.start.items()}
+            yield {name: value + self._change(name, value, seed) for name, value in self.start.items()}
 
-    def _moved(self, name: str, value: float, seed: int) -> float:
+    def _change(self, name: str, value: float, seed: int) -> float:
         if name not in self.unbounded:
-            return _drawn(name, seed, math.pi)
-        return _drawn(name, seed, FAR) * (value if seed % 2 else self.units[name])
+            return _random(name, seed, math.pi)
+        return _random(name, seed, FAR) * (value if seed % 2 else self.units[name])
 
 
-def _drawn(name: str, seed: int, most: float) -> float:
+def _random(name: str, seed: int, most: float) -> float:
     return random.Random(f"{name} {seed}").uniform(-most, most)

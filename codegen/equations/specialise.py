@@ -1,4 +1,4 @@
-"""Specialisation to a scene: blocks of the mass matrix, what varies, what is absent, and the state that follows."""
+"""Specialisation of a mechanism to a scene: blocks of the mass matrix, constant and absent terms."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .derive import Mechanics
 
 
 class Saving(Enum):
-    """What may be left out of a program. Each can be switched off to compare with the general program."""
+    """Simplifications of a program. Each can be switched off, to compare with the general program."""
 
     UNCOUPLED = "groups of coordinates that M does not couple get eigenfactors of their own"
     FIXED = "factors of a constant block are computed once per parameter set"
@@ -23,7 +23,7 @@ ALL_SAVINGS = frozenset(Saving)
 
 
 class Kind(Enum):
-    """The way in which the eigenfactors of a block are computed."""
+    """How the eigenfactors of a block are computed."""
 
     TURNING = "turning"  # C and s are states
     SINGLE = "single"  # s = sqrt(M_kk(x)), C = 1
@@ -32,11 +32,11 @@ class Kind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Coordinates that M couples with each other and with no others.
+    """Coordinates that M couples with each other but with no others.
 
-    number : 1, 2, ... as in the names of the generated code
+    number : 1, 2, ... as in names of the generated code
     coordinates : their indices, increasing
-    constrained : whether a constraint row holds one of them
+    constrained : whether one of them occurs in a constraint row, or in a force that contains multipliers
     """
 
     number: int
@@ -52,11 +52,11 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A mechanism without the terms that its equations do not need.
+    """A mechanism with the terms that its equations do not need left out.
 
     scales : (n) units of the coordinates in the eigenproblem
-    left_out : sentences that name what is left out, and why
-    conserves_energy : whether T2 - T0 + V is constant along the motion, according to the form of the equations
+    left_out : sentences that name the terms left out, with reasons
+    conserves_energy : whether the form of the equations shows that T2 - T0 + V is constant along the motion
     """
 
     mechanics: Mechanics
@@ -84,8 +84,10 @@ class Scene:
     def row_groups(self) -> tuple[tuple[int, ...], ...]:
         """The constraint rows in groups that Delta = B B^T couples: rows on coordinates of the same block."""
         A = self.mechanics.A
-        held = [{b.number for b in self.blocks if any(A[row, k] != 0 for k in b.coordinates)} for row in range(self.m)]
-        pattern = sympy.ImmutableDenseMatrix(self.m, self.m, lambda i, j: int(i == j or bool(held[i] & held[j])))
+        of_row = [
+            {b.number for b in self.blocks if any(A[row, k] != 0 for k in b.coordinates)} for row in range(self.m)
+        ]
+        pattern = sympy.ImmutableDenseMatrix(self.m, self.m, lambda i, j: int(i == j or bool(of_row[i] & of_row[j])))
         return tuple(_coupled(pattern))
 
     @property
@@ -97,7 +99,7 @@ class Scene:
 def specialise(
     mechanics: Mechanics, scales: tuple[float, ...] | None = None, savings: frozenset[Saving] = ALL_SAVINGS
 ) -> Scene:
-    """Decide from structural zeros what the equations of a mechanism need."""
+    """Return the scene of a mechanism, from the structural zeros of its terms."""
     groups = _coupled(mechanics.factored) if Saving.UNCOUPLED in savings else [tuple(range(len(mechanics.x)))]
     blocks = tuple(_block(mechanics, number, group, savings) for number, group in enumerate(groups, 1))
     return Scene(
@@ -110,7 +112,7 @@ def specialise(
 
 
 def _coupled(M: sympy.ImmutableDenseMatrix) -> list[tuple[int, ...]]:
-    """Return the connected components of the graph whose edges are the non-zeros of M, in order of coordinates."""
+    """Return the connected components of the graph whose edges are the nonzeros of M, sorted by coordinate."""
     groups: list[set[int]] = []
     for i in range(M.rows):
         joined = {i} | {j for j in range(M.cols) if M[i, j] != 0}
@@ -125,7 +127,7 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
     varying = {*mechanics.x, mechanics.time}
     M = mechanics.factored.extract(list(group), list(group))
     kind = Kind.TURNING
-    if Saving.FIXED in savings and not _held(M) & varying:
+    if Saving.FIXED in savings and not _symbols(M) & varying:
         kind = Kind.FIXED
     elif Saving.SINGLE in savings and len(group) == 1:
         kind = Kind.SINGLE
@@ -134,13 +136,13 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
     return Block(number, group, kind, constrained)
 
 
-def _held(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
+def _symbols(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
     """Return the symbols in expressions."""
     return {part for part in _parts(expressions) if part.is_Symbol}
 
 
 def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
-    """Return the expressions and their subexpressions; visits shared ones once, unlike SymPy's own traversal."""
+    """Return the expressions and their subexpressions; shared ones are visited once, unlike in SymPy's traversals."""
     seen: set[sympy.Basic] = set()
     new = set(expressions)
     while new:
@@ -150,9 +152,9 @@ def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
 
 
 def _conserves_energy(mechanics: Mechanics) -> bool:
-    """Return whether no force does work and nothing depends on time: then T2 - T0 + V is constant (Jacobi)."""
-    given = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
-    timeless = mechanics.time not in _held(given)
+    """Whether no force does work and nothing depends on time: then T2 - T0 + V is constant (Jacobi integral)."""
+    terms = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
+    timeless = mechanics.time not in _symbols(terms)
     workless = (
         not mechanics.pushes and all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
     )
@@ -165,14 +167,14 @@ def _left_out(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
 
 def _absent_terms(mechanics: Mechanics) -> list[str]:
     t, M = mechanics.time, mechanics.M
-    timed = [*M, *mechanics.A, mechanics.V]
+    terms = [*M, *mechanics.A, mechanics.V]
     m = len(mechanics.b)
     reasons = [
         (all(g == 0 for g in mechanics.G), "G, Gdot, dG/dx: T has no part linear in the velocities"),
         (mechanics.T0 == 0, "dT0/dx: T has no part free of velocities"),
         (mechanics.V == 0, "dV/dx: there is no potential energy"),
         (not mechanics.pushes and all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
-        (t not in _held(timed), "dM/dt, dA/dt, dV/dt: the time does not occur"),
+        (t not in _symbols(terms), "dM/dt, dA/dt, dV/dt: the time does not occur"),
         (m == 0, "A, B, Bdot, Delta, lambda: there are no constraints"),
         (m == 1, "a factor of Delta: one constraint, Delta is a number"),
         (m > 0 and all(b == 0 for b in mechanics.b), "b, bdot: the constraints are homogeneous in the velocities"),
@@ -189,9 +191,9 @@ def _singular(mechanics: Mechanics) -> str:
 
 
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
-    held = _held(mechanics.factored)
-    moving = mechanics.x[: len(mechanics.x) - mechanics.n_states]
-    absent = [f"dM/d{x}" for x in moving if x not in held]
+    symbols = _symbols(mechanics.factored)
+    coordinates = mechanics.x[: len(mechanics.x) - mechanics.n_states]
+    absent = [f"dM/d{x}" for x in coordinates if x not in symbols]
     return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []
 
 

@@ -1,4 +1,4 @@
-"""The terms of the equations of motion as nodes of one graph, in the cheapest of several equal forms."""
+"""Terms of the equations of motion as nodes of one graph, in the cheapest of several equivalent forms."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ Rows = tuple[tuple[Node, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """Mdot : (n, n); force : (n,), what stands in (36) behind S^-1 C: 1/2 xdot^T M_x xdot + G_x^T xdot + F."""
+    """Mdot : (n, n); force : (n,), the vector that S^-1 C multiplies in (36): 1/2 xdot^T M_x xdot + G_x^T xdot + F."""
 
     Mdot: Rows
     force: tuple[Node, ...]
 
 
 class Terms:
-    """Everything a right-hand side may need, as nodes; made when asked for."""
+    """All terms that a right-hand side may need, as nodes; those that cost time are computed on first use."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
@@ -49,16 +49,16 @@ class Terms:
         self.M: Rows = _rows(self._nodes(mechanics.M), n)
         """(n, n) (5)"""
         self.W = self._nodes(mechanics.W)
-        """(m,), what takes part in M + A^T W A"""
+        """(m,) weights in M + A^T W A"""
         self.factored: Rows = _rows(self._nodes(mechanics.factored), n) if mechanics.augmented else self.M
         """(n, n), M or M + A^T W A"""
         self.A: Rows = _rows(self._nodes(mechanics.A), n)
         """(m, n) (8)"""
         self.P: Rows = _rows(self._nodes(mechanics.P), n) if mechanics.pushes else self.A
-        """(m + r, n), by which multipliers push, and norms of them"""
+        """(m + r, n), the force of multipliers and norms of multipliers is -P^T (lambda, rho)"""
         lambdas = mechanics.multipliers
         self.norms = self._nodes(sympy.sqrt(sympy.Add(*(lambdas[k] ** 2 for k in rows))) for rows in mechanics.norms)
-        """(r,) the roots of sums of squares of multipliers"""
+        """(r,) norms of multipliers"""
         self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
         self.phi = self._nodes(mechanics.phi)
         self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))
@@ -68,7 +68,7 @@ class Terms:
         return tuple(map(self.node, expressions))
 
     def _expansion(self) -> Rewriter:
-        """Judge sums of angles over all terms at once: what one term needs anyway is free for the others."""
+        """Choose the sums of angles to expand for all terms together, since sines needed by one term are shared."""
         matrices = (self.M, self.A, self.factored) if self.mechanics.augmented else (self.M, self.A)
         entries = [entry for rows in matrices for row in rows for entry in row]
         return expansion(self.graph, [*entries, *self.G, *self.b, *self.Q, *self.phi, self.T0, self.V])
@@ -80,12 +80,12 @@ class Terms:
 
     @cached_property
     def factored_gradient(self) -> tuple[Rows, ...]:
-        """(n, n, n), of `factored`, as dM"""
+        """(n, n, n) derivatives of `factored`, indexed like dM"""
         return self._gradient(self.factored)
 
     @cached_property
     def T2(self) -> Node:
-        """1/2 v^T M v (4), of what has mass: states have none"""
+        """1/2 v^T M v (4), without first-order states, whose unit masses are auxiliary"""
         n = len(self.v) - self.mechanics.n_states
         return self.graph.scale(self.dot(self._velocities[:n], self._momentum[:n]), HALF)
 
@@ -96,7 +96,7 @@ class Terms:
 
     @cached_property
     def gamma(self) -> tuple[Node, ...]:
-        """(m,) Adot v + bdot, with bdot the total derivative: what A xddot must cancel (39)"""
+        """(m,) Adot v + bdot, where bdot is the total derivative: A xddot + gamma = 0 (39)"""
         return tuple(self.graph.add(self.dot(row, self._velocities), self.along(b))
                      for row, b in zip(self.Adot, self.b, strict=True))  # fmt: skip
 
@@ -107,20 +107,20 @@ class Terms:
 
     @cached_property
     def phi_terms(self) -> tuple[Node, ...]:
-        """(h,) size of the terms of phi: eps times that is its rounding"""
+        """(h,) sizes of the terms of phi; eps times that is its rounding error"""
         return tuple(map(Rounding(self.graph), self.phi))
 
     @cached_property
     def motion(self) -> Motion:
-        """Mdot and the force of (36), in the cheapest form; both with A^T W A where that is added to M."""
+        """Mdot and the force of (36), in the cheapest form; both include A^T W A where that is added to M."""
         forms = [self._motion(gradient_of_L) for gradient_of_L in self._gradients_of_L()]
         return min(forms, key=lambda form: self._weight([*(e for row in form.Mdot for e in row), *form.force]))
 
     @cached_property
     def bias(self) -> tuple[Node, ...]:
-        """(n,) force - Mdot v: what M xddot + A^T lambda equals (11), in the cheapest form.
+        """(n,) force - Mdot v, the right-hand side of M xddot + A^T lambda = bias (11), in the cheapest form.
 
-        Where A^T W A is added to M, -A^T W gamma is added here.
+        Where A^T W A is added to M, -A^T W gamma is added to the bias.
         """
         rates = [self.along(p) for p in self._momentum]
         from_T = [self.graph.add(self.along(p), self.graph.negative(self.along(g)))
@@ -134,18 +134,18 @@ class Terms:
 
     @cached_property
     def time_events(self) -> TimeEvents:
-        """The time events of everything that motion and events depend on."""
+        """The time events of all expressions on which motion and events depend."""
         mechanics = self.mechanics
         return TimeEvents(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], self.roots)
 
     @cached_property
-    def looked_up(self) -> list[Node]:
-        """What motion and events depend on, with the derivatives that motion takes."""
+    def evaluated(self) -> list[Node]:
+        """The expressions that motion and events evaluate: `roots`, and the derivatives that the motion contains."""
         return [*self.roots, *self.bias, *self.gamma, *(entry for row in self.M for entry in row)]
 
     @cached_property
     def roots(self) -> list[Node]:
-        """What motion and events depend on."""
+        """The expressions on which motion and events depend."""
         mechanics, node = self.mechanics, self.node
         acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
                 *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
@@ -174,42 +174,43 @@ class Terms:
         return weight(self.graph, list(map(self.expanded, nodes)))
 
     def _gradients_of_L(self) -> list[tuple[Node, ...]]:
-        """Return dL/dx at fixed velocities (10) in three forms: of T as given, of 1/2 v^T M v, and by way of dM."""
+        """Return dL/dx at fixed velocities (10) in three forms: from T as written, from 1/2 v^T M v, and from dM."""
         graph = self.graph
         rest = graph.sum([(self.T1, ONE), (self.T0, ONE), (self.V, MINUS)])
-        as_given = gradient(graph, self._difference(self.T, self.V), self.x)
+        from_T = gradient(graph, self._difference(self.T, self.V), self.x)
         from_M = gradient(graph, graph.add(self.T2, rest), self.x)
         quadratic = [self._quadratic(dM_k) for dM_k in self.dM]
         from_dM = tuple(map(graph.add, quadratic, gradient(graph, rest, self.x)))
-        return [as_given, from_M, from_dM]
+        return [from_T, from_M, from_dM]
 
     def _gradient(self, rows: Rows) -> tuple[Rows, ...]:
         along = [Tangent(self.graph, {name: self.graph.one}) for name in self.x]
         return tuple(tuple(tuple(map(rate, row)) for row in rows) for rate in along)
 
     def _quadratic(self, matrix: Rows) -> Node:
-        """1/2 v^T matrix v, each pair of velocities once."""
+        """Return 1/2 v^T matrix v for a symmetric matrix, with each pair of velocities once."""
         graph, v = self.graph, self._velocities
         pairs = [(i, j) for i in range(len(v)) for j in range(i + 1)]
         return graph.sum((graph.mul(matrix[i][j], v[i], v[j]), HALF if i == j else ONE) for i, j in pairs)
 
     def _force(self, gradient_of_L: tuple[Node, ...]) -> tuple[Node, ...]:
-        """Q + dL/dx - Gdot, with Gdot the total derivative (29)."""
+        """Return Q + dL/dx - Gdot, where Gdot is the total derivative (29)."""
         terms = zip(gradient_of_L, self.Q, self.G, strict=True)
         return tuple(self.graph.sum([(dL, ONE), (q, ONE), (self.along(g), MINUS)]) for dL, q, g in terms)
 
     def _plus_rows(
         self, forces: tuple[Node, ...], weights: Sequence[Node], rows: Rows, factors: Iterable[Node]
     ) -> tuple[Node, ...]:
-        """Add rows^T W factors, W the weights, factors (m,)."""
+        """Return forces + rows^T W factors, where W are the weights and factors (m,)."""
         weighted = [self.graph.mul(w, factor) for w, factor in zip(weights, factors, strict=True)]
         return tuple(self.graph.add(force, self.dot(weighted, (row[k] for row in rows)))
                      for k, force in enumerate(forces))  # fmt: skip
 
     def _motion(self, gradient_of_L: tuple[Node, ...]) -> Motion:
-        """With A^T W A in M, Mdot v takes in Adot^T W A v + A^T W Adot v + A^T Wdot A v.
+        """Return Mdot and the force of (36) from a form of dL/dx.
 
-        A^T W gamma makes up for the second.
+        If A^T W A is added to M, Mdot v contains Adot^T W A v + A^T W Adot v + A^T Wdot A v in addition. The force
+        compensates the first and third term. The second, with -A^T W bdot in the force, gives the -A^T W gamma of bias.
         """
         Mdot, force = tuple(tuple(map(self.along, row)) for row in self.factored), self._force(gradient_of_L)
         if not self.mechanics.augmented:

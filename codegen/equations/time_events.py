@@ -1,11 +1,11 @@
 """Time events: the times at which a condition on time alone changes, or at which a function of time has a kink.
 
-They come from Piecewise((F, t < c), (0, True)), Max(0, t - c), Abs, sign, Heaviside and floor (so Mod too). Steps end
+They come from Piecewise((F, t < c), (0, True)), Max(0, t - c), Abs, sign, Heaviside and floor (and so Mod). Steps end
 at them, because the right-hand side is smooth on either side but not across. A condition changes where the difference
 of its two sides vanishes. This is solved for t if it is affine or quadratic in t, a product of such factors, or one
-sine, cosine, tangent or exponential of such an argument. Kinks inside are solved on all their branches. A floor becomes
-an integer k, so its times recur: at + k period. Some times may be found at which nothing changes; each costs a step.
-Conditions that cannot be solved are reported.
+sine, cosine, tangent or exponential of such an argument. Expressions with kinks are solved on all their branches. A
+floor is replaced by an integer k, so its times recur: at + k period. Some of the times may not change anything; each
+of them costs a step. Conditions that cannot be solved are reported.
 """
 
 from __future__ import annotations
@@ -46,25 +46,25 @@ class UnsolvedError(Exception):
 class TimeEvents:
     """The time events of expressions.
 
-    times : each once, in the order in which they were found
-    unsolved : conditions on time, parameters and inputs alone whose times cannot be found
+    times : without duplicates, in the order of the graph's nodes
+    unsolved : conditions on time, parameters and inputs alone that cannot be solved for time
     """
 
     def __init__(self, graph: Graph, time: str, inputs: Sequence[str], roots: Iterable[Node]) -> None:
-        self.graph, self.time, self._given = graph, time, (time, *inputs)
+        self.graph, self.time, self._signals = graph, time, (time, *inputs)
         self._rate = Tangent(graph, {time: graph.one})
         self._terms = Rounding(graph)
-        found: dict[tuple[Node, Node], None] = {}
+        solutions: dict[tuple[Node, Node], None] = {}
         self.unsolved: list[Node] = []
         for node in [node for node in graph.reachable(roots) if self._is_condition(node)]:
             try:
-                found.update(dict.fromkeys(self._of(node)))
+                solutions.update(dict.fromkeys(self._of(node)))
             except (UnsolvedError, ZeroDivisionError):
                 self.unsolved.append(node)
-        self.times = tuple(TimeEvent(at, period, self._rounding(at)) for at, period in found)
+        self.times = tuple(TimeEvent(at, period, self._rounding(at)) for at, period in solutions)
 
     def _rounding(self, at: Node) -> Node:
-        """Return `terms` of a time; zero where its derivative is infinite, as of asin(1) and log(0)."""
+        """Return `terms` of a time; zero where its derivative is infinite, as for asin(1) and log(0)."""
         try:
             return self._terms(at)
         except ZeroDivisionError:
@@ -74,7 +74,7 @@ class TimeEvents:
         kind, operands = self.graph.records[node]
         if kind is not Kind.CALL or operands[0] not in COMPARED | KINKED | WHOLE:
             return False
-        return self.graph.depends(node, self.time) and self.graph.varies_with(node, *self._given)
+        return self.graph.depends(node, self.time) and self.graph.varies_with(node, *self._signals)
 
     def _of(self, condition: Node) -> list[tuple[Node, Node]]:
         if not self.graph.varies_with(condition, self.time):
@@ -89,24 +89,24 @@ class TimeEvents:
         return [time for way in ways for time in self._zeros(way)]
 
     def _whole(self, node: Node) -> Node:
-        """Return a symbol for the integer value of a floor, or for the turns of a periodic function."""
+        """Return a symbol for the integer value of a floor, or for the number of periods of a periodic function."""
         return self.graph.symbol(f"whole {node}")
 
-    # -- where an expression without kinks vanishes: (at, period) -------------------------------------------------
+    # -- zeros of an expression without kinks: (at, period) --------------------------------------------------------
 
     def _zeros(self, node: Node) -> list[tuple[Node, Node]]:
         graph = self.graph
         if not graph.depends(node, self.time):
-            return []  # what it holds of floors changes where they do
+            return []  # floors in it are conditions of their own
         rate = self._rate(node)
         if not graph.depends(rate, self.time):
             return [self._affine(node, rate)]
         kind, operands = graph.records[node]
         if kind is Kind.PRODUCT:
             return [time for base, _ in operands for time in self._zeros(base)]
-        bend = self._rate(rate)
-        if not graph.varies(bend):
-            return self._quadratic(node, rate, bend)
+        second = self._rate(rate)
+        if not graph.varies(second):
+            return self._quadratic(node, rate, second)
         return self._inverted(node)
 
     def _at(self, node: Node, **values: Node) -> Node:
@@ -136,20 +136,20 @@ class TimeEvents:
         records = (self.graph.records[part] for part in self.graph.reachable([node]))
         return {operands[0] for kind, operands in records if kind is Kind.SYMBOL}
 
-    def _quadratic(self, node: Node, rate: Node, bend: Node) -> list[tuple[Node, Node]]:
-        """Solve bend t^2 / 2 + slope t + rest = 0 without cancellation, also where parameters make bend small or 0."""
+    def _quadratic(self, node: Node, rate: Node, second: Node) -> list[tuple[Node, Node]]:
+        """Solve second t^2 / 2 + slope t + rest = 0 without cancellation; parameters may make `second` small or 0."""
         graph = self.graph
         slope, rest = (self._at(part, **{self.time: graph.zero}) for part in (rate, node))
         if graph.varies(slope) or graph.varies(rest):
             raise UnsolvedError
-        inside = graph.add(graph.power(slope, 2), graph.scale(graph.mul(bend, rest), -2))
+        inside = graph.add(graph.power(slope, 2), graph.scale(graph.mul(second, rest), -2))
         root = graph.power(inside, Fraction(1, 2))
         away = graph.call("select", graph.call("<", slope, graph.zero), graph.negative(root), root)
         larger = graph.add(slope, away)
-        return [(self._ratio(larger, bend), graph.zero), (self._ratio(graph.scale(rest, 2), larger), graph.zero)]
+        return [(self._ratio(larger, second), graph.zero), (self._ratio(graph.scale(rest, 2), larger), graph.zero)]
 
     def _inverted(self, node: Node) -> list[tuple[Node, Node]]:
-        """Solve c f(argument) + rest = 0 for the argument, and that for t."""
+        """Solve factor f(argument) + rest = 0 for the argument, and then for t."""
         graph, inner = self.graph, self._one_call(node)
         name, argument = graph.records[inner].operands
         place = f"value {inner}"
@@ -163,23 +163,23 @@ class TimeEvents:
                 for time in self._zeros(graph.add(argument, graph.negative(at)))]  # fmt: skip
 
     def _one_call(self, node: Node) -> Node:
-        """Return the one outermost function of the time in a sum or product."""
-        found, stack = set(), [node]
+        """Return the only outermost call in a sum or product that depends on time."""
+        calls, stack = set(), [node]
         while stack:
             part = stack.pop()
             kind = self.graph.records[part].kind
             if kind is Kind.CALL:
-                found.add(part)
+                calls.add(part)
             elif kind in (Kind.SUM, Kind.PRODUCT):
                 stack.extend(child for child in self.graph.children(part) if self.graph.depends(child, self.time))
             else:
-                raise UnsolvedError  # the time itself stands beside it
-        if len(found) != 1:
+                raise UnsolvedError  # the time itself occurs outside of the call
+        if len(calls) != 1:
             raise UnsolvedError
-        return found.pop()
+        return calls.pop()
 
     def _arguments(self, name: str, value: Node, call: Node) -> list[Node]:
-        """Return the arguments at which a function has the value; an integer symbol counts the periods."""
+        """Return the arguments at which a function has a value; an integer symbol counts the periods."""
         graph = self.graph
         turns = graph.scale(self._whole(call), 2.0 * math.pi)
         if name == "sin":
@@ -196,7 +196,7 @@ class TimeEvents:
 
 
 class _Replaced(Rewriter):
-    """Replaces nodes by others."""
+    """Replaces nodes by other nodes."""
 
     def __init__(self, graph: Graph, values: dict[Node, Node]) -> None:
         super().__init__(graph)
@@ -208,13 +208,13 @@ class _Replaced(Rewriter):
 
 
 class _Branches(Fold[tuple[Node, ...]]):
-    """The smooth branches of a function of time between its kinks; raises if there are too many."""
+    """The smooth branches of a function of time; raises if there are too many."""
 
     def __init__(self, graph: Graph, time: str, whole: Callable[[Node], Node]) -> None:
         super().__init__(graph)
         self.time, self.whole = time, whole
 
-    def _made(self, node: Node) -> tuple[Node, ...]:
+    def _result(self, node: Node) -> tuple[Node, ...]:
         ways = tuple(dict.fromkeys(self._ways(node)))
         if len(ways) > MOST_BRANCHES:
             raise UnsolvedError
@@ -226,13 +226,14 @@ class _Branches(Fold[tuple[Node, ...]]):
         if not graph.depends(node, self.time) or kind is Kind.SYMBOL:
             return (node,)
         parts = [self._known[child] for child in graph.children(node)]
-        if kind is Kind.CALL and (chosen := self._chosen(node, operands[0], parts)) is not None:
-            return chosen
+        if kind is Kind.CALL and (branches := self._branches(node, operands[0], parts)) is not None:
+            return branches
         if math.prod(map(len, parts)) > MOST_BRANCHES:
             raise UnsolvedError
         return [self._rebuilt(node, way) for way in product(*parts)]
 
-    def _chosen(self, node: Node, name: str, parts: list[tuple[Node, ...]]) -> Sequence[Node] | None:
+    def _branches(self, node: Node, name: str, parts: list[tuple[Node, ...]]) -> Sequence[Node] | None:
+        """Return the branches of a function with kinks or jumps; None for a smooth function."""
         graph = self.graph
         if name == "abs":
             return [way for part in parts[0] for way in (part, graph.negative(part))]

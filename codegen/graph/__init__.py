@@ -1,1 +1,1 @@
-"""Expressions as a graph in which every subexpression stands once."""
+"""Expression graph: a directed acyclic graph (DAG) in which every subexpression is stored once."""

@@ -1,4 +1,4 @@
-"""Coefficients and exponents: exact where they are given so."""
+"""Arithmetic of coefficients and exponents: exact for integers and fractions, floating point otherwise."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Number = int | Fraction | float
 
 
 def exact(numerator: int, denominator: int = 1) -> Number:
-    """Return a quotient of integers, as an integer where it is one: they are quicker."""
+    """Return a quotient of integers, as an int where it is whole, since int is faster than Fraction."""
     return numerator // denominator if numerator % denominator == 0 else Fraction(numerator, denominator)
 
 
@@ -48,7 +48,7 @@ def whole_power(base: Number, exponent: int) -> Number:
 
 
 def content(numbers: Sequence[Number]) -> Number:
-    """Return the factor that leaves coprime integers, or coefficients of 1, with a positive first one."""
+    """Return the divisor that makes the numbers coprime integers, or all of them +-1, with a positive first one."""
     first = numbers[0]
     sign = -1 if first < 0 else 1
     if all(abs(number) == abs(first) for number in numbers):

@@ -1,4 +1,4 @@
-"""Between SymPy's expressions and the graph's."""
+"""Conversion between SymPy expressions and the expression graph."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SPLIT_IN_TWO = {"min", "max"}
 
 
 class FromSympy:
-    """Puts SymPy expressions in plain symbols into a graph, each subexpression once."""
+    """Converts SymPy expressions in plain symbols to nodes of a graph."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
@@ -47,9 +47,9 @@ class FromSympy:
             A function has no counterpart in C; names it.
         """
         waiting = [expression]
-        while waiting:  # parts first: an expression may be deeper than calls may be
+        while waiting:  # an explicit stack: expressions may be nested deeper than the recursion limit
             part = waiting[-1]
-            missing = [] if part in self._known else [inner for inner in _asked(part) if inner not in self._known]
+            missing = [] if part in self._known else [inner for inner in _operands(part) if inner not in self._known]
             waiting += reversed(missing)
             if not missing:
                 waiting.pop()
@@ -118,7 +118,7 @@ class FromSympy:
         return self.graph.call("select", self.graph.call("==", self(argument), self.graph.zero), self(at_zero), step)
 
     def _odd_or_even(self, name: str, angle: Node) -> Node:
-        """Let sin(-a) and sin(a) share: the graph's own sign of a sum decides, not SymPy's."""
+        """Express sin(-a) by sin(a), so that they share a node; the sign is that of the graph's canonical form."""
         kind, operands = self.graph.records[angle]
         if kind is Kind.SUM and len(operands) == 1 and operands[0][1] < 0:
             positive = self.graph.call(name, self.graph.negative(angle))
@@ -132,7 +132,7 @@ class FromSympy:
         return node
 
     def _piecewise(self, pairs: tuple[sympy.Basic, ...]) -> Node:
-        """Nest (value, condition) pairs as selections; without a last `True` the rest is not a number."""
+        """Convert (value, condition) pairs to nested selects; without a final `True` the last alternative is NaN."""
         assert all(isinstance(pair, ExprCondPair) for pair in pairs)
         node = None
         for value, condition in reversed([pair.args for pair in pairs]):
@@ -145,8 +145,8 @@ class FromSympy:
         return node
 
 
-def _asked(expression: sympy.Basic) -> list[sympy.Basic]:
-    """Return the parts that are converted before an expression is; what is not a function of C's fails by itself."""
+def _operands(expression: sympy.Basic) -> list[sympy.Basic]:
+    """Return the parts to convert before an expression; none for a function without counterpart, which then fails."""
     if isinstance(expression, Piecewise):
         return [part for pair in reversed(expression.args) for part in reversed(pair.args) if part != True]  # noqa: E712
     if isinstance(expression, sympy.Add | sympy.Mul):
@@ -169,7 +169,7 @@ def _number(expression: sympy.Basic) -> Number:
 
 
 class ToSympy:
-    """Gives a graph's nodes back as SymPy expressions in plain symbols; what chooses in a chain as one Piecewise."""
+    """Converts nodes back to SymPy expressions in plain symbols; a chain of selects becomes one Piecewise."""
 
     def __init__(self, graph: Graph, symbols: Mapping[str, sympy.Symbol]) -> None:
         self.graph = graph
@@ -179,11 +179,11 @@ class ToSympy:
     def __call__(self, root: Node) -> sympy.Expr:
         """Return the expression of a node."""
         for node in self.graph.reachable([root], self._known):
-            if not self._chooses(node):
+            if not self._is_select(node):
                 self._known[node] = self._convert(node)
         return self._value(root)
 
-    def _chooses(self, node: Node) -> bool:
+    def _is_select(self, node: Node) -> bool:
         return self.graph.records[node].operands[0] == "select" and self.graph.records[node].kind is Kind.CALL
 
     def _value(self, node: Node) -> sympy.Expr:
@@ -192,9 +192,9 @@ class ToSympy:
         return self._known[node]
 
     def _piecewise(self, node: Node) -> sympy.Expr:
-        """Return one choice of all that a chain of them chooses from."""
+        """Return a chain of selects as one Piecewise."""
         chain = []
-        while self._chooses(node) and node not in self._known:
+        while self._is_select(node) and node not in self._known:
             chain.append(self.graph.records[node].operands[1:])
             node = chain[-1][2]
         pairs = [(self._value(yes), _condition(self._value(condition))) for condition, yes, _ in chain]

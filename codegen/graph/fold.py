@@ -1,4 +1,4 @@
-"""A walk over expressions that comes to each node once."""
+"""Memoised bottom-up traversal of expressions (a fold, or catamorphism)."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ Value = TypeVar("Value")
 
 
 class Fold(ABC, Generic[Value]):
-    """node -> what is made of the node, from what has been made of its operands; each is made once and kept."""
+    """Function of a node, computed from the results for its operands. Each result is computed once and stored."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
         self._known: dict[Node, Value] = {}
 
     def __call__(self, root: Node) -> Value:
-        """Return what is made of a node, however deep it is nested."""
+        """Return the result for a node, without recursion, so that any depth of nesting works."""
         for node in self.graph.reachable([root], self._known):
-            self._known[node] = self._made(node)
+            self._known[node] = self._result(node)
         return self._known[root]
 
     @abstractmethod
-    def _made(self, node: Node) -> Value:
-        """Return what is made of a node whose operands are known."""
+    def _result(self, node: Node) -> Value:
+        """Return the result for a node; those of its operands are in `_known`."""

@@ -1,20 +1,20 @@
-"""Expressions as a graph in which every subexpression stands once.
+"""Expression graph (DAG) with sums and products in canonical form.
 
-A node is a number, the index of its record; operands always have smaller indices than what is made of them, so
-that the order of the indices is an order of evaluation. Sums and products are kept in a canonical form, so that
-equal expressions built in different ways are one node:
+A node is a number, the index of its record. Operands have smaller indices than the nodes built from them, so the order
+of indices is an order of evaluation. In canonical form, equal expressions that were built in different ways are one
+node:
 
     sum      ((node, coefficient), ...)   sorted, no node twice, content 1, first coefficient positive, none scaled
     scaled   the sum of one term, which is no number, with a coefficient other than 1
-    product  ((node, exponent), ...)      sorted, no node twice, no numeric factor, none that comes apart further
+    product  ((node, exponent), ...)      sorted, no node twice, no numeric factor, no factor that can be split further
     call     (function, operands)
 
-Sums and products are closed: made anew of its own operands, a node is itself. Two rewrites that energies of
-mechanisms ask for happen as sums are formed: terms that differ in their parameters only are collected,
-m1 f + m2 f = (m1 + m2) f, and sin^2 f + cos^2 f = f.
+The canonical form is idempotent: rebuilding a node from its own operands gives the same node. Sums are simplified by
+two rules that are useful for energies of mechanisms: terms that differ only in their parameters are collected,
+m1 f + m2 f = (m1 + m2) f, and f sin^2 a + f cos^2 a = f.
 
-Powers are the principal ones, so that a rewrite holds for arguments of either sign: b^p b^q = b^(p + q) always,
-(b^p)^q = b^(p q) for whole q or -1 < p < 1 only. (x^2)^(1/2) is |x|, and (x^3)^(1/3) is not x.
+Powers have their principal values, and rewrites hold for arguments of either sign: b^p b^q = b^(p + q) always, but
+(b^p)^q = b^(p q) only for whole q or -1 < p < 1. (x^2)^(1/2) is |x|, and (x^3)^(1/3) is not x.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class Graph(Store):
     # -- canonical forms ---------------------------------------------------------------------------------------
 
     def _flat_terms(self, terms: Iterable[tuple[Node, Number]]) -> Iterable[tuple[Node, Number]]:
-        """Take numbers and scaled nodes apart; sums of several terms stay whole."""
+        """Split numbers and scaled nodes into (node, coefficient); sums of several terms are not flattened."""
         for node, coefficient in terms:
             kind, operands = self.records[node]
             if kind is Kind.NUMBER:
@@ -99,7 +99,7 @@ class Graph(Store):
                 yield node, coefficient
 
     def _collected(self, terms: dict[Node, Number]) -> dict[Node, Number]:
-        """Collect terms with equal varying parts, and sin^2 f + cos^2 f, until there are no more."""
+        """Collect terms with equal varying parts, and f sin^2 a + f cos^2 a, until none are left."""
         if len(terms) < 2:
             return terms
         collected = self._collect_parameters(self._collect_pythagoras(terms))
@@ -111,8 +111,8 @@ class Graph(Store):
             for name, angle, rest in self._squared_sines(term):
                 other = squares.get(("cos" if name == "sin" else "sin", angle, rest, coefficient))
                 if other is not None:
-                    kept = [pair for pair in terms.items() if pair[0] not in (term, other)]
-                    return self._collect_pythagoras(_merge([*kept, *self._flat_terms([(rest, coefficient)])]))
+                    others = [pair for pair in terms.items() if pair[0] not in (term, other)]
+                    return self._collect_pythagoras(_merge([*others, *self._flat_terms([(rest, coefficient)])]))
                 squares[name, angle, rest, coefficient] = term
         return terms
 
@@ -121,13 +121,13 @@ class Graph(Store):
         kind, factors = self.records[term]
         if kind is not Kind.PRODUCT:
             return []
-        found = []
+        squares = []
         for node, exponent in factors:
             inner, operands = self.records[node]
             if exponent == 2 and inner is Kind.CALL and operands[0] in ("sin", "cos"):
                 rest = self._canonical_product({other: power for other, power in factors if other != node})
-                found.append((operands[0], operands[1], rest))
-        return found
+                squares.append((operands[0], operands[1], rest))
+        return squares
 
     def _collect_parameters(self, terms: dict[Node, Number]) -> dict[Node, Number]:
         groups: dict[Node, list[tuple[Node, Node]]] = {}
@@ -154,7 +154,7 @@ class Graph(Store):
         return self._scaled(self._intern(Kind.SUM, primitive, self._union(terms)), common)
 
     def _scaled(self, node: Node, factor: Number) -> Node:
-        """Return factor x node for a node that carries no factor of its own."""
+        """Return factor x node, for a node that is not scaled itself."""
         if factor == 1:
             return node
         if node == self.one:
@@ -162,26 +162,26 @@ class Graph(Store):
         return self._intern(Kind.SUM, ((node, factor),), self._depends[node])
 
     def _merged_factors(self, factors: Iterable[tuple[Node, Number]]) -> tuple[Number, dict[Node, Number]]:
-        """Take factors apart and merge equal ones, until none comes apart further.
+        """Split factors and merge those with equal bases, until none can be split further.
 
-        A merged exponent may open what was closed: sqrt(S) sqrt(S) is S, with factors and a coefficient of its own.
+        Merging may allow a new split: sqrt(S) sqrt(S) is S, which has factors and a coefficient of its own.
         """
         coefficient: Number = 1
         merged: dict[Node, Number] = {}
-        opened = list(factors)
-        while opened:
+        pending = list(factors)
+        while pending:
             parts = list(merged.items())
-            for node, exponent in opened:
+            for node, exponent in pending:
                 factor, inner = self._factors(node, exponent)
                 coefficient = coefficient * factor
                 parts.extend(inner)
             merged = _merge(parts)
-            opened = [(node, exponent) for node, exponent in merged.items() if self._comes_apart(node, exponent)]
-            for node, _ in opened:
+            pending = [(node, exponent) for node, exponent in merged.items() if self._can_be_split(node, exponent)]
+            for node, _ in pending:
                 del merged[node]
         return coefficient, merged
 
-    def _comes_apart(self, node: Node, exponent: Number) -> bool:
+    def _can_be_split(self, node: Node, exponent: Number) -> bool:
         kind, operands = self.records[node]
         if kind is Kind.NUMBER or kind is Kind.PRODUCT or kind is Kind.SUM and len(operands) == 1:
             return self._factors(node, exponent) != (1, ((node, exponent),))
@@ -209,7 +209,7 @@ class Graph(Store):
     def _root_of_number(
         self, node: Node, value: Number, exponent: Number
     ) -> tuple[Number, tuple[tuple[Node, Number], ...]]:
-        """Take the whole part out of a fractional power: 2^(3/2) = 2 2^(1/2)."""
+        """Split the whole part off a fractional power of a number: 2^(3/2) = 2 2^(1/2)."""
         if value == 0 and exponent < 0:
             raise ZeroDivisionError(f"0 to the power {exponent}")
         if value in (0, 1):

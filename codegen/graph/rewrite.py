@@ -1,4 +1,4 @@
-"""Rebuilding expressions of a graph with some nodes replaced."""
+"""Rewriting of expressions: some nodes are replaced, and the nodes above them rebuilt."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from .store import Kind, Node
 
 
 class Rewriter(Fold[Node]):
-    """Gives each node anew after `replacement` had its say; what nothing replaces comes back as it was."""
+    """Applies `replacement` to each node and rebuilds the others from their rewritten operands."""
 
     def replacement(self, node: Node) -> Node | None:
-        """Return what stands for a node, or None to rebuild it from its operands."""
+        """Return the replacement of a node, or None to rebuild it from its operands."""
         raise NotImplementedError(f"{type(self).__name__} must say what it replaces")
 
-    def _made(self, node: Node) -> Node:
+    def _result(self, node: Node) -> Node:
         replaced = self.replacement(node)
         return self._rebuilt(node) if replaced is None else replaced
 

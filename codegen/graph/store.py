@@ -1,4 +1,4 @@
-"""Expressions as a growing store of nodes, in which every subexpression stands once."""
+"""Hash-consed store of expression nodes: every subexpression is stored once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Node = int
 
 
 class Kind(Enum):
-    """What a record is."""
+    """The kinds of records."""
 
     NUMBER = "number"
     SYMBOL = "symbol"
@@ -35,7 +35,7 @@ class Record(NamedTuple):
 
 
 class Store:
-    """Numbers, symbols and calls; and what can be asked of any node.
+    """The nodes of a graph: creates numbers, symbols and calls, and answers queries about any node.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class Store:
         return node
 
     def number(self, value: Number) -> Node:
-        """Return the node of a number; exact and floating numbers of one value are one node."""
+        """Return the node of a number; a whole floating-point number has the node of the integer."""
         if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
             value = int(value)
         elif isinstance(value, Fraction):
@@ -73,7 +73,7 @@ class Store:
         return self._intern(Kind.NUMBER, (value, isinstance(value, float)), 0)
 
     def symbol(self, name: str) -> Node:
-        """Return the node of a named quantity."""
+        """Return the node of a symbol."""
         bit = 0
         if name not in self._parameters:
             bit = self._bits.setdefault(name, 1 << len(self._bits))
@@ -83,7 +83,7 @@ class Store:
         """Return function(operands)."""
         return self._intern(Kind.CALL, (function, *operands), self._union(operands))
 
-    # -- asking about nodes ------------------------------------------------------------------------------------
+    # -- queries -----------------------------------------------------------------------------------------------
 
     def _union(self, nodes: Iterable[Node]) -> int:
         mask = 0
@@ -92,26 +92,26 @@ class Store:
         return mask
 
     def varies(self, node: Node) -> bool:
-        """Whether node holds any symbol that is not a parameter."""
+        """Whether node contains any symbol that is not a parameter."""
         return self._depends[node] != 0
 
     def depends(self, node: Node, name: str) -> bool:
-        """Whether node holds the symbol, which is not a parameter."""
+        """Whether node contains this symbol, which must not be a parameter."""
         return bool(self._depends[node] & self._bits.get(name, 0))
 
     def varies_with(self, node: Node, *names: str) -> bool:
-        """Whether node holds some of these symbols, which are no parameters, and no other that varies."""
+        """Whether node varies, and contains no varying symbols other than these."""
         mask = 0
         for name in names:
             mask |= self._bits.get(name, 0)
         return self.varies(node) and not self._depends[node] & ~mask
 
     def children(self, node: Node) -> tuple[Node, ...]:
-        """Return the operands of node that are nodes."""
+        """Return the operand nodes of node."""
         return self._children[node]
 
     def reachable(self, roots: Iterable[Node], known: Container[Node] = ()) -> list[Node]:
-        """Return every node that roots need, in order of evaluation; nothing known, nor what only that needs."""
+        """Return all nodes needed for roots in order of evaluation, without known nodes and those only these need."""
         seen: set[Node] = set()
         stack = list(roots)
         while stack:

@@ -1,3 +1,3 @@
-"""From bodies, joints and loads of `sympy.physics.mechanics` to a model: what users need not write down."""
+"""Import of mechanisms from `sympy.physics.mechanics`: turns bodies, joints and loads into a model."""
 
 from .from_mechanics import from_mechanics as from_mechanics

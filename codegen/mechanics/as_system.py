@@ -1,4 +1,4 @@
-"""Conversion of users' objects to one `System` of SymPy's."""
+"""Conversion of the user's arguments to a `sympy.physics.mechanics.System`."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from ..model.normalise import name_of, shown
 _WAYS = "Give a sympy.physics.mechanics.System, or bodies with loads=, frame=, coordinates= and the rest."
 
 
-def system_of(given: Any, parts: dict[str, Any]) -> System:
-    """Return the system given, or one made of bodies and the other parts.
+def system_of(source: Any, parts: dict[str, Any]) -> System:
+    """Return a system as it is, or assemble one from bodies and the other parts.
 
     Raises
     ------
     ModelError
-        It is neither, or holds what has no counterpart in a model.
+        The argument is neither a system nor bodies, or a model has no counterpart of one of its parts.
     """
     extra = {name: value for name, value in parts.items() if value is not None}
-    if isinstance(given, System):
+    if isinstance(source, System):
         if extra:
             raise ModelError(
                 f"{', '.join(extra)}: a System has its own. Add to it before, or give bodies in its place."
             )
-        system = given
+        system = source
     else:
-        system = _assembled(given, **extra)
+        system = _assembled(source, **extra)
     _check(system)
     return system
 

@@ -1,4 +1,4 @@
-"""The model of a system of bodies, read off what SymPy's mechanics knows of it."""
+"""Construction of a model from a system of bodies of `sympy.physics.mechanics`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, 
 from ..model import Model, ModelError, t
 from ..model.normalise import name_of, shown
 from .as_system import system_of
-from .loads import acting_on, weights_counted_twice
+from .loads import acting_on, check_weights
 from .nonholonomic_correction import missing_forces
 from .speeds import Speeds, speeds_of
 from .velocity_constraints import velocity_rows
@@ -42,28 +42,28 @@ def from_mechanics(
 ) -> Model:
     """Return the Model of bodies, joints and loads of `sympy.physics.mechanics`.
 
-    T comes of the bodies' velocities, V of their potential energies, of weights and springs, Q of all other loads
-    (Kane: F . dv/du). Speeds that are linear in the rates become quasi-velocities (3); a speed that no kinematic
-    equation holds becomes the rate of a coordinate, NAME_integral. Velocities that already satisfy a constraint, as of
-    a rolling disk, are allowed: see `codegen.mechanics.nonholonomic_correction`.
+    T follows from the velocities of the bodies; V from their potential energies, constant forces (weights) and springs;
+    Q from all other loads (Kane: F . dv/du). Speeds that are linear in the rates become quasi-velocities (3). A speed
+    that occurs in no kinematic equation becomes the rate of a new coordinate, NAME_integral. Velocities that already
+    satisfy a constraint, as those of a rolling disk may, are allowed: see `codegen.mechanics.nonholonomic_correction`.
 
     Parameters
     ----------
     system
-        A System, which has everything of the last group below; or bodies, RigidBody and Particle.
+        A System, which contains all the arguments from `frame` on; or bodies (RigidBody and Particle).
     name, parameters, inputs, outputs, events, initial, scales, drawing
         As for `Model`. Masses and inertias that SymPy named are parameters too: `{body.mass: 2.0}`.
     frame, fixed_point, loads, coordinates, speeds, kinematic_equations
-        Of bodies: the frame that is fixed and a point in it (without one no weight has a potential), pairs or Force and
-        Torque, q, u, and expressions that are zero.
+        Only with bodies: the fixed frame, a fixed point in it (needed for potentials of weights), loads (pairs, Force
+        or Torque), q, u, and expressions that equal zero.
     holonomic_constraints, nonholonomic_constraints, velocity_constraints
-        Expressions that are zero. The last in place of the one before it, as SymPy's: those of the holonomic ones
-        that are among them are left out.
+        Only with bodies: expressions that equal zero. As in SymPy, `velocity_constraints` replaces
+        `nonholonomic_constraints`; rows that follow from the holonomic constraints are dropped.
 
     Raises
     ------
     ModelError
-        What SymPy holds is no mechanism, or one that a Model cannot state; names it, and says what to do.
+        The system is incomplete, or a Model cannot represent it; names the part and the remedy.
 
     Examples
     --------
@@ -90,10 +90,10 @@ def from_mechanics(
 
 
 def _read(system: System) -> dict[str, Any]:
-    """Return the arguments of Model that a system has."""
+    """Return the arguments of Model that follow from a system."""
     speeds = speeds_of(system)
     acting = acting_on(system, speeds)
-    weights_counted_twice(system, acting)
+    check_weights(system, acting)
     forces = [load.Q for load in acting if load.V is None]
     forces += [missing_forces(body, system, speeds) for body in system.bodies]
     write = dict(speeds.written)
@@ -120,10 +120,10 @@ def _kinetic_energy(body: Particle | RigidBody, system: System, speeds: Speeds) 
     return T.xreplace(dict(speeds.written))
 
 
-def _check_parameters(read: dict[str, Any], given: dict[Any, Any]) -> None:
-    """Raise with every symbol that has no value: SymPy makes masses and inertias of its own."""
+def _check_parameters(read: dict[str, Any], parameters: dict[Any, Any]) -> None:
+    """Raise with all symbols that have no value, since SymPy creates symbols of masses and inertias by itself."""
     energies = [read["kinetic_energy"], read["potential_energy"], *read["forces"], *read["holonomic_constraints"]]
-    held = sympy.Tuple(*energies, *read["nonholonomic_constraints"], *dict(read["quasi_velocities"]).values())
-    missing = sorted(name_of(symbol) for symbol in held.free_symbols - {t, *given})
+    parts = sympy.Tuple(*energies, *read["nonholonomic_constraints"], *dict(read["quasi_velocities"]).values())
+    missing = sorted(name_of(symbol) for symbol in parts.free_symbols - {t, *parameters})
     if missing:
         raise ModelError(f"parameters has no value for {', '.join(missing)}. Give a number for each, by its symbol.")

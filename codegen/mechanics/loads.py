@@ -1,4 +1,4 @@
-"""Loads: what has a potential goes into V, the rest into generalised forces Q."""
+"""Loads of a system: those with a potential contribute to V, the others to the generalised forces Q."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from .zero_test import vanish
 
 @dataclass(frozen=True, slots=True)
 class Acting:
-    """One load, or those of one actuator.
+    """The effect of one load, or of all loads of one actuator.
 
     Q : (n) generalised forces, sum_k F_k . dv_k / dqdot [J / u_i]
-    V : a potential of them, Q = -dV/dq; None: they have none that is known
-    place : where a single load acts
+    V : their potential, Q = -dV/dq; None if none is known
+    place : the point or frame on which a single load acts; None for an actuator with several loads
     """
 
     Q: tuple[sympy.Expr, ...]
@@ -39,18 +39,18 @@ class Acting:
 
 
 def acting_on(system: System, speeds: Speeds) -> list[Acting]:
-    """Return what the loads and actuators of a system do."""
+    """Return the effects of the loads and actuators of a system."""
     single = [_acting(system, speeds, [load], _potential_of(load, system)) for load in system.loads]
     return single + [_acting(system, speeds, actuator.to_loads(), _stored(actuator)) for actuator in system.actuators]
 
 
 def velocity(point: Point, frame: ReferenceFrame) -> Vector:
-    """Return that of a point, as SymPy knows it.
+    """Return the velocity of a point in a frame.
 
     Raises
     ------
     ModelError
-        It does not; names the point.
+        SymPy does not know it; names the point.
     """
     try:
         return point.vel(frame)
@@ -62,12 +62,12 @@ def velocity(point: Point, frame: ReferenceFrame) -> Vector:
 
 
 def angular_velocity(frame: ReferenceFrame, fixed: ReferenceFrame) -> Vector:
-    """Return that of a frame, as SymPy knows it.
+    """Return the angular velocity of a frame in the fixed frame.
 
     Raises
     ------
     ModelError
-        It does not; names the frame.
+        SymPy does not know it; names the frame.
     """
     try:
         return frame.ang_vel_in(fixed)
@@ -88,23 +88,23 @@ def _acting(system: System, speeds: Speeds, loads: Sequence[Force | Torque], V: 
 
 
 def _generalised(load: Force | Torque, frame: ReferenceFrame, speeds: Speeds) -> sympy.ImmutableDenseMatrix:
-    """(n) P^T (F . dv/dw) with the velocities w that the model is written in."""
-    moved = velocity(load.point, frame) if isinstance(load, Force) else angular_velocity(load.frame, frame)
-    moved, vector = (part.xreplace(dict(speeds.written)) for part in (moved, load.vector))
+    """Return (n) generalised forces P^T (F . dv/dw), where w are the velocities in which the model is written."""
+    v = velocity(load.point, frame) if isinstance(load, Force) else angular_velocity(load.frame, frame)
+    v, vector = (part.xreplace(dict(speeds.written)) for part in (v, load.vector))
     try:
-        parts = [vector.dot(moved.diff(w, frame, var_in_dcm=False)) for w in speeds.velocities]
+        parts = [vector.dot(v.diff(w, frame, var_in_dcm=False)) for w in speeds.velocities]
     except ValueError as error:
         raise ModelError(f"The load {load} is in a frame that nothing orients in {frame.name}: {error}") from error
     return speeds.P.T * sympy.ImmutableDenseMatrix(parts)
 
 
 def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
-    """-F . r of a force that stays as it is, such as a weight."""
+    """Return the potential -F . r of a constant force, such as a weight; None for other loads."""
     if not isinstance(load, Force):
         return None
     try:
         F, r = load.vector.to_matrix(system.frame), load.point.pos_from(system.fixed_point)
-    except ValueError:  # nothing says where the point is
+    except ValueError:  # the position of the point is undefined
         return None
     if F.atoms(AppliedUndef) or t in F.free_symbols:
         return None
@@ -112,7 +112,7 @@ def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
 
 
 def _stored(actuator: ActuatorBase) -> sympy.Expr | None:
-    """Energy of a spring."""
+    """Return the energy of a spring; None for other actuators."""
     if isinstance(actuator, LinearSpring):
         return actuator.stiffness * (actuator.pathway.length - actuator.equilibrium_length) ** 2 / 2
     if isinstance(actuator, DuffingSpring):
@@ -121,13 +121,13 @@ def _stored(actuator: ActuatorBase) -> sympy.Expr | None:
     return None
 
 
-def weights_counted_twice(system: System, acting: Iterable[Acting]) -> None:
-    """Raise where a force on a body's mass centre is in the body's potential energy, too.
+def check_weights(system: System, acting: Iterable[Acting]) -> None:
+    """Check that no force on a body's mass centre is contained in the body's potential energy as well.
 
     Raises
     ------
     ModelError
-        Names the body.
+        One is; names the body.
     """
     by_place = {load.place: load.V for load in acting if load.V is not None and load.place is not None}
     for body in system.bodies:

@@ -1,4 +1,4 @@
-"""Kane's speeds u: what the kinematic equations say of them and of the rates of the coordinates."""
+"""Kane's generalised speeds u, and their relation to the rates of coordinates by the kinematic equations."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from ..model.normalise import name_of
 class Speeds:
     """Coordinates q (n), and speeds u = P(q, t) qdot + p(q, t).
 
-    in_rates : u -> P qdot + p; none where the speeds are the rates themselves
-    in_speeds : qdot -> the same, solved for them
-    linear : whether p is zero and every u a symbol, as quasi-velocities (3) are
+    in_rates : u -> P qdot + p; empty if the speeds are the rates themselves
+    in_speeds : qdot -> expression in u, the inverse
+    linear : whether p is zero and every u is a symbol, so that the speeds are quasi-velocities (3)
     """
 
     coordinates: tuple[sympy.Expr, ...]
@@ -28,42 +28,42 @@ class Speeds:
 
     @property
     def rates(self) -> tuple[sympy.Expr, ...]:
-        """(n) qdot."""
+        """(n) the rates qdot."""
         return tuple(q.diff(t) for q in self.coordinates)
 
     @property
     def velocities(self) -> tuple[sympy.Expr, ...]:
-        """(n) what energies and loads are written in: the speeds where they are linear in the rates, else the rates."""
+        """(n) the velocities in which energies and loads are written: the speeds if `linear`, else the rates."""
         return tuple(self.in_rates) if self.linear else self.rates
 
     @property
     def written(self) -> Mapping[sympy.Expr, sympy.Expr]:
-        """What to replace, so that only those velocities are left."""
+        """The replacements that express everything in `velocities`."""
         return self.in_speeds if self.linear else self.in_rates
 
     @property
     def P(self) -> sympy.ImmutableDenseMatrix:
-        """(n, n) derivatives of the velocities by the rates."""
+        """(n, n) derivatives of `velocities` with respect to the rates."""
         if not self.linear:
             return sympy.ImmutableDenseMatrix.eye(len(self.coordinates))
         return sympy.ImmutableDenseMatrix([[row.diff(rate) for rate in self.rates] for row in self.in_rates.values()])
 
 
 def speeds_of(system: System) -> Speeds:
-    """Solve the kinematic equations of a system; a speed that they do not hold becomes the rate of a new coordinate.
+    """Solve the kinematic equations of a system; a speed that does not occur in them becomes the rate of a coordinate.
 
     Raises
     ------
     ModelError
-        They are not linear, or too few or too many; names the speeds and coordinates.
+        They are not linear, too few or too many; names the speeds and coordinates.
     """
     named = [u for u in system.u if not isinstance(u, sympy.Derivative)]
-    held = [u for u in named if system.kdes.has(u)]
-    fresh = {u: dynamicsymbols(f"{name_of(u)}_integral") for u in named if u not in held}
+    kinematic = [u for u in named if system.kdes.has(u)]
+    fresh = {u: dynamicsymbols(f"{name_of(u)}_integral") for u in named if u not in kinematic}
     solved = [q for q in system.q if q.diff(t) not in system.u]
-    if named or system.kdes:  # else the velocities are written in rates
-        _check_count(held, solved, list(system.kdes))
-    in_rates, in_speeds = _solved(held, [q.diff(t) for q in solved], system.kdes)
+    if named or system.kdes:  # otherwise all speeds are rates
+        _check_count(kinematic, solved, list(system.kdes))
+    in_rates, in_speeds = _solved(kinematic, [q.diff(t) for q in solved], system.kdes)
     in_rates |= {u: q.diff(t) for u, q in fresh.items()}
     in_speeds |= {q.diff(t): u for u, q in fresh.items()}
     coordinates = (*system.q, *fresh.values())
@@ -84,7 +84,7 @@ def _check_count(speeds: list[sympy.Expr], coordinates: list[sympy.Expr], equati
 def _solved(
     speeds: list[sympy.Expr], rates: list[sympy.Expr], equations: sympy.MatrixBase
 ) -> tuple[dict[sympy.Expr, sympy.Expr], dict[sympy.Expr, sympy.Expr]]:
-    """U u + K qdot + k = 0, solved for u and for qdot."""
+    """Solve U u + K qdot + k = 0 for u and for qdot."""
     if not equations:
         return {}, {}
     equations = sympy.Matrix(equations)

@@ -1,4 +1,4 @@
-"""Constraint rows of a system on its velocities, beside those of its holonomic constraints."""
+"""Velocity constraints of a system that do not follow from its holonomic constraints."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ _ROUNDING = sympy.Float("1e-25", _DIGITS)
 
 
 def velocity_rows(system: System, speeds: Speeds) -> tuple[sympy.Expr, ...]:
-    """Return the rows that hold what no holonomic constraint holds already.
+    """Return the velocity constraints that are independent of the holonomic constraints and of each other.
 
-    `System.velocity_constraints` may be set: then it has the derivatives of the holonomic constraints, in some form,
-    and others. Those are left out that follow, at a random place, from the derivatives and the rows before.
+    If the user set `System.velocity_constraints`, it contains the derivatives of the holonomic constraints, in some
+    form, and others. A row is dropped if, at a random state, it depends on those derivatives and the rows before it.
     """
     derivatives = [phi.diff(t) for phi in system.holonomic_constraints]
-    given = list(system.velocity_constraints)
-    if given == [*derivatives, *system.nonholonomic_constraints]:
+    rows = list(system.velocity_constraints)
+    if rows == [*derivatives, *system.nonholonomic_constraints]:
         return tuple(system.nonholonomic_constraints)
     space = _Space(speeds)
     for row in derivatives:
-        space.takes(row)
-    return tuple(row for row in given if space.takes(row))
+        space.add(row)
+    return tuple(row for row in rows if space.add(row))
 
 
 class _Space:
-    """What rows span, in numbers at a random place."""
+    """The row space of constraints at a random state, as an orthonormal basis."""
 
     def __init__(self, speeds: Speeds) -> None:
         self.speeds = speeds
@@ -41,8 +41,8 @@ class _Space:
         self.random = random.Random("a place without symmetry")
         self.place: dict[sympy.Expr, sympy.Float] = {}
 
-    def takes(self, row: sympy.Expr) -> bool:
-        """Whether a row is independent of those before; then it is one of them."""
+    def add(self, row: sympy.Expr) -> bool:
+        """Add a row if it is independent of those added before; return whether it is."""
         numbers = sympy.Matrix(self._coefficients(row))
         rest = numbers
         for _ in range(2):
@@ -53,7 +53,7 @@ class _Space:
         return True
 
     def _coefficients(self, row: sympy.Expr) -> list[sympy.Expr]:
-        """(n + 1) of the rates, and what is left at rest."""
+        """Return (n + 1) coefficients: those of the rates, and the value at rest."""
         row = row.xreplace(dict(self.speeds.in_rates))
         parts = [row.diff(rate) for rate in self.speeds.rates]
         at_rest = dict.fromkeys(self.speeds.rates, sympy.S.Zero)
@@ -61,9 +61,9 @@ class _Space:
         return [number.xreplace(self._at(numbers)).evalf(_DIGITS) for number in numbers]
 
     def _at(self, numbers: Iterable[sympy.Expr]) -> dict[sympy.Expr, sympy.Float]:
-        held = sympy.Tuple(*numbers)
-        for symbol in sorted(held.atoms(AppliedUndef) | held.free_symbols, key=sympy.default_sort_key):
+        whole = sympy.Tuple(*numbers)
+        for symbol in sorted(whole.atoms(AppliedUndef) | whole.free_symbols, key=sympy.default_sort_key):
             self.place.setdefault(symbol, sympy.Float(self.random.uniform(0.3, 1.2), _DIGITS))
-        if held.atoms(sympy.Derivative):
-            raise ModelError(f"A velocity constraint holds {held.atoms(sympy.Derivative).pop()}, which is no velocity.")
+        if rates := whole.atoms(sympy.Derivative):
+            raise ModelError(f"A velocity constraint holds {rates.pop()}, which is no velocity.")
         return self.place

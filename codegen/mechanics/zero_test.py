@@ -1,4 +1,4 @@
-"""Zero test of expressions of coordinates, rates and speeds, wherever they are defined."""
+"""Identity test of expressions in coordinates, rates and speeds."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from ..model import ModelError
 
 
 def vanish(expressions: Iterable[sympy.Expr]) -> bool:
-    """Whether all are zero, judged as the compiler judges it; what it cannot tell counts as not."""
-    given = sympy.Tuple(*expressions)
-    moving = sorted(given.atoms(AppliedUndef, sympy.Derivative), key=sympy.default_sort_key)
-    plain = given.xreplace({function: sympy.Symbol(f"moving {k}") for k, function in enumerate(moving)})
+    """Whether all expressions are identically zero, by the compiler's identity test; False where it cannot decide."""
+    whole = sympy.Tuple(*expressions)
+    moving = sorted(whole.atoms(AppliedUndef, sympy.Derivative), key=sympy.default_sort_key)
+    plain = whole.xreplace({function: sympy.Symbol(f"moving {k}") for k, function in enumerate(moving)})
     symbols = plain.free_symbols
     graph = Graph(symbol.name for symbol in symbols)
     convert = FromSympy(graph)
     zeros = Zeros(graph, {symbol.name: 1 for symbol in symbols if symbol.is_positive})
     try:
         return all(zeros(convert(expression)) for expression in plain)
-    except ModelError:  # a function of the user's
+    except ModelError:  # a function that the graph cannot represent
         return False

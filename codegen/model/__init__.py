@@ -1,4 +1,4 @@
-"""The model of a mechanism: the user's SymPy, checked and in one form."""
+"""Mechanism models: the user's SymPy expressions, checked and normalised."""
 
 from .model import Model as Model
 from .model import ModelError as ModelError

@@ -1,4 +1,4 @@
-"""A text that is the same for the same model, whatever the process, its hash seed or its files."""
+"""Canonical text of a model, for hashing: independent of the process, its hash seed and the model's file."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 LATER = ("constraint_names", "states")
-"""Fields that models once had not: where they are empty, a model's text is what it was."""
+"""Fields added in later versions. They are omitted where empty, so that hashes of older models do not change."""
 
 
 def canonical_text(record: Any) -> str:
-    """Return one line `field = value` for each field, in the order of the class; of LATER ones only with entries."""
+    """Return one line `field = value` for each field, in the order of the class; empty fields of LATER are omitted."""
     writer = _Writer()
-    named = [field.name for field in fields(record) if field.name not in LATER or getattr(record, field.name)]
-    return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in named)
+    names = [field.name for field in fields(record) if field.name not in LATER or getattr(record, field.name)]
+    return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in names)
 
 
 class _Writer:
-    """Writes nested tuples, records, numbers and expressions; each shared subexpression is spelled out once."""
+    """Writes nested tuples, records, numbers and expressions; the text of a shared subexpression is computed once."""
 
     def __init__(self) -> None:
         self._known: dict[sympy.Basic, str] = {}
@@ -59,6 +59,6 @@ class _Writer:
         return str(value.func.__name__)
 
 
-def _assumptions(given: dict[str, Any]) -> str:
-    stated = ", ".join(f"{name}={given[name]}" for name in sorted(given) if given[name] is not None)
-    return f"[{stated}]" if stated else ""
+def _assumptions(assumptions: dict[str, Any]) -> str:
+    listed = ", ".join(f"{name}={assumptions[name]}" for name in sorted(assumptions) if assumptions[name] is not None)
+    return f"[{listed}]" if listed else ""

@@ -1,6 +1,6 @@
-"""Interpolants as pieces: SciPy's piecewise polynomials and splines, and points between which all is linear.
+"""Conversion of interpolants to piecewise polynomials: SciPy's polynomials and splines, and linear interpolation.
 
-They are read by what they carry, so that nothing of SciPy is imported here.
+SciPy objects are recognised by class name and read by attribute, so this module does not import SciPy.
 """
 
 from __future__ import annotations
@@ -20,32 +20,32 @@ TAKEN = (
 )
 
 
-def pieces_of(given: Any, outside: str, what: str) -> Pieces:
+def pieces_of(interpolant: Any, outside: str, what: str) -> Pieces:
     """Return the pieces of an interpolant.
 
     Raises
     ------
     ModelError
-        It is none of those that are taken, or holds points that do not increase, values that are not finite or of
-        another shape; says which.
+        Its type is not one of TAKEN, its points do not increase, its values are not finite, or their shape does not
+        match the points; says which.
     """
-    kinds = {base.__name__ for base in type(given).__mro__}
+    kinds = {base.__name__ for base in type(interpolant).__mro__}
     if "BPoly" in kinds:
         raise ModelError(f"{what} is in Bernstein's form. Give PPoly.from_bernstein_basis of it.")
     if "PPoly" in kinds:
-        return _of_polynomials(given, outside, what)
+        return _of_polynomials(interpolant, outside, what)
     if "BSpline" in kinds:
-        return _of_spline(given, outside, what)
+        return _of_spline(interpolant, outside, what)
     if "RectBivariateSpline" in kinds:
-        return _of_two_arguments(given, outside, what)
-    if isinstance(given, tuple | list) and len(given) in (2, 3):
-        return _of_points(given, outside, what)
-    raise ModelError(f"{what} is {shown(given)}. Give one of {TAKEN}.")
+        return _of_two_arguments(interpolant, outside, what)
+    if isinstance(interpolant, tuple | list) and len(interpolant) in (2, 3):
+        return _of_points(interpolant, outside, what)
+    raise ModelError(f"{what} is {shown(interpolant)}. Give one of {TAKEN}.")
 
 
-def _of_points(given: Sequence[Any], outside: str, what: str) -> Pieces:
-    """Linear between points; of two arguments bilinear."""
-    *points, values = given
+def _of_points(interpolant: Sequence[Any], outside: str, what: str) -> Pieces:
+    """Return the pieces of linear interpolation between points; bilinear with two arguments."""
+    *points, values = interpolant
     axes = tuple(Axis(_knots(one, f"{what}: {name}"), 2) for name, one in zip(_names(len(points)), points, strict=True))
     shape = tuple(axis.count + 1 for axis in axes)
     table = _table(values, shape, f"{what}: values")
@@ -66,10 +66,10 @@ def _bilinear(axes: tuple[Axis, ...], table: Rows, i: int, j: int) -> tuple[floa
     return a, (b - a) / k, (c - a) / h, ((d - c) - (b - a)) / (h * k)
 
 
-def _of_polynomials(given: Any, outside: str, what: str) -> Pieces:
-    """SciPy's PPoly: coefficients by descending powers, the pieces last."""
-    knots = _knots(given.x, f"{what}: x")
-    rows = _plain(given.c)
+def _of_polynomials(interpolant: Any, outside: str, what: str) -> Pieces:
+    """Return the pieces of a PPoly, whose c has the shape (powers, descending; pieces)."""
+    knots = _knots(interpolant.x, f"{what}: x")
+    rows = _plain(interpolant.c)
     if not _is_table(rows) or any(isinstance(one, list) for row in rows for one in row):
         raise ModelError(f"{what} has several values at a point. Give a table of one of them.")
     table = [_finite(row, f"{what}: c") for row in rows]
@@ -77,8 +77,8 @@ def _of_polynomials(given: Any, outside: str, what: str) -> Pieces:
     return Pieces((Axis(knots, len(table)),), coefficients, outside)
 
 
-def _of_spline(given: Any, outside: str, what: str) -> Pieces:
-    t, c, k = _plain(given.t), _plain(given.c), int(given.k)
+def _of_spline(interpolant: Any, outside: str, what: str) -> Pieces:
+    t, c, k = _plain(interpolant.t), _plain(interpolant.c), int(interpolant.k)
     if any(isinstance(one, list) for one in c):
         raise ModelError(f"{what} has several values at a point. Give a table of one of them.")
     spans = _spans(_finite(t, f"{what}: t"), k, len(t) - k - 1)
@@ -87,9 +87,12 @@ def _of_spline(given: Any, outside: str, what: str) -> Pieces:
     return Pieces((Axis(knots, k + 1),), tuple(one for piece in local for one in piece), outside)
 
 
-def _of_two_arguments(given: Any, outside: str, what: str) -> Pieces:
-    """A tensor product: along y for every coefficient along x, then along x for every power of every piece in y."""
-    (tx, ty, flat), (kx, ky) = map(_plain, given.tck), map(int, given.degrees)
+def _of_two_arguments(interpolant: Any, outside: str, what: str) -> Pieces:
+    """Return the pieces of a tensor-product spline.
+
+    First convert along y for each coefficient along x, then along x for each power of each piece in y.
+    """
+    (tx, ty, flat), (kx, ky) = map(_plain, interpolant.tck), map(int, interpolant.degrees)
     flat, nx, ny = _finite(flat, f"{what}: coefficients"), len(tx) - kx - 1, len(ty) - ky - 1
     in_x, in_y = _spans(tx, kx, nx), _spans(ty, ky, ny)
     along_y = [_local(ty, flat[row * ny : (row + 1) * ny], ky, in_y) for row in range(nx)]
@@ -108,12 +111,12 @@ def _of_two_arguments(given: Any, outside: str, what: str) -> Pieces:
 
 
 def _spans(t: Sequence[float], k: int, count: int) -> list[int]:
-    """The intervals between knots of a spline that have a length."""
+    """Return the knot intervals of nonzero length."""
     return [m for m in range(k, count) if t[m] < t[m + 1]]
 
 
 def _local(t: Sequence[float], c: Sequence[float], k: int, spans: Sequence[int]) -> Rows:
-    """Return the coefficients of each span by ascending powers of x - t[m]: derivatives there, by their factorials."""
+    """Return the Taylor coefficients of each span about its left knot t[m], by ascending powers of x - t[m]."""
     levels = [list(c)]
     for order in range(1, k + 1):
         before, degree = levels[-1], k - order + 1
@@ -126,7 +129,7 @@ def _local(t: Sequence[float], c: Sequence[float], k: int, spans: Sequence[int])
 
 
 def _at_knot(t: Sequence[float], c: Sequence[float], degree: int, m: int) -> float:
-    """The value of a spline at t[m], from the side of the span that begins there (de Boor)."""
+    """Return the value of a spline at t[m], as the limit from the right (de Boor's algorithm)."""
     x, d = t[m], [c[j] for j in range(m - degree, m + 1)]
     for level in range(1, degree + 1):
         for j in range(degree, level - 1, -1):
@@ -136,8 +139,8 @@ def _at_knot(t: Sequence[float], c: Sequence[float], degree: int, m: int) -> flo
     return d[degree]
 
 
-def _knots(given: Any, what: str) -> tuple[float, ...]:
-    numbers = _finite(_plain(given), what)
+def _knots(points: Any, what: str) -> tuple[float, ...]:
+    numbers = _finite(_plain(points), what)
     if len(numbers) < 2:
         raise ModelError(f"{what} has {len(numbers)} points. A table has at least two.")
     if not is_increasing(numbers):
@@ -145,9 +148,9 @@ def _knots(given: Any, what: str) -> tuple[float, ...]:
     return tuple(numbers)
 
 
-def _table(given: Any, shape: tuple[int, ...], what: str) -> Rows:
-    """Return values (of one argument as one row)."""
-    rows = _plain(given)
+def _table(values: Any, shape: tuple[int, ...], what: str) -> Rows:
+    """Return the values as rows; those of a table of one argument are one row."""
+    rows = _plain(values)
     if len(shape) == 1:
         rows = [rows]
     size = shape if len(shape) == 2 else (1, *shape)
@@ -160,19 +163,19 @@ def _is_table(rows: Any) -> bool:
     return isinstance(rows, list) and bool(rows) and all(isinstance(row, list) for row in rows)
 
 
-def _plain(given: Any) -> Any:
-    """Return lists of what may be arrays."""
-    listed = given.tolist() if hasattr(given, "tolist") else given
+def _plain(value: Any) -> Any:
+    """Convert arrays to nested lists."""
+    listed = value.tolist() if hasattr(value, "tolist") else value
     return [_plain(one) for one in listed] if isinstance(listed, list | tuple) else listed
 
 
-def _finite(given: Any, what: str) -> list[float]:
-    if not isinstance(given, list) or any(isinstance(one, bool | list | str | complex) for one in given):
-        raise ModelError(f"{what} is {shown(given)}. Give real numbers, one after the other.")
+def _finite(values: Any, what: str) -> list[float]:
+    if not isinstance(values, list) or any(isinstance(one, bool | list | str | complex) for one in values):
+        raise ModelError(f"{what} is {shown(values)}. Give real numbers, one after the other.")
     try:
-        numbers = [float(one) for one in given]
+        numbers = [float(one) for one in values]
     except (TypeError, ValueError, OverflowError) as error:
-        raise ModelError(f"{what} holds what is not a real number: {shown(given)}.") from error
+        raise ModelError(f"{what} holds what is not a real number: {shown(values)}.") from error
     wrong = next((one for one in numbers if not math.isfinite(one)), None)
     if wrong is not None:
         raise ModelError(f"{what} holds {wrong}. Every number of a table is finite.")

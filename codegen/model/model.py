@@ -1,4 +1,4 @@
-"""The model: what the user says about a mechanism, normalised and checked."""
+"""The `Model` of a mechanism: the user's description, normalised and checked."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ def multiplier(row: int | str, place: int | None = None) -> sympy.Expr:
     Parameters
     ----------
     row
-        0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model; or the name of
-        constraints that were given by a mapping.
+        0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model. Or the name of
+        constraints, where the model has a mapping of constraints.
     place
-        Which of the rows of that name, counted from 0; None: there is one.
+        Index among the rows of that name, counted from 0. None if the name has a single row.
 
     Examples
     --------
-    The force of the first row, and a torque of twice the second, as outputs of a model:
+    Outputs for the force of the first row, and for a torque that is twice the second multiplier:
 
     >>> from eigenmotion import multiplier
     >>> outputs = {"force": -multiplier(0), "torque": 2 * multiplier(1)}
@@ -61,31 +61,32 @@ def multiplier(row: int | str, place: int | None = None) -> sympy.Expr:
 
 @dataclass(frozen=True, slots=True, init=False)
 class Model(Mechanism):
-    """A mechanism by its energies, forces and constraints. Fields are normalised; mappings are tuples of pairs.
+    """Description of a mechanism by energies, forces and constraints. Mappings are stored as tuples of pairs.
 
-    With n coordinates x_i [u_i], h holonomic and m constraint rows in all:
+    With n coordinates x_i [u_i], h holonomic constraint rows and m constraint rows in all:
 
     name : C and Python identifier, prefix of files and symbols
     coordinates : (n) x, functions of `t`
     kinetic_energy : T(x, xdot, t), or T(x, y, t) in the quasi-velocities: T2 + T1 + T0 (4) [J]
     potential_energy : V(x, t) [J]
     forces : (n) Q(x, xdot, t, inputs) [J / u_i]
-    holonomic_constraints : (h) phi(x, t), each held at 0; their rows come first. A mapping gives them names
-    nonholonomic_constraints : (m - h) rows A xdot + b (8), each held at 0; likewise
+    holonomic_constraints : (h) phi(x, t) = 0; their rows come first. A mapping gives them names
+    nonholonomic_constraints : (m - h) rows A xdot + b = 0 (8). A mapping gives them names
     quasi_velocities : (n) or () pairs y_i, expression linear in xdot: y = P(x) xdot (3)
-    parameters, inputs, initial : pairs symbol, default [float]; what is missing in initial is 0
+    parameters, inputs, initial : pairs symbol, default [float]; a missing initial value is 0
     outputs, events : pairs name, expression or Event
     scales : (n) unit of each coordinate inside the eigenproblem [u_i]
-    drawing : what it looks like: shapes of `eigenmotion.draw`, in the plane or in space
-    contacts : pairs name, Contact or Friction: what touches and lets go, slides and sticks. Each adds a constraint row
-    behind those of its kind, a parameter NAME_held or NAME_stuck that is 1 where a run has it hold, and an event NAME
-    constraint_names : which rows have names, found where mappings give them
-    states : pairs z, zdot: first-order states, functions of `t`, and their rates, of what forces may depend on
+    drawing : shapes of `eigenmotion.draw`, in the plane or in space
+    contacts : pairs name, Contact or Friction. Each appends a constraint row to those of its kind, and adds a
+    parameter NAME_held or NAME_stuck, which is 1 while the row is active, and an event NAME
+    constraint_names : the names of constraint rows, taken from mappings of constraints
+    states : pairs z, zdot: first-order states, functions of `t`, and their rates, which may depend on whatever forces
+    may depend on
 
     Raises
     ------
     ModelError
-        See `codegen.model.checks`.
+        The model has a mistake; see `codegen.model.check.checks`.
 
     Examples
     --------
@@ -128,24 +129,24 @@ class Model(Mechanism):
         constraint_names: Iterable[NamedRows] = (),
         states: Pairs = (),
     ) -> None:
-        given = dict(locals())
-        del given["self"]
+        arguments = dict(locals())
+        del arguments["self"]
         try:
             checks.check_name(name)
-            with_room(given, lambda: self._take(given))
+            with_room(arguments, lambda: self._take(arguments))
         except ModelError as error:
             if str(error).startswith(f"Model {shown(name)}"):
                 raise
             raise ModelError(f"Model {shown(name)}: {error}") from error.__cause__
 
-    def _take(self, given: dict[str, Any]) -> None:
-        for field, value in _normalised(given).items():
+    def _take(self, arguments: dict[str, Any]) -> None:
+        for field, value in _normalised(arguments).items():
             object.__setattr__(self, field, value)
         checks.check(self)
 
     @property
     def initial_v(self) -> tuple[float, ...]:
-        """(n) [u_i / s] rates at the start; P^-1 y where `initial` gives quasi-velocities."""
+        """(n) [u_i / s] initial rates; P^-1 y where `initial` has quasi-velocities."""
         if self.initial_y:
             return checks.solve_rates(self, self.initial_x, self.initial_y)
         known = dict(self.initial)
@@ -154,7 +155,8 @@ class Model(Mechanism):
     def equations(self) -> Equations:
         """Return M, bias, A, b, gamma as SymPy matrices in the user's symbols: M xddot + A^T lambda = bias (11).
 
-        Simplified only where that is quick. What is compiled is derived on its own, and proved against the energies.
+        Expressions are simplified only where that is fast. Generated code does not use these matrices: it is derived
+        independently, and checked against the energies.
         """
         return with_room(self, lambda: equations_of(self))
 
@@ -162,35 +164,35 @@ class Model(Mechanism):
         return self.equations()._repr_latex_()
 
     def canonical(self) -> str:
-        """Return a text of everything that defines the model: equal texts, equal generated files."""
+        """Return a text of all fields: models with equal texts have equal generated files."""
         text = with_room(self, lambda: canonical_text(self))
         return text + "".join(f"table {table.name} = {table.digest}\n" for table in self.tables)
 
     @property
     def tables(self) -> tuple[Table, ...]:
-        """The tables that are called, by name."""
+        """The tables that the model's expressions call, sorted by name."""
         return tables_in(expressions_in(self)) if any(isinstance(p, TableHandle) for p, _ in self.parameters) else ()
 
 
-def _normalised(given: dict[str, Any]) -> dict[str, Any]:
+def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of a Model from the arguments of its constructor."""
-    coordinates = sequence_of(given["coordinates"], "coordinates")
+    coordinates = sequence_of(arguments["coordinates"], "coordinates")
     checks.check_functions_of_time("coordinates", coordinates)
-    rows, names = _rows(given)
-    fields = given | rows | {
+    rows, names = _rows(arguments)
+    fields = arguments | rows | {
         "coordinates": coordinates,
-        "kinetic_energy": expression(given["kinetic_energy"], "kinetic_energy"),
-        "potential_energy": expression(given["potential_energy"], "potential_energy"),
-        "forces": _each(given["forces"], coordinates, "forces", 0, expression),
-        "quasi_velocities": _expressions(given["quasi_velocities"], "quasi_velocities"),
-        "outputs": _expressions(given["outputs"], "outputs"),
-        "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
-        "scales": _each(given["scales"], coordinates, "scales", 1.0, number),
-        "drawing": drawing_of(given["drawing"]),
-        "contacts": contacts_of(given["contacts"]),
+        "kinetic_energy": expression(arguments["kinetic_energy"], "kinetic_energy"),
+        "potential_energy": expression(arguments["potential_energy"], "potential_energy"),
+        "forces": _each(arguments["forces"], coordinates, "forces", 0, expression),
+        "quasi_velocities": _expressions(arguments["quasi_velocities"], "quasi_velocities"),
+        "outputs": _expressions(arguments["outputs"], "outputs"),
+        "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(arguments["events"], "events")),
+        "scales": _each(arguments["scales"], coordinates, "scales", 1.0, number),
+        "drawing": drawing_of(arguments["drawing"]),
+        "contacts": contacts_of(arguments["contacts"]),
         "constraint_names": names,
-        "states": states_of(given["states"]),
-        **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
+        "states": states_of(arguments["states"]),
+        **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
     known = normals_of(fields).known
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
@@ -202,7 +204,7 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
 
 
 def _with_tables(fields: dict[str, Any]) -> dict[str, Any]:
-    """Give each table that is called a parameter, by which runs are given other numbers."""
+    """Add a parameter for each table that is called, through which a run can replace the table's numbers."""
     own = tuple(pair for pair in fields["parameters"] if not isinstance(pair[0], TableHandle))
     tables = tables_in(expressions_in(fields))
     taken = {name_of(symbol) for symbol, _ in own}
@@ -214,47 +216,51 @@ def _with_tables(fields: dict[str, Any]) -> dict[str, Any]:
     return fields | {"parameters": (*own, *((table.handle, 0.0) for table in tables))}
 
 
-def _rows(given: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]], tuple[NamedRows, ...]]:
-    """Return constraint rows by kind, and the names of some; those of another model stay where rows have none given."""
-    found = {kind: rows_of(given[kind], kind) for kind in KINDS}
-    kept = (one for one in given["constraint_names"] if not isinstance(given[one.kind], Mapping))
-    names = (*kept, *(one for _, named in found.values() for one in named))
-    rows = {kind: rows for kind, (rows, _) in found.items()}
+def _rows(arguments: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]], tuple[NamedRows, ...]]:
+    """Return constraint rows by kind, and the named rows.
+
+    Names come from mappings. Where a kind is no mapping, the entries of `constraint_names` apply: they are those of
+    another model, copied with its fields.
+    """
+    read = {kind: rows_of(arguments[kind], kind) for kind in KINDS}
+    copied = (one for one in arguments["constraint_names"] if not isinstance(arguments[one.kind], Mapping))
+    names = (*copied, *(one for _, named in read.values() for one in named))
+    rows = {kind: rows for kind, (rows, _) in read.items()}
     check_names(
-        names, (name for name, _ in pairs_of(given["contacts"], "contacts")), {k: len(r) for k, r in rows.items()}
+        names, (name for name, _ in pairs_of(arguments["contacts"], "contacts")), {k: len(r) for k, r in rows.items()}
     )
     return rows, names
 
 
-def _expressions(given: Any, what: str) -> tuple[tuple[Any, sympy.Expr], ...]:
-    return tuple((key, expression(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(given, what))
+def _expressions(pairs: Any, what: str) -> tuple[tuple[Any, sympy.Expr], ...]:
+    return tuple((key, expression(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(pairs, what))
 
 
-def _numbers(given: Any, what: str) -> tuple[tuple[Any, float], ...]:
-    return tuple((key, number(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(given, what))
+def _numbers(pairs: Any, what: str) -> tuple[tuple[Any, float], ...]:
+    return tuple((key, number(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(pairs, what))
 
 
-def _event(given: Any, name: str) -> Event:
-    return given if isinstance(given, Event) else Event(expression(given, f"events[{name}]"))
+def _event(entry: Any, name: str) -> Event:
+    return entry if isinstance(entry, Event) else Event(expression(entry, f"events[{name}]"))
 
 
 def _each(
-    given: Any, coordinates: tuple[Any, ...], what: str, missing: Any, read: Callable[[Any, str], Value]
+    values: Any, coordinates: tuple[Any, ...], what: str, missing: Any, read: Callable[[Any, str], Value]
 ) -> tuple[Value, ...]:
-    """Read one value for each coordinate, from a mapping of some or a sequence of all."""
-    if isinstance(given, Mapping):
-        by_coordinate = _by_coordinate(given, coordinates, what)
+    """Read one value for each coordinate, from a mapping (some coordinates) or a sequence (all of them)."""
+    if isinstance(values, Mapping):
+        by_coordinate = _by_coordinate(values, coordinates, what)
         entries = tuple(by_coordinate.get(x, missing) for x in coordinates)
     else:
-        entries = sequence_of(given, what) or (missing,) * len(coordinates)
+        entries = sequence_of(values, what) or (missing,) * len(coordinates)
     if len(entries) != len(coordinates):
         raise ModelError(f"{what} has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
     return tuple(read(entry, f"{what}[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
 
 
-def _by_coordinate(given: Mapping[Any, Any], coordinates: tuple[Any, ...], what: str) -> Mapping[Any, Any]:
-    for key in given:
+def _by_coordinate(values: Mapping[Any, Any], coordinates: tuple[Any, ...], what: str) -> Mapping[Any, Any]:
+    for key in values:
         if key not in coordinates:
             hint = nearest(name_of(key), map(name_of, coordinates))
             raise ModelError(f"{what} has an entry for {shown(key)}, which is not a coordinate.{hint}")
-    return given
+    return values

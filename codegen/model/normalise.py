@@ -1,4 +1,4 @@
-"""Normal forms of the user's input: SymPy expressions, floats and tuples."""
+"""Normalisation of user input to SymPy expressions, floats and tuples."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 t: sympy.Symbol = dynamicsymbols._t
-"""The time, as SymPy's mechanics knows it: `(L * r).diff(t)`."""
+"""The time symbol of sympy.physics.mechanics: `(L * r).diff(t)`."""
 
 MULTIPLIER = sympy.Function("multiplier", real=True)
 INFINITE = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
-_TO_BE_CARRIED_OUT = (sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit)
-_IN_OTHERS: Mapping[type[sympy.Basic], Callable[..., sympy.Expr]] = {
+_UNEVALUATED = (sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit)
+_REWRITTEN: Mapping[type[sympy.Basic], Callable[..., sympy.Expr]] = {
     sympy.Mod: lambda a, b: a - b * sympy.floor(a / b), sympy.frac: lambda a: a - sympy.floor(a),
     sympy.cot: lambda a: 1 / sympy.tan(a), sympy.sec: lambda a: 1 / sympy.cos(a), sympy.csc: lambda a: 1 / sympy.sin(a),
     sympy.coth: lambda a: 1 / sympy.tanh(a), sympy.sech: lambda a: 1 / sympy.cosh(a),
     sympy.csch: lambda a: 1 / sympy.sinh(a), sympy.erfc: lambda a: 1 - sympy.erf(a),
 }  # fmt: skip
-"""Functions that C has not, in those that it has."""
+"""Functions that C lacks, written with functions that it has."""
 _SHORT = reprlib.Repr()
 _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
@@ -43,16 +43,16 @@ class ModelError(ValueError):
     """
 
 
-def shown(given: object) -> str:
-    """Return what was given, as Python writes it, on one line and not longer than fits into a message."""
+def shown(value: object) -> str:
+    """Return the repr of an object on one line, shortened to fit into an error message."""
     try:
-        return " ".join(_SHORT.repr(given).split())
-    except Exception:  # whatever an object of the user's does when it is asked; an int of a million digits, too
-        return f"of type {type(given).__name__}"
+        return " ".join(_SHORT.repr(value).split())
+    except Exception:  # a user's __repr__ may raise anything; so does an int of a million digits
+        return f"of type {type(value).__name__}"
 
 
 def name_of(symbol: sympy.Basic) -> str:
-    """Return the user's name of a symbol or function of time; of a rate, the name of what it is the rate of and '."""
+    """Return the name of a symbol or function of time; a derivative has a ' for each order, such as theta''."""
     if isinstance(symbol, sympy.Derivative):
         return name_of(symbol.expr) + "'" * int(symbol.derivative_count)
     if isinstance(symbol, AppliedUndef):
@@ -61,13 +61,13 @@ def name_of(symbol: sympy.Basic) -> str:
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """Return " Did you mean 'x'?" with the known name most like this one, or nothing."""
+    """Return " Did you mean 'x'?" with the closest known name, or "" if none is close."""
     matches = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
     return f" Did you mean {matches[0]!r}?" if matches else ""
 
 
 def pairs_of(given: Any, what: str) -> tuple[tuple[Any, Any], ...]:
-    """Return a mapping, or a sequence of pairs, as a tuple of pairs in the order given."""
+    """Return a mapping, or a sequence of pairs, as a tuple of pairs in the same order."""
     if isinstance(given, Mapping):
         return tuple(given.items())
     if isinstance(given, Set) or not isinstance(given, Sequence) or any(not _is_pair(entry) for entry in given):
@@ -76,19 +76,19 @@ def pairs_of(given: Any, what: str) -> tuple[tuple[Any, Any], ...]:
 
 
 def sequence_of(given: Any, what: str) -> tuple[Any, ...]:
-    """Return a sequence as a tuple; sets and mappings have no order a model could rely on and are refused."""
+    """Return a sequence as a tuple; sets and mappings are refused, since a model relies on the order."""
     if isinstance(given, sympy.MatrixBase):
         return tuple(given)
     if isinstance(given, (str, bytes, Mapping, Set)) or not isinstance(given, Iterable):
         raise ModelError(f"{what} must be a list or tuple, not {shown(given)}: their order is that of the state.")
     try:
         return tuple(given)
-    except TypeError as error:  # what only looks like a sequence, as a class or an array without dimensions
+    except TypeError as error:  # objects that only look iterable, such as a class or an array of dimension 0
         raise ModelError(f"{what} must be a list or tuple, not {shown(given)}.") from error
 
 
 def expression(given: Any, what: str) -> sympy.Expr:
-    """Return a scalar SymPy expression with derivatives carried out and exponents exact.
+    """Return a scalar SymPy expression with derivatives evaluated and exponents exact.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def expression(given: Any, what: str) -> sympy.Expr:
     """
     try:
         value = sympy.sympify(given, strict=True)
-    except Exception as error:  # SymPy's own, and what it trips over in containers
+    except Exception as error:  # SympifyError, or whatever SymPy raises on the elements of containers
         raise ModelError(
             f"{what} is {shown(given)}, which is not a SymPy expression. Build it from symbols."
         ) from error
@@ -107,26 +107,26 @@ def expression(given: Any, what: str) -> sympy.Expr:
         raise ModelError(f"{what} contains the imaginary unit. Energies, forces and constraints are real.")
     if value.has(*INFINITE):
         raise ModelError(f"{what} contains an infinite or undefined term. Look for a division by zero in it.")
-    if value.has(*_TO_BE_CARRIED_OUT):
-        standing = next(part for part in sympy.preorder_traversal(value) if isinstance(part, _TO_BE_CARRIED_OUT))
+    if value.has(*_UNEVALUATED):
+        unevaluated = next(part for part in sympy.preorder_traversal(value) if isinstance(part, _UNEVALUATED))
         raise ModelError(
-            f"{what} contains {shown(standing)}, which is not carried out. Write what .doit() makes of it."
+            f"{what} contains {shown(unevaluated)}, which is not carried out. Write what .doit() makes of it."
         )
     for constant in value.atoms(sympy.Number):
         if _is_lost(constant):
             raise ModelError(f"{what} contains {shown(constant)}, beyond the range of a double. Choose other units.")
-    return _exact_exponents(_carried_out(_in_other_functions(_real(value))))
+    return _exact_exponents(_evaluated(_rewritten(_real(value))))
 
 
 def real(given: Any, what: str) -> float:
-    """Return a number as a float, infinite and NaN too; SymPy numbers such as pi/6 are rounded once.
+    """Return a number as a float, infinity and NaN included; SymPy numbers such as pi/6 are rounded once.
 
     Raises
     ------
     ModelError
-        A text, a truth value, a complex number, an array, or too large for a float; shows it.
+        It is a text, a truth value, a complex number, an array, or too large for a float; shows it.
     """
-    if isinstance(given, float):  # NumPy's double is one
+    if isinstance(given, float):  # numpy.float64 included
         return float(given)
     if not _is_real(given):
         raise ModelError(f"{what} is {shown(given)}, not a real number.")
@@ -142,7 +142,7 @@ def real(given: Any, what: str) -> float:
 
 
 def number(given: Any, what: str) -> float:
-    """Return a finite float; as `real`, but infinities and NaN are refused too."""
+    """Return a number as a finite float; like `real`, but infinity and NaN are refused too."""
     value = real(given, what)
     if not math.isfinite(value):
         raise ModelError(f"{what} is {value}, not a finite number.")
@@ -150,7 +150,7 @@ def number(given: Any, what: str) -> float:
 
 
 def truth(given: Any, what: str) -> bool:
-    """Return True or False; 1 and 0 serve too."""
+    """Return True or False; 1 and 0 are accepted too."""
     is_numpy = getattr(getattr(given, "dtype", None), "kind", "") == "b" and not getattr(given, "ndim", 0)
     if not ((isinstance(given, int) and given in (0, 1)) or is_numpy):
         raise ModelError(f"{what} is {shown(given)}; give True or False.")
@@ -158,7 +158,7 @@ def truth(given: Any, what: str) -> bool:
 
 
 def _is_real(given: Any) -> bool:
-    """Say whether `float` may be asked: it reads texts, takes truth values for numbers, and drops imaginary parts."""
+    """Whether `float` may convert this; it would also parse texts, accept truth values and drop imaginary parts."""
     if isinstance(given, (bool, str, bytes, bytearray)) or getattr(given, "ndim", 0) != 0:
         return False
     if isinstance(given, numbers.Complex) and not isinstance(given, (numbers.Real, sympy.Expr)):
@@ -167,7 +167,7 @@ def _is_real(given: Any) -> bool:
 
 
 def _is_lost(constant: sympy.Number) -> bool:
-    """Say whether a constant is infinite, or 0, as a double only."""
+    """Whether a finite nonzero constant overflows or underflows as a double."""
     try:
         value = float(constant)
     except OverflowError:
@@ -180,9 +180,9 @@ def _is_pair(entry: Any) -> bool:
 
 
 def _real(value: sympy.Expr) -> sympy.Expr:
-    """Take all quantities as real: |z|.diff(t), with z(t) that SymPy takes for complex, becomes sign(z) z.diff(t).
+    """Treat all quantities as real: |z|.diff(t), with a z(t) that SymPy takes for complex, becomes sign(z) z.diff(t).
 
-    A sign has the rate 0, but where it jumps.
+    The derivative of a sign is 0, except where it jumps.
     """
     if not value.has(sympy.re, sympy.im, sympy.conjugate, sympy.sign):
         return value
@@ -193,27 +193,27 @@ def _real(value: sympy.Expr) -> sympy.Expr:
     return value.xreplace(signs)
 
 
-def _in_other_functions(value: sympy.Expr) -> sympy.Expr:
-    """Write functions that C has not in those that it has: Mod(a, b) as a - b floor(a / b), sec(a) as 1 / cos(a)."""
-    if not value.has(*_IN_OTHERS):
+def _rewritten(value: sympy.Expr) -> sympy.Expr:
+    """Rewrite functions that C lacks: Mod(a, b) as a - b floor(a / b), sec(a) as 1 / cos(a)."""
+    if not value.has(*_REWRITTEN):
         return value
-    return value.replace(lambda part: type(part) in _IN_OTHERS, lambda part: _IN_OTHERS[type(part)](*part.args))
+    return value.replace(lambda part: type(part) in _REWRITTEN, lambda part: _REWRITTEN[type(part)](*part.args))
 
 
-def _carried_out(value: sympy.Expr) -> sympy.Expr:
-    """Carry out derivatives left standing, such as Derivative(L*r, t) and Derivative(r, r); rates in time stay."""
+def _evaluated(value: sympy.Expr) -> sympy.Expr:
+    """Evaluate derivatives such as Derivative(L*r, t) and Derivative(r, r); time derivatives of functions remain."""
     rates = value.atoms(sympy.Derivative)
-    standing = any(not isinstance(rate.expr, AppliedUndef) or {*rate.variables} != {t} for rate in rates)
-    return value.doit() if standing else value
+    unevaluated = any(not isinstance(rate.expr, AppliedUndef) or {*rate.variables} != {t} for rate in rates)
+    return value.doit() if unevaluated else value
 
 
 def _exact_exponents(value: sympy.Expr) -> sympy.Expr:
-    """Write the exponents 2.0 and 0.5 as 2 and 1/2: they are meant exactly, and only then does v**2.0 derive to 2 v."""
+    """Replace exponents such as 2.0 and 0.5 by 2 and 1/2: only then is the derivative of v**2.0 simply 2 v."""
     if not any(_is_rounded(power) for power in value.atoms(sympy.Pow)):
         return value
     return value.replace(_is_rounded, lambda power: sympy.Pow(power.base, sympy.Rational(int(2 * power.exp), 2)))
 
 
 def _is_rounded(value: sympy.Basic) -> bool:
-    """Say whether this is a power whose exponent is a floating-point multiple of 1/2."""
+    """Whether this is a power whose exponent is a floating-point multiple of 1/2."""
     return bool(value.is_Pow and value.exp.is_Float and (2 * float(value.exp)).is_integer())

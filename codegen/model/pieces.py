@@ -1,4 +1,4 @@
-"""Piecewise polynomials in local power form: the numbers of a table, their values, and where they join roughly."""
+"""Piecewise polynomials in local power form: coefficients, evaluation, and jumps of derivatives at the knots."""
 
 from __future__ import annotations
 
@@ -10,44 +10,44 @@ from functools import partial
 from itertools import pairwise, product
 
 OUTSIDE = ("refuse", "hold", "extend", "periodic")
-"""What a table is beyond its range, in the order of em_outside of em_table.h."""
+"""Extrapolation modes: how a table continues beyond its range; in the order of em_outside in em_table.h."""
 JUMPS = 1e-9
-"""What derivatives on both sides of a join differ by if they jump, relative to the terms behind them."""
+"""A derivative jumps at a join if its two sides differ by more than this part of the sum of their absolute terms."""
 _SMOOTH = 99.0
 MOST_JUMPING = 3
-"""Jumps of higher derivatives than these are none that steps look at."""
+"""The highest derivative whose jumps the step control considers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One argument: the pieces lie between its knots, each with `order` coefficients along it."""
+    """One argument of a table. The pieces lie between its knots; each has `order` coefficients along this axis."""
 
     knots: tuple[float, ...]
     order: int
 
     @property
     def count(self) -> int:
-        """How many pieces."""
+        """Number of pieces."""
         return len(self.knots) - 1
 
     def piece(self, x: float) -> int:
-        """Return the piece that holds x; the first or the last one beyond them."""
+        """Return the index of the piece that contains x; beyond the range, of the first or last piece."""
         return min(max(bisect_right(self.knots, x) - 1, 0), self.count - 1)
 
     def starts(self) -> list[int]:
-        """(count + 1) the pieces that hold points at equal distances: where a search begins (em_table.h)."""
+        """(count + 1) indices of the pieces at equally spaced points: starting points of a search (em_table.h)."""
         first, last = self.knots[0], self.knots[-1]
         return [self.piece(first + (last - first) * k / self.count) for k in range(self.count + 1)]
 
 
 @dataclass(frozen=True, slots=True)
 class Pieces:
-    """A function of one argument or of two.
+    """A piecewise polynomial of one or two arguments.
 
     axes : one for each argument
-    coefficients : piece by piece, the last argument fastest; of a piece by ascending powers of the distances from its
-        lower knots, those of the last argument fastest
-    outside : what it is beyond its range, one of OUTSIDE
+    coefficients : piece by piece, the last argument varying fastest; within a piece by ascending powers of the
+        distances from its lower knots, powers of the last argument varying fastest
+    outside : extrapolation mode, one of OUTSIDE
     """
 
     axes: tuple[Axis, ...]
@@ -62,12 +62,12 @@ class Pieces:
         return self.coefficients[number * size : (number + 1) * size]
 
     def value(self, orders: Sequence[int], point: Sequence[float]) -> float:
-        """Return the derivative of these orders at a point; not a number where that is refused."""
+        """Return the derivative of these orders at a point; NaN where the mode is "refuse" and the point is outside."""
         within = [_within(axis, x, self.outside) for axis, x in zip(self.axes, point, strict=True)]
         if any(math.isnan(x) for x in within):
             return math.nan
-        held = zip(orders, within, point, strict=True)
-        if self.outside == "hold" and any(order and x != given for order, x, given in held):
+        clamped = zip(orders, within, point, strict=True)
+        if self.outside == "hold" and any(order and x != argument for order, x, argument in clamped):
             return 0.0
         places = [axis.piece(x) for axis, x in zip(self.axes, within, strict=True)]
         powers = [
@@ -78,26 +78,26 @@ class Pieces:
         return math.fsum(math.prod(factors) * coefficient for factors, coefficient in terms)
 
     def joins(self, axis: int) -> tuple[tuple[float, int], ...]:
-        """Return (knot, the lowest derivative that jumps there) of an argument, where one up to MOST_JUMPING does."""
-        given = self.axes[axis]
-        pairs = [(k, k - 1, k) for k in range(1, given.count)]
+        """Return (knot, order) along an axis where a derivative up to MOST_JUMPING jumps; order is the lowest such."""
+        along = self.axes[axis]
+        pairs = [(k, k - 1, k) for k in range(1, along.count)]
         if self.outside == "periodic":
-            pairs.append((0, given.count - 1, 0))
-        found = [(given.knots[knot], self._jump(axis, left, right)) for knot, left, right in pairs]
+            pairs.append((0, along.count - 1, 0))
+        jumps = [(along.knots[knot], self._jump(axis, left, right)) for knot, left, right in pairs]
         if self.outside == "hold":
-            ends = ((0, 0), (given.count, given.count - 1))
-            found += [(given.knots[knot], self._bend(axis, piece, knot != piece)) for knot, piece in ends]
-        return tuple(sorted((at, order) for at, order in found if order <= MOST_JUMPING))
+            ends = ((0, 0), (along.count, along.count - 1))
+            jumps += [(along.knots[knot], self._bend(axis, piece, knot != piece)) for knot, piece in ends]
+        return tuple(sorted((at, order) for at, order in jumps if order <= MOST_JUMPING))
 
     def _jump(self, axis: int, left: int, right: int) -> int:
-        """The lowest derivative along an axis that differs between two pieces beside each other, of all that are."""
+        """Return the lowest derivative along an axis that differs between two neighbouring pieces, over all lines."""
         ends = self._end(axis, left, True), self._end(axis, right, False)
         lines = zip(self._lines(axis, left), self._lines(axis, right), strict=True)
         return min(_first_jump(*(list(map(partial(_sized, line), end)) for line, end in zip(pair, ends, strict=True)))
                    for pair in lines)  # fmt: skip
 
     def _bend(self, axis: int, piece: int, upper: bool) -> int:
-        """The lowest derivative along an axis that is not zero at the end of a piece."""
+        """Return the lowest derivative along an axis, from the first on, that is not zero at an end of a piece."""
         end = self._end(axis, piece, upper)
         sized = [[_sized(line, factors) for factors in end] for line in self._lines(axis, piece)]
         return min(
@@ -105,13 +105,13 @@ class Pieces:
         )
 
     def _end(self, axis: int, piece: int, upper: bool) -> list[list[float]]:
-        """Factors of the coefficients in each derivative along an axis, at the lower or upper end of a piece."""
-        given = self.axes[axis]
-        step = given.knots[piece + 1] - given.knots[piece] if upper else 0.0
-        return [_powers(step, given.order, order) for order in range(MOST_JUMPING + 1)]
+        """Return the factors of the coefficients in each derivative along an axis, at one end of a piece."""
+        along = self.axes[axis]
+        step = along.knots[piece + 1] - along.knots[piece] if upper else 0.0
+        return [_powers(step, along.order, order) for order in range(MOST_JUMPING + 1)]
 
     def _lines(self, axis: int, piece: int) -> Iterator[tuple[float, ...]]:
-        """Coefficients along an axis of all pieces at one place of it, for each power of the other argument."""
+        """Yield the coefficients along an axis: one line for each piece and power of the other argument."""
         if len(self.axes) == 1:
             yield self.of_piece((piece,))
             return
@@ -123,21 +123,21 @@ class Pieces:
                 yield patch[power::width] if axis == 0 else patch[power * width : (power + 1) * width]
 
     def numbers(self) -> list[float]:
-        """Return everything as em_table.h reads it: sizes, then knots, starts and joins of each axis, coefficients."""
+        """Return the array that em_table.h reads: sizes; knots, starts and joins of each axis; coefficients."""
         joins = [self.joins(k) for k in range(len(self.axes))]
         head = [float(len(self.axes)), float(OUTSIDE.index(self.outside))]
-        for axis, rough in zip(self.axes, joins, strict=True):
+        for axis, jumps in zip(self.axes, joins, strict=True):
             scale = axis.count / (axis.knots[-1] - axis.knots[0])
-            head += [float(axis.count), float(axis.order), scale, float(len(rough))]
+            head += [float(axis.count), float(axis.order), scale, float(len(jumps))]
         head += [0.0] * (10 - len(head))
-        head += [min((float(order) for _, order in rough), default=_SMOOTH) for rough in (*joins, ())[:2]]
-        for axis, rough in zip(self.axes, joins, strict=True):
-            head += [*axis.knots, *map(float, axis.starts()), *(float(one) for pair in rough for one in pair)]
+        head += [min((float(order) for _, order in jumps), default=_SMOOTH) for jumps in (*joins, ())[:2]]
+        for axis, jumps in zip(self.axes, joins, strict=True):
+            head += [*axis.knots, *map(float, axis.starts()), *(float(one) for pair in jumps for one in pair)]
         return [*head, *self.coefficients]
 
 
 def _within(axis: Axis, x: float, outside: str) -> float:
-    """Return where a table is looked up for an argument x."""
+    """Return x mapped into the range by the extrapolation mode; NaN where it is refused."""
     first, last = axis.knots[0], axis.knots[-1]
     if first <= x <= last or outside == "extend":
         return x
@@ -149,7 +149,7 @@ def _within(axis: Axis, x: float, outside: str) -> float:
 
 
 def _powers(step: float, count: int, order: int) -> list[float]:
-    """Factors of the coefficients in a derivative: m! / (m - order)! step^(m - order)."""
+    """Return the factors of the coefficients in a derivative: m! / (m - order)! step^(m - order)."""
     return [math.perm(m, order) * step ** (m - order) if m >= order else 0.0 for m in range(count)]
 
 

@@ -1,4 +1,4 @@
-"""Room for expressions that are nested deeply: SymPy walks them by calls of itself; Python allows a thousand."""
+"""Recursion limit and stack size for deeply nested expressions, on which SymPy recurses beyond Python's default."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ import sympy
 
 Result = TypeVar("Result")
 ORDINARY = 60
-"""Levels that fit into Python's own limit, whatever SymPy does with them."""
+"""Nesting depth that fits into Python's default limit, whatever SymPy does with the expression."""
 CALLS, BYTES = 40, 12_000
-"""A level takes at most so many calls, and so many bytes of a stack."""
+"""Upper bounds: Python calls for each level of nesting, and bytes of stack for each call."""
 
 
-def with_room(given: Any, action: Callable[[], Result]) -> Result:
-    """Return what an action on expressions returns; with a stack of their depth where they are deep.
+def with_room(source: Any, action: Callable[[], Result]) -> Result:
+    """Return the result of an action on expressions, run with a larger stack where they are deeply nested.
 
     Parameters
     ----------
     given
         Expressions, in tuples, lists, mappings or records.
     """
-    depth = _depth(given)
+    depth = _depth(source)
     return action() if depth <= ORDINARY else _on_a_stack(depth, action)
 
 
 def _on_a_stack(depth: int, action: Callable[[], Result]) -> Result:
-    """Call an action in a thread of its own: the stack of this one is as large as it is."""
+    """Call an action in a new thread: the stack of the current thread cannot grow."""
     outcome: list[Result] = []
     errors: list[BaseException] = []
 
@@ -55,15 +55,15 @@ def _on_a_stack(depth: int, action: Callable[[], Result]) -> Result:
 
 
 def _rounded(size: int) -> int:
-    """Whole mebibytes, up to a gibibyte: of what a thread may use only what it uses is taken."""
+    """Return whole mebibytes, from 64 to 1024: the system commits only the pages that a thread uses."""
     return min(max(64, size >> 20), 1024) << 20
 
 
-def _depth(given: Any) -> int:
-    """Return how many levels expressions have, each looked at once; of other things those of what is in them."""
+def _depth(source: Any) -> int:
+    """Return the largest nesting depth of the expressions in an object; shared subexpressions are visited once."""
     levels: dict[int, int] = {}
-    waiting = list(expressions_in(given))
-    kept = list(waiting)
+    waiting = list(expressions_in(source))
+    roots = list(waiting)
     while waiting:
         part = waiting[-1]
         new = [inner for inner in part.args if id(inner) not in levels]
@@ -72,17 +72,17 @@ def _depth(given: Any) -> int:
         else:
             waiting.pop()
             levels[id(part)] = 1 + max((levels[id(inner)] for inner in part.args), default=0)
-    return max((levels[id(part)] for part in kept), default=0)
+    return max((levels[id(part)] for part in roots), default=0)
 
 
-def expressions_in(given: Any) -> Iterable[sympy.Basic]:
+def expressions_in(source: Any) -> Iterable[sympy.Basic]:
     """Return the expressions in tuples, lists, mappings or records."""
-    if isinstance(given, sympy.Basic):
-        yield given
-    elif isinstance(given, Mapping):
-        yield from expressions_in((*given.keys(), *given.values()))
-    elif isinstance(given, tuple | list):
-        for one in given:
+    if isinstance(source, sympy.Basic):
+        yield source
+    elif isinstance(source, Mapping):
+        yield from expressions_in((*source.keys(), *source.values()))
+    elif isinstance(source, tuple | list):
+        for one in source:
             yield from expressions_in(one)
-    elif is_dataclass(given) and not isinstance(given, type):
-        yield from expressions_in([getattr(given, field.name) for field in fields(given)])
+    elif is_dataclass(source) and not isinstance(source, type):
+        yield from expressions_in([getattr(source, field.name) for field in fields(source)])

@@ -1,4 +1,4 @@
-"""Tables: functions given by numbers, which any expression of a model may call."""
+"""Lookup tables: functions defined by numbers, which any expression of a model may call."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ARGUMENTS = {1: "one argument", 2: "two arguments"}
 
 
 class Table:
-    """A function given by numbers: of one argument or of two, differentiated exactly.
+    """A lookup table: a function of one or two arguments, defined by numbers and differentiated exactly.
 
     Parameters
     ----------
@@ -29,15 +29,15 @@ class Table:
         (make_interp_spline, RectBivariateSpline); `(points, values)`, linear between points; or `(x, y, values)`,
         bilinear, with values of the shape (len(x), len(y)).
     outside
-        What it is beyond its range: "refuse" ends a run there and names the table; "hold" keeps the value at the end;
-        "extend" goes on with the last piece; "periodic" begins again.
+        The values beyond its range: "refuse" ends a run there and names the table; "hold" keeps the value at the end;
+        "extend" continues the last piece; "periodic" repeats the range.
     name
-        By which runs are given other numbers: `parameters={"load": other}`. None: "table".
+        The name under which a run can replace its numbers: `parameters={"load": other}`. None: "table".
 
     Raises
     ------
     ModelError
-        Points do not increase, or numbers are not finite or not as many as there are points; says which.
+        Points do not increase, numbers are not finite, or the numbers of values and points differ; says which.
 
     Examples
     --------
@@ -62,16 +62,16 @@ class Table:
             )
         if outside not in OUTSIDE:
             raise ModelError(f"Table {self.name!r}: outside is {shown(outside)}. Give one of {', '.join(OUTSIDE)}.")
-        given = interpolant.pieces if isinstance(interpolant, Table) else None
+        pieces = interpolant.pieces if isinstance(interpolant, Table) else None
         self.pieces = (
             pieces_of(interpolant, outside, f"Table {self.name!r}")
-            if given is None
-            else Pieces(given.axes, given.coefficients, outside)
+            if pieces is None
+            else Pieces(pieces.axes, pieces.coefficients, outside)
         )
         self._digest = ""
 
     def __call__(self, *arguments: Any) -> sympy.Expr:
-        """Return the table at expressions, as an expression."""
+        """Return the table's value at these arguments, as an expression."""
         if len(arguments) != self.arguments:
             raise ModelError(
                 f"Table {self.name!r} is a function of {_ARGUMENTS[self.arguments]}, and was called with "
@@ -97,41 +97,41 @@ class Table:
 
     @property
     def arguments(self) -> int:
-        """How many there are."""
+        """Number of arguments."""
         return len(self.pieces.axes)
 
     @property
     def handle(self) -> TableHandle:
-        """The parameter by which it is given other numbers."""
+        """The parameter through which a run can replace its numbers."""
         return TableHandle(self.name)
 
     @property
     def digest(self) -> str:
-        """A hash of its numbers."""
+        """SHA-256 of its numbers."""
         if not self._digest:
             numbers = self.pieces.numbers()
             self._digest = hashlib.sha256(struct.pack(f"<{len(numbers)}d", *numbers)).hexdigest()
         return self._digest
 
     def function(self, orders: tuple[int, ...]) -> type[TableCall]:
-        """Return the derivative of these orders, by the arguments in turn, as a function of SymPy."""
+        """Return the derivative of these orders, one for each argument, as a SymPy function."""
         return _function(self, orders)
 
 
 class TableHandle(sympy.Symbol):  # type: ignore[misc]
-    """The parameter of a table: 0 stands for the numbers that the model has, others for what a run is given."""
+    """The parameter of a table: 0 selects the numbers of the model, other values the numbers passed to a run."""
 
     __slots__ = ()
 
 
 class TableCall(sympy.Function):  # type: ignore[misc]
-    """A table, or a derivative of one, at its arguments; each is a class of its own, as functions of SymPy are."""
+    """A table, or a derivative of one, applied to arguments. Each has a class of its own, as SymPy functions do."""
 
     table: ClassVar[Table]
     orders: ClassVar[tuple[int, ...]]
 
     def fdiff(self, argindex: int = 1) -> sympy.Expr:
-        """Return the derivative by an argument."""
+        """Return the derivative with respect to an argument."""
         if not 1 <= argindex <= len(self.args):
             raise ArgumentIndexError(self, argindex)
         orders = tuple(order + (place == argindex - 1) for place, order in enumerate(self.orders))
@@ -155,7 +155,7 @@ class TableCall(sympy.Function):  # type: ignore[misc]
         return rf"\operatorname{{{name}}}{power}\left({', '.join(map(printer.doprint, self.args))}\right)"
 
     def as_undefined(self) -> sympy.Expr:
-        """Return the same of a function of this name without numbers."""
+        """Return this call as one of an undefined SymPy function of the same name."""
         function = sympy.Function(self.table.name)
         if not any(self.orders):
             return function(*self.args)
@@ -165,7 +165,7 @@ class TableCall(sympy.Function):  # type: ignore[misc]
 
     @property
     def label(self) -> str:
-        """Its name, with as many ' as it was differentiated; of two arguments, (1, 0) behind it."""
+        """The name with a ' for each derivative, such as load''; with two arguments, the orders as in map^(1, 0)."""
         orders = self.orders
         marks = "'" * orders[0] if len(orders) == 1 else f"^{orders}" if any(orders) else ""
         return f"{self.table.name}{marks}"
@@ -192,25 +192,25 @@ def _restored(pieces: Pieces, name: str) -> Table:
     return made
 
 
-def tables_in(given: Iterable[sympy.Basic]) -> tuple[Table, ...]:
-    """Return the tables that expressions call, by name; each part is looked at once.
+def tables_in(expressions: Iterable[sympy.Basic]) -> tuple[Table, ...]:
+    """Return the tables that expressions call, sorted by name; shared subexpressions are visited once.
 
     Raises
     ------
     ModelError
         Two tables with different numbers have one name; says which.
     """
-    found: dict[str, Table] = {}
-    seen, waiting = set[int](), list(given)
+    tables: dict[str, Table] = {}
+    seen, waiting = set[int](), list(expressions)
     while waiting:
         part = waiting.pop()
         if id(part) in seen:
             continue
         seen.add(id(part))
         waiting.extend(part.args)
-        if isinstance(part, TableCall) and found.setdefault(part.table.name, part.table) != part.table:
+        if isinstance(part, TableCall) and tables.setdefault(part.table.name, part.table) != part.table:
             raise ModelError(
                 f"two tables with different numbers are named {part.table.name!r}. Give each a name of its own: "
                 "Table(..., name=...)."
             )
-    return tuple(found[name] for name in sorted(found))
+    return tuple(tables[name] for name in sorted(tables))

@@ -25,7 +25,7 @@ class _Writing:
 
     def kernels(self) -> PartialKernels:
         mechanics, partials = self.terms.mechanics, self.partials
-        arguments = (*partials.state, *partials.given)
+        arguments = (*partials.state, *partials.forcing)
         outputs, events, quasi = (
             [self.terms.node(expression) for _, expression in named]
             for named in (mechanics.outputs, mechanics.events, mechanics.quasi_velocities)
@@ -33,7 +33,7 @@ class _Writing:
         times = [node for one in self.terms.time_events.times for node in (one.at, one.period)]
         return PartialKernels(
             state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
-            forcing=self.dense("forcing_partials", partials.residual, partials.given, *MOTION),
+            forcing=self.dense("forcing_partials", partials.residual, partials.forcing, *MOTION),
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
@@ -52,12 +52,12 @@ class _Writing:
             "resets": [one.after for one in mechanics.resets],
             "levels": mechanics.levels,
         }
-        arguments = (*partials.state, *partials.given)
+        arguments = (*partials.state, *partials.forcing)
         if not any(rows.values()):
             return dict.fromkeys((*rows, "blow"))
         nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
         of_state = "t", "x", "v", "c", "u"
-        blow = self.dense("impact_balance_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
+        blow = self.dense("impact_balance_partials", partials.impact_balance, arguments, "t", "x", "a", "lambda", "c")
         of_each = {
             name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
         }

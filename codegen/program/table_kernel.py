@@ -18,7 +18,7 @@ def table_kernel(terms: Terms, symbols: Symbols) -> TableKernel:
     """Write it: each expression that is an argument of a table once, with the highest derivative that is taken."""
     if not terms.graph.tables:
         return TableKernel(None, ())
-    found = _places(terms, terms.looked_up)
+    found = _places(terms, terms.evaluated)
     entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, (_, _, node) in enumerate(found)]
     uses = tuple(
         TableUse(table, axis, order, int(terms.graph.varies_with(node, terms.mechanics.time.name)))

@@ -1,1 +1,1 @@
-"""From expressions of the graph to statements in an order."""
+"""Scheduling: turns expressions of the graph into an ordered list of operations."""

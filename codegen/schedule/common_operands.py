@@ -1,6 +1,6 @@
-"""Common operands of products and sums, extracted: the most frequent pair of operands first.
+"""Greedy common-subexpression elimination for products and sums (Hosangadi, Fallah & Kastner 2006).
 
-This is greedy common-subexpression elimination for polynomials (Hosangadi, Fallah & Kastner 2006).
+Pairs of operands are extracted, the most frequent pair first.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ Pair = tuple[int, int, Number]
 
 
 def share(table: Table, kind: str) -> None:
-    """Extract the pair of operands that most products (sums) have in common, until none is left."""
+    """Extract the pair of operands that occurs in most products (sums), repeatedly until no pair occurs twice."""
     pairs = _Pairs(table, kind)
     while (pair := pairs.most_frequent()) is not None:
-        pairs.take_out(pair)
+        pairs.extract(pair)
 
 
 class _Pairs:
-    """The operations of one kind that contain each pair of operands; a lazily cleaned heap has the most frequent."""
+    """The operations of one kind that contain each pair of operands; a heap, updated lazily, orders pairs by number."""
 
     def __init__(self, table: Table, kind: str) -> None:
         self.table, self.kind = table, kind
@@ -43,7 +43,7 @@ class _Pairs:
         return {(a, b, _quotient(g, f)) for (a, f), (b, g) in combinations(operands, 2)}
 
     def _keys_with(self, operation: Operation, value: int) -> list[Pair]:
-        """Return the pairs that contain the operand, which occurs once."""
+        """Return the pairs of an operation that contain the operand `value`, which occurs once."""
         operands = operation.operands
         if self.kind == "mul":
             return [(a, value, 1) if a < value else (value, a, 1) for a in operands if a != value]
@@ -54,25 +54,25 @@ class _Pairs:
             if a != value
         ]
 
-    def _stand_once(self, operation: Operation, first: int, second: int, value: int) -> bool:
-        """Return whether both operands occur once, and their replacement does not occur yet."""
+    def _occur_once(self, operation: Operation, first: int, second: int, value: int) -> bool:
+        """Whether both operands occur once, and their replacement does not occur yet."""
         values = operation.operands if self.kind == "mul" else [a for a, _ in operation.operands]
         return value not in values and values.count(first) == values.count(second) == 1
 
     def most_frequent(self) -> Pair | None:
-        """Return the pair in most operations, the smallest of several; None if no two operations share a pair."""
+        """Return the pair that occurs in most operations, the smallest if several do; None if no pair occurs twice."""
         while self.heap:
             size, key = self.heap[0]
-            held = len(self.holders[key])
-            if held == -size:
+            count = len(self.holders[key])
+            if count == -size:
                 return key
             heappop(self.heap)
-            if held > 1:
-                heappush(self.heap, (-held, key))
+            if count > 1:
+                heappush(self.heap, (-count, key))
         return None
 
-    def take_out(self, key: Pair) -> None:
-        """Make a pair a value of its own, and replace both operands by it wherever they occur together."""
+    def extract(self, key: Pair) -> None:
+        """Make a pair a separate value, and replace both operands by it wherever they occur together."""
         holders = sorted(self.holders[key])
         pair = self._pair(key)
         value = next((v for v in holders if self.table.operations[v] == pair), None)
@@ -84,20 +84,20 @@ class _Pairs:
         self.holders[key] = set()
 
     def _replace(self, holder: int, key: Pair, value: int) -> None:
-        """Update an operation in the table and in the heap."""
+        """Replace a pair in one operation, and update the table and the heap."""
         operation, (first, second, _) = self.table.operations[holder], key
         self.table.operations[holder] = smaller = self._replaced(operation, key, value)
         gone: Iterable[Pair]
         new: Iterable[Pair]
-        if self._stand_once(operation, first, second, value):
+        if self._occur_once(operation, first, second, value):
             gone = chain(self._keys_with(operation, first), self._keys_with(operation, second))
             new = self._keys_with(smaller, value)
         else:
             before, after = self._keys(operation), self._keys(smaller)
             gone, new = before - after, after - before
-        self._renew(holder, gone, new)
+        self._update(holder, gone, new)
 
-    def _renew(self, holder: int, gone: Iterable[Pair], new: Iterable[Pair]) -> None:
+    def _update(self, holder: int, gone: Iterable[Pair], new: Iterable[Pair]) -> None:
         known = self.holders
         for pair in gone:
             known[pair].discard(holder)

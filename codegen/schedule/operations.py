@@ -1,4 +1,4 @@
-"""The operations that compute nodes, each from values that are already known."""
+"""Three-address operations that compute the nodes of a graph from values computed before."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ from ..graph.graph import Graph
 from ..graph.store import Kind, Node
 
 BEYOND_THE_GRAPH = 1 << 40
-"""Values that are no nodes are numbered from here."""
+"""Numbers of values that are not nodes start here."""
 
 
 class Operation(NamedTuple):
     """One operation on values.
 
     kind : leaf (a symbol), number, constant (computed once per parameter set), add, mul, inverse, sqrt, call.
-    operands : add -> ((value, coefficient), ...); mul -> (value, ...); else what the kind needs.
+    operands : add -> ((value, coefficient), ...); mul -> (value, ...); inverse, sqrt -> (value,);
+    call -> (function, value, ...); leaf -> (name,); number -> (value,); constant -> (node,).
     """
 
     kind: str
@@ -26,7 +27,7 @@ class Operation(NamedTuple):
 
 
 def operands_of(operation: Operation) -> Iterator[int]:
-    """Return the operands of an operation, with repetitions."""
+    """Yield the operand values of an operation, with repetitions."""
     kind, operands = operation
     if kind == "add":
         yield from (value for value, _ in operands)
@@ -38,7 +39,7 @@ def operands_of(operation: Operation) -> Iterator[int]:
 
 @dataclass(slots=True)
 class Cost:
-    """Operations of a piece of code."""
+    """Operation counts of a piece of code."""
 
     add: int = 0
     multiply: int = 0
@@ -62,7 +63,7 @@ class Cost:
 
 
 def cost_of(operations: dict[int, Operation], values: Iterable[int]) -> Cost:
-    """Return the cost of some values."""
+    """Return the cost of the operations that compute some values."""
     cost = Cost()
     for value in values:
         kind, operands = operations[value]
@@ -82,7 +83,7 @@ def cost_of(operations: dict[int, Operation], values: Iterable[int]) -> Cost:
 
 @dataclass(slots=True)
 class Table:
-    """Operations under construction; values beyond the graph's nodes are those taken out of several expressions."""
+    """Operations under construction; values that are not nodes belong to extracted subexpressions."""
 
     graph: Graph
     hoist: bool
@@ -90,7 +91,7 @@ class Table:
     shared: dict[Operation, int] = field(default_factory=dict)
 
     def new(self, operation: Operation) -> int:
-        """Return the value of an operation that belongs to no node."""
+        """Return the value of an operation that does not correspond to a node."""
         value = self.shared.get(operation)
         if value is None:
             value = self.shared[operation] = BEYOND_THE_GRAPH + len(self.shared)
@@ -99,7 +100,7 @@ class Table:
 
 
 def value_of(table: Table, root: Node) -> int:
-    """Return the value of a node; operations that it needs are added to the table."""
+    """Return the value of a node, after adding the operations that it needs to the table."""
     graph = table.graph
     for node in _needed(table, root):
         if node not in table.operations:
@@ -140,7 +141,7 @@ def _operation(table: Table, node: Node) -> Operation:
 
 
 def _sum(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation:
-    """Return the value of a sum: terms of parameters alone become one constant, which absorbs numeric factors."""
+    """Return the operation of a sum; terms in parameters alone become one constant, which absorbs numeric factors."""
     graph = table.graph
     constant = [(node, factor) for node, factor in terms if _is_constant(table, node)]
     if len(constant) > 1 or any(abs(factor) != 1 for _, factor in constant):
@@ -151,7 +152,7 @@ def _sum(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation:
 
 
 def _common_factor(table: Table, terms: Sequence[tuple[Node, Number]]) -> Operation | None:
-    """Factor out the factor of parameters that all terms of a sum have in common: k f + k g = k (f + g)."""
+    """Factor out a factor of parameters that all terms of a sum have in common: k f + k g = k (f + g)."""
     graph = table.graph
     if len(terms) < 2 or not table.hoist:
         return None
@@ -171,7 +172,7 @@ def _scaled(table: Table, terms: list[tuple[int, Number]]) -> Operation:
 
 
 def _joined_factor(table: Table, node: Node, factor: Number) -> tuple[int, Number]:
-    """Turn factor x (constant x varying) into (factor x constant) x varying."""
+    """Return factor x (constant x varying) as (factor x constant) x varying."""
     graph = table.graph
     if abs(factor) != 1 and table.hoist and graph.varies(node):
         constant, varying = graph.split(node)
@@ -191,7 +192,7 @@ def _powers(table: Table, node: Node) -> list[int]:
 
 
 def _product(table: Table, factors: Sequence[tuple[Node, Number]]) -> Operation:
-    """Return the value of a product: factors of parameters alone become one constant."""
+    """Return the operation of a product; its factors in parameters alone become one constant."""
     graph = table.graph
     constant = [(node, power) for node, power in factors if _is_constant(table, node)]
     parts = []
@@ -204,7 +205,7 @@ def _product(table: Table, factors: Sequence[tuple[Node, Number]]) -> Operation:
 
 
 def _power(table: Table, base: int, power: Number) -> list[int]:
-    """Return the factors that make base^power: products, one root and one division at the most."""
+    """Return factors whose product is base^power: multiplications, at most one root and at most one division."""
     value_of(table, base)
     if power < 0:
         parts = _power(table, base, -power)

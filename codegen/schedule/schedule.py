@@ -1,9 +1,9 @@
-"""From expressions of the graph to statements: what is computed once, in which order, and at what cost.
+"""Schedules: the operations that compute given expressions, in order, with their cost.
 
-A function of the generated code is a sequence of kernels. Each assigns expressions to places; a value that is used
-twice gets a name in the first kernel that needs it. Before that
+A function of the generated code is a sequence of kernels. Each assigns expressions to variables and array entries; a
+value that is used twice gets a name in the first kernel that needs it. Before that
 
-- functions of the parameters alone are moved out: they are computed once per parameter set;
+- functions of the parameters alone are hoisted: they are computed once per parameter set;
 - products and sums that several expressions have in common are extracted (`common_operands`).
 """
 
@@ -21,7 +21,7 @@ from .operations import Cost, Operation, Table, cost_of, operands_of, value_of
 
 @dataclass(frozen=True, slots=True)
 class Schedule:
-    """The operations that some expressions need; `uses` counts the occurrences of each value."""
+    """The operations needed for some expressions; `uses` counts the occurrences of each value."""
 
     operations: dict[int, Operation]
     uses: Counter[int]
@@ -38,7 +38,7 @@ class Constants:
         self._index: dict[Node, int] = {}
 
     def index(self, node: Node) -> int:
-        """Return the index of a node of parameters among the constants."""
+        """Return the index among the constants of a node that depends on parameters alone; add it if it is new."""
         if node not in self._index:
             self._index[node] = len(self.nodes)
             self.nodes.append(node)
@@ -51,8 +51,8 @@ def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Sche
     Parameters
     ----------
     hoist
-        Whether functions of the parameters are given (in a function of the motion) or computed here (in the function
-        that prepares the parameters).
+        True: functions of the parameters are constants, computed before. False: they are computed here, as in the
+        function that prepares the constants.
     """
     table = Table(graph, hoist)
     values = {root: value_of(table, root) for root in roots}
@@ -72,12 +72,12 @@ def weight(graph: Graph, roots: Sequence[Node]) -> int:
 
 
 def cost_behind(plan: Schedule, roots: Iterable[Node]) -> Cost:
-    """Return the cost of some of the expressions of a schedule without the others."""
+    """Return the cost of computing only some of the expressions of a schedule."""
     return cost_of(plan.operations, _live(plan.operations, (plan.roots[root] for root in roots)))
 
 
 def _live(operations: dict[int, Operation], values: Iterable[int]) -> list[int]:
-    """Return what values need, in order of evaluation."""
+    """Return all values needed for some values, in order of evaluation."""
     order: dict[int, None] = {}
     stack = [(value, False) for value in sorted(set(values), reverse=True)]
     while stack:

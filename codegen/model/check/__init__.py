@@ -1,1 +1,1 @@
-"""Checks of a model that need no derivation."""
+"""Checks of a model before its equations are derived."""

@@ -1,4 +1,4 @@
-"""Symbols that each expression of a model may contain: coordinates and time everywhere, rates and inputs in some."""
+"""Check of the symbols in each expression of a model: which kinds (rates, inputs, states, ...) each may contain."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ SAME_OBJECT = "Create it once and use that same object everywhere."
 
 
 def check_symbols(model: Mechanism) -> None:
-    """Raise ModelError at the first symbol that is not declared, or that has no place where it stands."""
+    """Raise ModelError at the first symbol that is undeclared, or not allowed in its expression."""
     for what, expression, allowed in _expressions(model):
         _check_expression(model, what, expression, allowed)
 
 
 def declared(model: Mechanism) -> list[tuple[str, sympy.Expr]]:
-    """Return every symbol the model declares, with what it is."""
+    """Return every symbol that the model declares, with its kind."""
     return [
         *(("coordinate", x) for x in model.coordinates),
         *(("quasi-velocity", y) for y, _ in model.quasi_velocities),
@@ -34,19 +34,19 @@ def declared(model: Mechanism) -> list[tuple[str, sympy.Expr]]:
 
 
 def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]]]:
-    """Every expression of the model: what it is called, and what beside x, t and parameters it may contain."""
-    moving = frozenset({"rates", "quasi"})
-    anything = moving | {"inputs", "states"}
-    pushed = anything | {"multipliers"} if model.contacts else anything
+    """Return every expression of the model: its name, and the kinds it may contain besides x, t and parameters."""
+    velocities = frozenset({"rates", "quasi"})
+    anything = velocities | {"inputs", "states"}
+    in_forces = anything | {"multipliers"} if model.contacts else anything
     return [
         *((what, part, anything if free else frozenset[str]())
           for name, entry in model.contacts for what, part, free in expressions_of(name, entry)),
-        ("kinetic_energy", model.kinetic_energy, moving),
+        ("kinetic_energy", model.kinetic_energy, velocities),
         ("potential_energy", model.potential_energy, frozenset({"states"})),
-        *((f"forces[{name_of(x)}]", Q, pushed) for x, Q in zip(model.coordinates, model.forces, strict=True)),
-        *((f"states[{name_of(z)}]", rate, pushed) for z, rate in model.states),
+        *((f"forces[{name_of(x)}]", Q, in_forces) for x, Q in zip(model.coordinates, model.forces, strict=True)),
+        *((f"states[{name_of(z)}]", rate, in_forces) for z, rate in model.states),
         *((f"holonomic_constraints[{k}]", phi, frozenset()) for k, phi in enumerate(model.holonomic_constraints)),
-        *((f"nonholonomic_constraints[{k}]", row, moving) for k, row in enumerate(model.nonholonomic_constraints)),
+        *((f"nonholonomic_constraints[{k}]", row, velocities) for k, row in enumerate(model.nonholonomic_constraints)),
         *((f"quasi_velocities[{name_of(y)}]", row, frozenset({"rates"})) for y, row in model.quasi_velocities),
         *((f"outputs[{name}]", out, anything | {"accelerations", "multipliers"}) for name, out in model.outputs),
         *((f"events[{name}]", event.expression, anything) for name, event in model.events),
@@ -76,7 +76,7 @@ def _check_expression(model: Mechanism, what: str, expression: sympy.Expr, allow
 def _check_rate(what: str, rate: sympy.Derivative, kind: str | None, allowed: frozenset[str]) -> None:
     order = int(rate.derivative_count)
     if kind is None or rate.variables != (t,) * order:
-        return  # an unknown function is named by _check_function
+        return  # _check_function reports unknown functions
     if kind == "input":
         raise ModelError(f"{what} contains the rate of the input {name_of(rate.expr)!r}. Make the rate its own input.")
     order += kind in ("quasi-velocity", "state")
@@ -138,7 +138,7 @@ def _check_multiplier(model: Mechanism, what: str, function: sympy.Expr, allowed
 
 
 def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
-    """Return what to say of a symbol that nothing declares."""
+    """Return the error message for an undeclared symbol."""
     name = name_of(symbol)
     if name == t.name:
         return f"{what} contains a symbol named {name!r} that is not the time. Use eigenmotion.t."

@@ -1,6 +1,7 @@
-"""SymPy's assumptions on a symbol, as the numbers it may have: expressions were simplified by them.
+"""SymPy's assumptions on symbols, as bits that describe the values allowed at run time.
 
-A symbol declared positive makes sqrt(l**2) into l; of what is compiled then, a negative value gives another mechanism.
+SymPy simplifies by assumptions: with l declared positive, sqrt(l**2) becomes l. A negative value of l would then give
+the motion of a different mechanism.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from ..statement.mechanism import Mechanism
 
 NEGATIVE, ZERO, POSITIVE, EVEN, ODD, BROKEN = 1, 2, 4, 8, 16, 32
-"""As the bits of em_assumptions.h; BROKEN: not an integer."""
+"""The bits of em_assumptions.h; BROKEN: not an integer."""
 ANY = 63
 _SIGNS = {1: "negative", 2: "zero", 3: "nonpositive", 4: "positive", 5: "nonzero", 6: "nonnegative"}
 _KINDS = {EVEN: "even", ODD: "odd", EVEN | ODD: "integer", BROKEN: "not an integer", BROKEN | ODD: "not even",
@@ -24,7 +25,7 @@ _KINDS = {EVEN: "even", ODD: "odd", EVEN | ODD: "integer", BROKEN: "not an integ
 
 
 def allowed(symbol: sympy.Basic) -> int:
-    """Return the bits of the numbers that a symbol may have."""
+    """Return the bits of the values that a symbol may take."""
     excluded = (
         (NEGATIVE, symbol.is_extended_negative is False), (ZERO, symbol.is_zero is False),
         (POSITIVE, symbol.is_extended_positive is False), (BROKEN, bool(symbol.is_integer)),
@@ -35,19 +36,19 @@ def allowed(symbol: sympy.Basic) -> int:
 
 
 def declared(bits: int) -> str:
-    """Return in SymPy's words what numbers there may be; "" for any."""
+    """Describe the allowed values by SymPy's names of assumptions; "" if any value is allowed."""
     return " and ".join(filter(None, (_SIGNS.get(bits & 7), _KINDS.get(bits & 56))))
 
 
 def holds(bits: int, value: float) -> bool:
-    """Whether a number is one of those."""
+    """Whether a value is allowed by these bits."""
     sign = NEGATIVE if value < 0 else POSITIVE if value > 0 else ZERO
     kind = BROKEN if value != math.floor(value) else EVEN if math.fmod(value, 2.0) == 0.0 else ODD
     return bool(bits & sign) and bool(bits & kind)
 
 
 def check_assumptions(model: Mechanism) -> None:
-    """Raise ModelError where a symbol can have no real number, or was given another than it may have."""
+    """Raise ModelError where a symbol cannot have a real value, or its value contradicts its assumptions."""
     kinds = (("parameters", model.parameters), ("inputs", model.inputs), ("initial", model.initial))
     for kind, pairs in kinds:
         for symbol, value in pairs:
@@ -73,13 +74,13 @@ def check_assumptions(model: Mechanism) -> None:
 
 def _check_real(kind: str, symbol: sympy.Basic) -> None:
     if symbol.is_real is False:
-        said = "infinite" if symbol.is_infinite else "imaginary, or not real"
+        which = "infinite" if symbol.is_infinite else "imaginary, or not real"
         raise ModelError(
-            f"{kind} contains {name_of(symbol)!r}, declared {said}. Its values are real and finite: declare it so."
+            f"{kind} contains {name_of(symbol)!r}, declared {which}. Its values are real and finite: declare it so."
         )
     if symbol.is_prime or symbol.is_composite:
-        said = "prime" if symbol.is_prime else "composite"
+        which = "prime" if symbol.is_prime else "composite"
         raise ModelError(
-            f"{kind} contains {name_of(symbol)!r}, declared {said}, which is not looked at when it is given values. "
+            f"{kind} contains {name_of(symbol)!r}, declared {which}, which is not looked at when it is given values. "
             "Declare it integer."
         )

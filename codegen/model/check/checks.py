@@ -1,4 +1,4 @@
-"""Every check of a model that needs no derivation. Each failure is a ModelError with name, symbol and remedy."""
+"""Checks of a model before its equations are derived. Each failure is a ModelError with name, symbol and remedy."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 
 LONGEST_NAME = 200
-"""File systems take 255 bytes, of which an extension module's suffix and a file on its way into place need some."""
-_LARGEST_SCALE = 1e50  # two of them, a mass and their squares stay within the range of a double
+"""File systems allow 255 bytes; the suffixes of extension modules and of temporary files need some of them."""
+_LARGEST_SCALE = 1e50  # the product of two scales and a mass, squared, stays within the range of a double
 
 
 def check_name(name: Any) -> None:
-    """Raise unless the name serves as file, module and symbol prefix, in C and in Python."""
+    """Raise unless the name is valid for files, as a Python module and as a prefix of C symbols."""
     if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or keyword.iskeyword(name):
         raise ModelError(
             f"Model {shown(name)}: its name becomes that of a file, a Python module and a prefix in C. "
@@ -83,12 +83,12 @@ def solve_rates(model: Mechanism, x: Iterable[float], y: Iterable[float]) -> tup
 
 
 def _transformation(model: Mechanism, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
-    """P(x) in numbers of 30 digits."""
+    """Return P(x) as numbers of 30 digits."""
     return _in_numbers(model, _symbolic_transformation(model), at)
 
 
 def _terms(model: Mechanism, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
-    """(n, n) |P_ij| + sum_k |x_k dP_ij / dx_k|: what the rounding of P and of x is in proportion to."""
+    """Return (n, n) |P_ij| + sum_k |x_k dP_ij / dx_k|, to which the rounding errors of P and x are proportional."""
     P = _symbolic_transformation(model)
     parts = [P, *(x * P.diff(x) for x in model.coordinates)]
     sizes = [_in_numbers(model, part, at).applyfunc(abs) for part in parts]
@@ -109,12 +109,12 @@ def _expanded(model: Mechanism) -> list[tuple[sympy.Expr, sympy.Expr]]:
 
 
 def check_functions_of_time(kind: str, symbols: Iterable[Any]) -> None:
-    """Raise unless each is a function of time, as coordinates, inputs and quasi-velocities are; a mechanism has some.
+    """Check that each coordinate, input or quasi-velocity is a function of time.
 
     Raises
     ------
     ModelError
-        One is not; shows it, and says how to make it.
+        One is not, which is shown with the remedy; or there are no coordinates.
     """
     for symbol in symbols:
         if not isinstance(symbol, AppliedUndef) or symbol.args != (t,):
@@ -134,7 +134,7 @@ def _check_parameters(model: Mechanism) -> None:
 
 
 def _check_names(model: Mechanism) -> None:
-    """One name, one symbol; none named like the time."""
+    """Check that names are unique, and that none is the name of the time symbol."""
     seen: dict[str, tuple[str, sympy.Expr]] = {t.name: ("the time", t)}
     for kind, symbol in declared(model):
         name = name_of(symbol)
@@ -154,7 +154,7 @@ def _check_names(model: Mechanism) -> None:
 
 
 def _check_text(what: str, name: str) -> None:
-    """Raise where a name cannot be written to a file and read back from C."""
+    """Raise where a name has characters that a file or a C string cannot hold."""
     if "\0" in name or any("\ud800" <= char <= "\udfff" for char in name):
         raise ModelError(f"{what} has an entry named {name!r}, with a character that no text of C holds. Rename it.")
 
@@ -213,9 +213,9 @@ def _check_quasi_velocities(model: Mechanism) -> None:
     for y, expression in model.quasi_velocities:
         if not has_degree(expression, model.rates, 1) or sympy.expand(expression.xreplace(at_rest)) != 0:
             raise ModelError(f"quasi_velocities[{name_of(y)}] is not linear in the rates: y = P(x) xdot (3).")
-    # a place without symmetry: a P singular there is singular everywhere, up to coincidence
-    somewhere = {x: sympy.Float(0.37 + 0.61 * k) for k, x in enumerate(model.coordinates)}
-    P = _transformation(model, somewhere)
+    # a generic point: a P that is singular there is, barring coincidence, singular everywhere
+    generic = {x: sympy.Float(0.37 + 0.61 * k) for k, x in enumerate(model.coordinates)}
+    P = _transformation(model, generic)
     if is_singular(P.tolist(), P.applyfunc(abs).tolist(), 1e-20):
         raise ModelError("quasi_velocities are not independent: P in (3) is singular. Change one of them.")
 
@@ -235,12 +235,12 @@ def _check_degrees(model: Mechanism) -> None:
 
 
 def _check_masses(model: Mechanism) -> None:
-    """A coordinate without mass must be held by a constraint, which then decides on its acceleration."""
+    """Check that each coordinate has mass, or occurs in a constraint, which then determines its acceleration."""
     T = model.in_rates(model.kinetic_energy)
-    held = [phi.diff(t) for phi in model.holonomic_constraints]
-    held += [model.in_rates(row) for row in model.nonholonomic_constraints]
+    rows = [phi.diff(t) for phi in model.holonomic_constraints]
+    rows += [model.in_rates(row) for row in model.nonholonomic_constraints]
     for x, v in zip(model.coordinates, model.rates, strict=True):
-        if not (T.has(v) or any(row.has(v) for row in held)):
+        if not (T.has(v) or any(row.has(v) for row in rows)):
             raise ModelError(
                 f"kinetic_energy does not contain the rate of {name_of(x)!r}: the mass matrix is singular. Give what "
                 "moves with this coordinate a mass, hold it by a constraint, or, if it has a rate of its own, put it "
@@ -249,7 +249,7 @@ def _check_masses(model: Mechanism) -> None:
 
 
 def _check_resets(model: Mechanism) -> None:
-    """A reset names coordinates, and velocities in rates or in quasi-velocities; an impact has a coordinate."""
+    """Check that resets name coordinates, and either rates or quasi-velocities; that impacts contain a coordinate."""
     quasi = [y for y, _ in model.quasi_velocities]
     allowed = {*model.coordinates, *model.rates, *quasi, *(z for z, _ in model.states)}
     for name, event in model.events:

@@ -1,4 +1,4 @@
-"""The degree of an expression in given symbols, found without multiplying it out where possible."""
+"""Polynomial degree of an expression in given symbols, determined without expansion where possible."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 
 
 def has_degree(expression: sympy.Expr, symbols: Iterable[sympy.Expr], degree: int) -> bool:
-    """Say whether an expression is a polynomial of at most this degree in the symbols.
+    """Whether an expression is a polynomial of at most this degree in the symbols.
 
-    Products count the sum of the degrees of their factors, an upper bound. Only where that bound exceeds `degree`
-    (terms may cancel) is the expression multiplied out.
+    The sum of the degrees of its factors is an upper bound of a product's degree. The expression is expanded only where
+    that bound exceeds `degree`, since terms may cancel.
     """
-    held = frozenset(symbols)
-    if _bound(expression, held, {}) <= degree:
+    variables = frozenset(symbols)
+    if _bound(expression, variables, {}) <= degree:
         return True
-    plain = {symbol: sympy.Dummy() for symbol in held}
+    plain = {symbol: sympy.Dummy() for symbol in variables}
     try:
         polynomial = sympy.Poly(sympy.expand(expression.xreplace(plain)), *plain.values())
     except sympy.PolynomialError:
@@ -30,7 +30,7 @@ def has_degree(expression: sympy.Expr, symbols: Iterable[sympy.Expr], degree: in
 
 
 def _bound(expression: sympy.Expr, symbols: frozenset[sympy.Expr], known: dict[sympy.Expr, float]) -> float:
-    """Return an upper bound of the degree, infinite where the expression need not be a polynomial."""
+    """Return an upper bound of the degree; infinity where the expression may not be a polynomial."""
     if expression in known:
         return known[expression]
     parts = [] if expression in symbols else [_bound(part, symbols, known) for part in expression.args]

@@ -1,6 +1,6 @@
-"""Elimination with the best pivot first, in any kind of number.
+"""Gaussian elimination with full pivoting, for any number type.
 
-Not NumPy's: a compiler would wait a tenth of a second for its import.
+It does not use NumPy, whose import would delay a build by a tenth of a second.
 """
 
 from __future__ import annotations
@@ -12,19 +12,19 @@ Rows = Sequence[Sequence[Any]]
 
 
 def is_singular(matrix: Rows, sizes: Rows, rounding: float) -> bool:
-    """Whether elimination comes to a remainder that is nothing but rounding; entries that are not finite make it so.
+    """Whether elimination leaves a remainder that is only rounding error; entries that are not finite count as such.
 
-    Each entry is judged by what it is beside the sum of the absolute values that made it, which rows and columns in
-    other units leave as it is; the pivot is the entry that cancelled least.
+    Each entry is compared with the sum of the absolute values of its terms. This ratio does not change if rows and
+    columns are scaled to other units. The pivot is the entry with the least cancellation.
 
     Parameters
     ----------
     matrix
-        (n, n), of any kind of number.
+        (n, n), of any number type.
     sizes
-        (n, n): of the terms that made each entry, such as |cos(x)| + |x sin(x)|.
+        (n, n): the sum of the absolute values of each entry's terms, such as |cos(x)| + |x sin(x)|.
     rounding
-        The part of its terms that an entry must exceed to count.
+        An entry counts as nonzero if its ratio to `sizes` exceeds this.
     """
     rest, size = matrix, sizes
     while rest:
@@ -38,7 +38,7 @@ def is_singular(matrix: Rows, sizes: Rows, rounding: float) -> bool:
 
 
 def without(matrix: Rows, i: int, j: int, factors: Sequence[Any]) -> list[list[Any]]:
-    """Return a matrix with `factors` (n,) times row i added to its rows, and then without row i and column j."""
+    """Add `factors` (n,) times row i to the rows of a matrix, then delete row i and column j."""
     return [
         [a + factor * b for l, (a, b) in enumerate(zip(row, matrix[i], strict=True)) if l != j]
         for k, (row, factor) in enumerate(zip(matrix, factors, strict=True)) if k != i
@@ -46,6 +46,6 @@ def without(matrix: Rows, i: int, j: int, factors: Sequence[Any]) -> list[list[A
 
 
 def _part(entry: Any, size: Any) -> float:
-    """How much of its terms an entry is."""
+    """Return the ratio of an entry to the size of its terms, 0 where that is not a number."""
     part = float(abs(entry) / size) if size != 0 else 0.0
     return part if part == part else 0.0

@@ -1,1 +1,1 @@
-"""Parts of a model as users state them: coordinates, events, contacts, constraint rows, a drawing; each in one form."""
+"""Parts of a model as users state them, normalised: events, contacts, constraint rows, states, drawings."""

@@ -1,4 +1,4 @@
-"""Constraint rows by name and by number, and the normal forces that their multipliers are."""
+"""Constraint rows by name and by number, and the normal forces given by their multipliers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Normal = str | int | tuple[str | int, ...] | None
 
 @dataclass(frozen=True, slots=True)
 class NamedRows:
-    """Constraint rows that have a name: `count` of a kind, from `first` on among those of that kind."""
+    """Constraint rows with a name: `count` rows of a kind, from index `first` among the rows of that kind."""
 
     name: str
     kind: str
@@ -24,19 +24,19 @@ class NamedRows:
     count: int
 
 
-def rows_of(given: Any, kind: str) -> tuple[tuple[sympy.Expr, ...], tuple[NamedRows, ...]]:
-    """Return the rows of constraints, and their names where they are given by a mapping name -> one or several.
+def rows_of(constraints: Any, kind: str) -> tuple[tuple[sympy.Expr, ...], tuple[NamedRows, ...]]:
+    """Return the rows of constraints, and the named rows of a mapping name -> one or several expressions.
 
     Raises
     ------
     ModelError
-        One is not an expression, or its name is no text; shows it.
+        A row is not an expression, or a name is not an identifier; shows it.
     """
-    if not isinstance(given, Mapping):
-        return tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(given, kind))), ()
+    if not isinstance(constraints, Mapping):
+        return tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(constraints, kind))), ()
     rows: list[sympy.Expr] = []
     names: list[NamedRows] = []
-    for name, entry in given.items():
+    for name, entry in constraints.items():
         if not isinstance(name, str) or not name.isidentifier():
             raise ModelError(
                 f"{kind} has an entry named {shown(name)}. Name it as parameters are: a Python identifier."
@@ -51,22 +51,22 @@ def rows_of(given: Any, kind: str) -> tuple[tuple[sympy.Expr, ...], tuple[NamedR
 
 
 def numbers_of(names: Iterable[NamedRows], h: int) -> dict[str, tuple[int, ...]]:
-    """Return by name the rows as `multiplier` counts them, h of them being holonomic."""
+    """Return the row numbers of each name, counted like those of `multiplier`; the first h rows are holonomic."""
     starts = {one.name: one.first + (0 if one.kind == KINDS[0] else h) for one in names}
     return {one.name: tuple(range(starts[one.name], starts[one.name] + one.count)) for one in names}
 
 
 def names_of_rows(names: Iterable[NamedRows], h: int, m: int) -> tuple[str, ...]:
-    """Return a name for each of m rows, h of them holonomic; "" for those without, () where none has one."""
-    found = [""] * m
+    """Return a name for each of m rows, of which h are holonomic; "" for rows without a name, () if no row has one."""
+    by_row = [""] * m
     for name, rows in numbers_of(names, h).items():
         for place, row in enumerate(rows):
-            found[row] = f"{name}[{place}]" if len(rows) > 1 else name
-    return tuple(found) if any(found) else ()
+            by_row[row] = f"{name}[{place}]" if len(rows) > 1 else name
+    return tuple(by_row) if any(by_row) else ()
 
 
 def check_names(names: Iterable[NamedRows], contacts: Iterable[str], counts: Mapping[str, int]) -> None:
-    """Raise unless constraints have each a name of its own, which no contact has, and the rows are there."""
+    """Raise unless the names of constraints and contacts are unique, and the named rows exist."""
     taken = list(contacts)
     for one in names:
         if one.name in taken:
@@ -76,10 +76,10 @@ def check_names(names: Iterable[NamedRows], contacts: Iterable[str], counts: Map
         taken.append(one.name)
 
 
-def numbered(given: sympy.Expr, what: str, numbers: Mapping[str, tuple[int, ...]]) -> sympy.Expr:
-    """Return an expression with the multipliers that it names by the names of constraints counted as rows."""
-    named = [one for one in given.atoms(MULTIPLIER) if len(one.args) == 2]
-    return given.xreplace({one: MULTIPLIER(sympy.Integer(_row(one, what, numbers))) for one in named})
+def numbered(source: sympy.Expr, what: str, numbers: Mapping[str, tuple[int, ...]]) -> sympy.Expr:
+    """Return an expression with multipliers of named constraints replaced by multipliers of numbered rows."""
+    named = [one for one in source.atoms(MULTIPLIER) if len(one.args) == 2]
+    return source.xreplace({one: MULTIPLIER(sympy.Integer(_row(one, what, numbers))) for one in named})
 
 
 def _row(multiplier: sympy.Expr, what: str, numbers: Mapping[str, tuple[int, ...]]) -> int:
@@ -96,31 +96,31 @@ def _row(multiplier: sympy.Expr, what: str, numbers: Mapping[str, tuple[int, ...
     return rows[max(place, 0)]
 
 
-def normal_of(given: Any) -> Normal:
-    """Return what presses on a friction as a name, a number or a tuple of such.
+def normal_of(normal: Any) -> Normal:
+    """Return the `normal` of a friction: a name, a row number, a tuple of these, or None.
 
     Raises
     ------
     ModelError
-        It is nothing of that kind; shows it.
+        It is none of these; shows it.
     """
-    if given is None or isinstance(given, str) or (isinstance(given, int) and not isinstance(given, bool)):
-        return given
-    parts = sequence_of(given, "normal of a friction")
+    if normal is None or isinstance(normal, str) or (isinstance(normal, int) and not isinstance(normal, bool)):
+        return normal
+    parts = sequence_of(normal, "normal of a friction")
     if not parts or any(isinstance(part, bool) or not isinstance(part, str | int) for part in parts):
         raise ModelError(
-            f"normal of a friction is {shown(given)}. Give names of contacts or constraints, or rows' numbers."
+            f"normal of a friction is {shown(normal)}. Give names of contacts or constraints, or rows' numbers."
         )
     return parts
 
 
 def normal_force(rows: Iterable[int]) -> sympy.Expr:
-    """Return the root of the sum of squares of these rows' multipliers."""
+    """Return the Euclidean norm of the multipliers of these rows."""
     return sympy.sqrt(sympy.Add(*(MULTIPLIER(sympy.Integer(row)) ** 2 for row in rows)))
 
 
 class Normals:
-    """Which rows press: those of contacts and of constraints. Rows of frictions do not."""
+    """The rows whose multipliers can be normal forces: those of contacts and constraints, not those of frictions."""
 
     def __init__(self, contacts: Iterable[str], constraints: Mapping[str, int], names: Iterable[NamedRows]) -> None:
         first, several = constraints[KINDS[0]], constraints[KINDS[1]]
@@ -130,12 +130,12 @@ class Normals:
         self.known = numbers_of(names, h)
 
     def of(self, name: str, normal: Normal) -> tuple[str | None, tuple[int, ...]]:
-        """Return the contact whose multiplier presses on a friction, and else the rows of which the norm does.
+        """Return the contact whose multiplier is the normal force of a friction, or else the rows whose norm it is.
 
         Raises
         ------
         ModelError
-            There is nothing of that name or number; says what is asked for.
+            There is no contact or constraint of that name or number, or a row occurs twice.
         """
         if normal is None:
             return None, ()
@@ -148,7 +148,7 @@ class Normals:
         return None, tuple(rows)
 
     def force(self, name: str, normal: Normal) -> sympy.Expr:
-        """Return the normal force of a friction, 1 where it has none: a contact presses with minus its multiplier."""
+        """Return the normal force of a friction, 1 where it has none; that of a contact is minus its multiplier."""
         over, rows = self.of(name, normal)
         if over is not None:
             return -MULTIPLIER(sympy.Integer(self.contacts[over]))

@@ -1,7 +1,7 @@
-"""Contacts and frictions: constraints that hold at times, and the numbers that decide when.
+"""Unilateral contacts and Coulomb friction: constraint rows that are active at times only.
 
-A contact or friction is stated once; `with_contacts` makes it into what every mechanism has: constraint rows and forces
-with a parameter in front that is 1 while they hold, else 0, and an event at which that may change.
+`with_contacts` translates each contact or friction into ordinary parts of a mechanism: constraint rows and forces with
+a factor that is 1 while they are active and 0 otherwise, and an event at which this factor may change.
 """
 
 from __future__ import annotations
@@ -21,21 +21,22 @@ LAWS = ("newton", "poisson")
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """What two bodies keep between them: gap(x, t) >= 0.
+    """Unilateral contact of two bodies: gap(x, t) >= 0.
 
-    Where the gap closes they strike each other by Newton's law, as `Event.impact` says; where they would part no faster
-    than `rest` they stay together: gap = 0 is held as a constraint until its multiplier changes sign.
+    When the gap closes, the bodies collide as in `Event.impact`. If they would separate no faster than `rest`, they
+    stay together: gap = 0 is a constraint until its multiplier changes sign.
 
     Parameters
     ----------
     gap
-        In x and t: the distance between them.
+        The distance between the bodies, a function of x and t.
     restitution
-        0 to 1, in x, xdot, t and inputs.
+        Coefficient of restitution, 0 to 1, a function of x, xdot, t and inputs.
     rest
-        [unit of gap / s] rate of the gap after an impact up to which they stay together.
+        [unit of gap / s] The bodies stay together if the gap's rate after an impact is at most this.
     law
-        "newton" (Moreau's form: restitution of rates) or "poisson" (of impulses), the same for all contacts of a model.
+        "newton" (restitution of velocities, Moreau's form) or "poisson" (restitution of impulses). All contacts of a
+        model have the same law.
 
     Examples
     --------
@@ -62,22 +63,22 @@ class Contact:
 
 @dataclass(frozen=True, slots=True)
 class Friction:
-    """Coulomb's: sticks while that takes no more than `limit`, else slides and is held back by as much.
+    """Coulomb friction: sticks while the force needed is at most `limit`, otherwise slides against a force of `limit`.
 
     Parameters
     ----------
     slip
-        Linear in the velocities: at which rate it slides. Two of them, (slip_1, slip_2) at right angles and of one
-        unit, make a cone: the force goes against the slip, whichever way that is. (Two frictions make a box.)
+        The sliding velocity, linear in the velocities. Two orthogonal ones of the same unit, (slip_1, slip_2), define a
+        friction cone: the force is opposite to the slip in any direction. (Two separate frictions define a box.)
     limit
-        In x, xdot, t and inputs [J / integral of slip]: the friction coefficient times the normal force; with `normal`
-        the coefficient alone. Where it is negative nothing presses: there is no friction.
+        [J / integral of slip] The friction coefficient times the normal force, a function of x, xdot, t and inputs;
+        with `normal`, the coefficient alone. A negative value counts as 0.
     normal
-        Whose multipliers are the normal force: the name of a Contact, the name of constraints, the number of a row as
-        `multiplier` counts them, or several of these. Of several rows it is the root of the sum of squares, as in a
-        bearing with two reactions. None: it is in `limit`.
+        The rows whose multipliers are the normal force: the name of a Contact, the name of constraints, the number of a
+        row as in `multiplier`, or several of these. The normal force of several rows is the norm of their multipliers,
+        as in a bearing with two reactions. None: `limit` contains the normal force.
     limit_at_rest
-        Likewise, up to which force it sticks, where that is more than what holds it back as it slides; None: `limit`.
+        The static limit, like `limit`, where it exceeds the limit of sliding. None: `limit`.
 
     Examples
     --------
@@ -101,30 +102,31 @@ class Friction:
 
     @property
     def sticking(self) -> sympy.Expr:
-        """Up to which force it sticks: no less than what holds back what slides."""
+        """The static limit, at least as large as the sliding limit."""
         return self.limit if self.limit_at_rest is None else sympy.Max(self.limit, self.limit_at_rest)
 
     @property
     def slips(self) -> tuple[sympy.Expr, ...]:
-        """One, or the two of a cone."""
+        """One slip, or the two slips of a cone."""
         return self.slip if isinstance(self.slip, tuple) else (self.slip,)
 
 
 @dataclass(frozen=True, slots=True)
 class Switch:
-    """What of a mechanism changes with a mode.
+    """The parts of a mechanism that a contact or friction changes with its mode.
 
-    name : that of its event
-    holds : the parameter that is 1 while its constraint row holds; slides : 1 or -1, the sign of slip, while it slides,
-    else 0; None where there is no friction
-    idles : the parameter that is not 0 where other rows keep it at rest: how far it may be off then
-    shift : the two parameters that are added to the slips of a cone to find its direction, or ()
-    over : the name of the contact whose multiplier its level is counted in, or None
-    presses : the rows whose multipliers it is counted in, by the root of the sum of their squares, or ()
-    row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
-    level : up to which rate of the gap it holds after an impact, or the force that holds back what slides
-    at_rest : up to which force a friction sticks; of a contact, 0
-    law : of a contact's impacts, "newton" or "poisson"; of a friction ""
+    name : of its event
+    holds : the parameter that is 1 while its constraint row is active
+    slides : the parameter that is the sign of the slip (1 or -1) while a friction slides, else 0; None for a contact
+    idles : the parameter that is nonzero while its row is idle, because other rows imply it: its tolerance then
+    shift : the two parameters added to the slips of a cone to determine its direction, or ()
+    over : the name of the contact whose multiplier is the normal force, or None
+    presses : the rows whose multipliers, by their norm, are the normal force, or ()
+    row : the number of its constraint row, among the holonomic rows for a contact, else among the nonholonomic rows
+    level : for a contact, the largest rate of the gap after an impact at which it holds; for a friction, the sliding
+    limit
+    at_rest : the static limit of a friction; 0 for a contact
+    law : the impact law of a contact, "newton" or "poisson"; "" for a friction
     """
 
     name: str
@@ -141,26 +143,26 @@ class Switch:
 
     @property
     def cone(self) -> bool:
-        """Whether it is a friction of two slips, whose second row is the next."""
+        """Whether it is a friction cone, whose second row follows the first."""
         return bool(self.shift)
 
 
-def _slip(given: Any) -> sympy.Expr | tuple[sympy.Expr, ...]:
-    if not isinstance(given, (tuple, list)):
-        return expression(given, "The slip of a friction")
-    if len(given) != len(("slip_1", "slip_2")):
-        raise ModelError(f"The slip of a friction is {shown(given)}. Give one, or the two of a cone.")
-    return tuple(expression(slip, "A slip of a friction") for slip in given)
+def _slip(slips: Any) -> sympy.Expr | tuple[sympy.Expr, ...]:
+    if not isinstance(slips, (tuple, list)):
+        return expression(slips, "The slip of a friction")
+    if len(slips) != len(("slip_1", "slip_2")):
+        raise ModelError(f"The slip of a friction is {shown(slips)}. Give one, or the two of a cone.")
+    return tuple(expression(slip, "A slip of a friction") for slip in slips)
 
 
-def _limit(given: Any) -> sympy.Expr:
-    limit = expression(given, "The limit of a friction")
+def _limit(source: Any) -> sympy.Expr:
+    limit = expression(source, "The limit of a friction")
     if limit.is_negative:
-        raise ModelError(f"The limit of a friction is {shown(given)}, which is negative. Turn its sign.")
+        raise ModelError(f"The limit of a friction is {shown(source)}, which is negative. Turn its sign.")
     return limit if limit.is_nonnegative else sympy.Max(limit, 0)
 
 
-def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:
+def contacts_of(contacts: Any) -> tuple[tuple[str, Contact | Friction], ...]:
     """Return the contacts and frictions by name.
 
     Raises
@@ -168,7 +170,7 @@ def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:
     ModelError
         One is neither, or has a name that makes no parameter; names it.
     """
-    pairs = pairs_of(given, "contacts")
+    pairs = pairs_of(contacts, "contacts")
     for name, entry in pairs:
         if not isinstance(name, str) or not name.isidentifier():
             raise ModelError(
@@ -188,7 +190,7 @@ def switch_of(
     nonholonomic: Sequence[sympy.Expr],
     normals: Normals,
 ) -> Switch:
-    """Return what a contact or friction was made into, of which the rows are among these."""
+    """Return the switch of a contact or friction, whose constraint row is among these rows."""
     holds, slides, idles, *shift = _parameters(name, entry)
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
@@ -199,24 +201,24 @@ def switch_of(
 
 
 def normals_of(fields: Mapping[str, Any]) -> Normals:
-    """Return which rows press, of the fields of a Model, with the rows of contacts or before they are made."""
+    """Return the possible normal forces from the fields of a Model, before or after its contacts were translated."""
     known = [symbol for symbol, _ in fields["parameters"]]
-    made = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
-    contacts = sum(isinstance(entry, Contact) for entry in made)
-    slips = sum(len(entry.slips) for entry in made if isinstance(entry, Friction))
+    translated = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
+    contacts = sum(isinstance(entry, Contact) for entry in translated)
+    slips = sum(len(entry.slips) for entry in translated if isinstance(entry, Friction))
     others = {kind: len(fields[kind]) - count for kind, count in zip(KINDS, (contacts, slips), strict=True)}
     names = [name for name, entry in fields["contacts"] if isinstance(entry, Contact)]
     return Normals(names, others, fields["constraint_names"])
 
 
 def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sympy.Expr]) -> dict[str, Any]:
-    """Return the fields of a Model with the rows, forces, parameters and events that its contacts are made of."""
+    """Return the fields of a Model with the rows, forces, parameters and events of its contacts added."""
     made = dict(fields)
     normals = normals_of(fields)
     for name, entry in fields["contacts"]:
         added = [symbol for symbol in _parameters(name, entry) if symbol is not None]
         if added[0] in dict(made["parameters"]):
-            continue  # the fields of another model, as dataclasses.replace hands them over
+            continue  # already translated: the fields are copied from another model, as by dataclasses.replace
         made["parameters"] = (*made["parameters"], *((symbol, 0.0) for symbol in added))
         made |= (
             _contact(made, name, entry)
@@ -227,7 +229,7 @@ def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sy
 
 
 def _parameters(name: str, entry: Contact | Friction) -> tuple[Any, ...]:
-    """Return what holds, slides (None: a contact), idles; of a cone the shifts of its slips, too."""
+    """Return the parameters `holds`, `slides` (None for a contact) and `idles`, and for a cone those of `shift`."""
     idles = sympy.Symbol(f"{name}_idle")
     if isinstance(entry, Contact):
         return sympy.Symbol(f"{name}_held"), None, idles
@@ -281,15 +283,15 @@ def _friction(
 
 
 def _speed(slips: Sequence[sympy.Expr], slides: sympy.Symbol) -> sympy.Expr:
-    """Return the size of the slip of a cone, where it slides; elsewhere nothing asks for it, but it must not vanish.
+    """Return the magnitude of the slip of a cone while it slides; elsewhere it is unused but must not be 0.
 
-    1 - slides stands as a square: bare it would be terms of the sum, where 1 takes the digits of a slip below 1e-8.
+    (1 - slides) is squared: as plain terms of the sum, the 1 and -slides would round away slips below 1e-8.
     """
     return sympy.sqrt(sympy.Add(*(slip**2 for slip in slips), (1 - slides) ** 2))
 
 
 def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:
-    """Return what a contact or friction is made of: names, expressions, and whether they may contain velocities."""
+    """Return the expressions of a contact or friction: (name, expression, whether it may contain velocities)."""
     of = f"of contacts[{name_of(name)}]"
     if isinstance(entry, Contact):
         return tuple((f"{part} {of}", getattr(entry, part), part != "gap") for part in ("gap", "restitution", "rest"))

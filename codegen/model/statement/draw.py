@@ -1,7 +1,7 @@
-"""Drawing of a mechanism: shapes at positions in SymPy, for `Model(drawing=[...])`.
+"""Shapes for the drawing of a mechanism: `Model(drawing=[...])`.
 
-A position is a sequence of two expressions (x, y), y upwards, or of three (x, y, z), z upwards, in coordinates,
-parameters and time. One drawing is in the plane or in space.
+A position is a sequence of two expressions (x, y) with y upwards, or three (x, y, z) with z upwards; they may contain
+coordinates, parameters and time. All positions of a drawing have the same dimension.
 
 Examples
 --------
@@ -43,9 +43,9 @@ class Disk:
     """A wheel, a ball or a point mass.
 
     radius : [m]
-    angle : of the mark on it, from the x axis of the plane; none: there is no mark
-    axis : in space, along its axle; the angle is about it, from the line of nodes (z axis) x (axle), or from x where
-        the axle is vertical. None: a ball
+    angle : of a mark on the disk, from the x axis of the plane. None: no mark
+    axis : the direction of its axle in space. The angle is measured about it, from the line of nodes (z axis) x (axle),
+        or from the x axis if the axle is vertical. None: a ball
     """
 
     center: Position
@@ -56,14 +56,14 @@ class Disk:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """A solid with these corners: in the plane the polygon in the order given, in space the convex hull."""
+    """A solid body: in the plane the polygon with these corners in order, in space their convex hull."""
 
     points: Iterable[Position]
 
 
 @dataclass(frozen=True, slots=True, init=False)
 class Ground:
-    """What does not move: a support (one point), a wall or floor (two), a floor in space (the polygon of more)."""
+    """A fixed part: a support (one point), a wall or floor (two), a floor in space (a polygon of more points)."""
 
     points: tuple[Position, ...]
 
@@ -73,6 +73,6 @@ class Ground:
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """The path of p."""
+    """The path of a point p."""
 
     p: Position

@@ -1,4 +1,4 @@
-"""A drawing in one form: for every shape its kind and its numbers, as expressions."""
+"""Normalised drawings: the kind of each shape and its numbers, as expressions."""
 
 from __future__ import annotations
 
@@ -24,22 +24,25 @@ _DIMENSIONS = (2, 3)
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """One shape: d numbers a point, points first; of a disk center, radius, the axle (space), the angle of its mark."""
+    """One shape: the points, `dimension` numbers each; for a disk its center, radius, axle (in space) and angle.
+
+    The axle and the angle are omitted where a disk has none.
+    """
 
     kind: str
     dimension: int
     numbers: tuple[sympy.Expr, ...]
 
 
-def drawing_of(given: Any) -> tuple[Shape, ...]:
-    """Return a drawing in one form.
+def drawing_of(drawing: Any) -> tuple[Shape, ...]:
+    """Return a normalised drawing.
 
     Raises
     ------
     ModelError
-        An entry is no shape, a position no two or three expressions, or plane and space are mixed.
+        An entry is not a shape, a position does not have two or three expressions, or the dimensions differ.
     """
-    shapes = tuple(_shape(entry, f"drawing[{k}]") for k, entry in enumerate(sequence_of(given, "drawing")))
+    shapes = tuple(_shape(entry, f"drawing[{k}]") for k, entry in enumerate(sequence_of(drawing, "drawing")))
     for k, shape in enumerate(shapes):
         if shape.dimension != shapes[0].dimension:
             raise ModelError(
@@ -49,54 +52,54 @@ def drawing_of(given: Any) -> tuple[Shape, ...]:
     return shapes
 
 
-def _shape(given: Any, what: str) -> Shape:
-    if isinstance(given, Shape):  # fields of a Model make a Model
-        return given
-    kind = KINDS.get(type(given))
+def _shape(shape: Any, what: str) -> Shape:
+    if isinstance(shape, Shape):  # copied from another Model
+        return shape
+    kind = KINDS.get(type(shape))
     if kind is None:
         names = ", ".join(f"eigenmotion.draw.{known.__name__}" for known in KINDS)
-        raise ModelError(f"{what} is {shown(given)}, which is no shape. Use {names}.")
+        raise ModelError(f"{what} is {shown(shape)}, which is no shape. Use {names}.")
     what = f"{what} ({kind})"
-    if isinstance(given, draw.Disk):
-        return _disk(given, what)
-    points = [_position(point, f"{what}: {name}") for name, point in _points(given, what)]
+    if isinstance(shape, draw.Disk):
+        return _disk(shape, what)
+    points = [_position(point, f"{what}: {name}") for name, point in _points(shape, what)]
     for point in points:
         _check_dimension(point, len(points[0]), what)
     return Shape(kind, len(points[0]), tuple(number for point in points for number in point))
 
 
-def _points(given: Any, what: str) -> list[tuple[str, Any]]:
-    """Name each position of a shape."""
-    if not isinstance(given, draw.Body | draw.Ground):
-        return [(name, getattr(given, name)) for name in given.__slots__]
-    least = 3 if isinstance(given, draw.Body) else 1
-    points = sequence_of(given.points, f"{what}: points")
+def _points(shape: Any, what: str) -> list[tuple[str, Any]]:
+    """Return the positions of a shape, with their names."""
+    if not isinstance(shape, draw.Body | draw.Ground):
+        return [(name, getattr(shape, name)) for name in shape.__slots__]
+    least = 3 if isinstance(shape, draw.Body) else 1
+    points = sequence_of(shape.points, f"{what}: points")
     if len(points) < least:
         raise ModelError(f"{what} has {len(points)} points and needs at least {least}. Add some.")
     return [(f"points[{k}]", point) for k, point in enumerate(points)]
 
 
-def _disk(given: draw.Disk, what: str) -> Shape:
-    center = _position(given.center, f"{what}: center")
-    numbers = [*center, expression(given.radius, f"{what}: radius")]
-    if given.axis is not None:
-        axis = _position(given.axis, f"{what}: axis")
+def _disk(disk: draw.Disk, what: str) -> Shape:
+    center = _position(disk.center, f"{what}: center")
+    numbers = [*center, expression(disk.radius, f"{what}: radius")]
+    if disk.axis is not None:
+        axis = _position(disk.axis, f"{what}: axis")
         if len(center) == 2:
             raise ModelError(f"{what} has an axis, which disks in the plane do not. Leave it out.")
         _check_dimension(axis, 3, what)
         numbers.extend(axis)
-    if given.angle is not None:
-        if len(center) == 3 and given.axis is None:
+    if disk.angle is not None:
+        if len(center) == 3 and disk.axis is None:
             raise ModelError(
                 f"{what} has an angle in space, but no axis to turn about. Give the direction of its axle."
             )
-        numbers.append(expression(given.angle, f"{what}: angle"))
+        numbers.append(expression(disk.angle, f"{what}: angle"))
     return Shape("disk", len(center), tuple(numbers))
 
 
-def _position(given: Any, what: str) -> tuple[sympy.Expr, ...]:
+def _position(position: Any, what: str) -> tuple[sympy.Expr, ...]:
     """Return a position as a tuple of two or three expressions."""
-    numbers = sequence_of(given, what)
+    numbers = sequence_of(position, what)
     if len(numbers) not in _DIMENSIONS:
         raise ModelError(f"{what} has {len(numbers)} numbers. A position is (x, y) in the plane, (x, y, z) in space.")
     return tuple(expression(number, f"{what}[{axis}]") for axis, number in zip("xyz", numbers, strict=False))

@@ -1,4 +1,4 @@
-"""Events: zero crossings of an expression along a motion, and their actions."""
+"""Events: zero crossings of an expression along a motion, and their effects on it."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from ..normalise import ModelError, expression, pairs_of, shown, truth
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A zero crossing, and what it does. The run goes on from the root with what it did.
+    """A zero crossing of an expression, and its action on the state. The run continues from the changed state.
 
     Parameters
     ----------
     expression
-        In x, xdot, t and inputs: happens where it passes zero.
+        A function of x, xdot, t and inputs; the event happens where it crosses zero.
     direction
         1 upwards, -1 downwards, 0 both.
     terminal
-        Whether it ends the run (after it acted).
+        Whether it ends the run, after its action.
     impact
-        (phi, restitution): Newton's impact between what phi(x, t) keeps apart, in the mass metric,
-        v+ = v - (1 + e) M^-1 N^T (N M^-1 N^T)^-1 (N v + dphi/dt), N = dphi/dx; other constraints are kept and take
-        impulses. The restitution e, from 0 to 1, is an expression in what the event's may be.
+        (phi, restitution): Newton's impact of two bodies with distance phi(x, t), in the mass metric,
+        v+ = v - (1 + e) M^-1 N^T (N M^-1 N^T)^-1 (N v + dphi/dt), N = dphi/dx. Other constraints still hold, and take
+        impulses. The restitution e, from 0 to 1, may contain the same symbols as `expression`.
     reset
-        Mapping coordinate, rate or quasi-velocity -> expression of the state before; what it does not name stays. Where
-        there is an impact too, the state before is that after the impact.
+        Mapping coordinate, rate or quasi-velocity -> expression of the state before the reset, which is the state
+        after the impact if there is one. Other variables do not change.
 
     Examples
     --------
@@ -47,9 +47,9 @@ class Event:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "expression", expression(self.expression, "The expression of an event"))
-        given = self.direction
-        if not isinstance(given, int) or isinstance(given, bool) or given not in (-1, 0, 1):
-            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {shown(given)}.")
+        direction = self.direction
+        if not isinstance(direction, int) or isinstance(direction, bool) or direction not in (-1, 0, 1):
+            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {shown(direction)}.")
         object.__setattr__(self, "terminal", truth(self.terminal, "terminal of an event"))
         object.__setattr__(self, "reset", _reset(self.reset))
         object.__setattr__(self, "impact", _impact(self.impact))
@@ -61,36 +61,36 @@ class Event:
 
     @property
     def keeps_apart(self) -> bool:
-        """Whether it happens wherever the motion is about to enter phi < 0, from rest at phi = 0 too."""
+        """Whether its expression is phi of its impact, so that it also happens where phi < 0 would follow phi = 0."""
         if self.impact is None or self.direction == 0:
             return False
         return bool((self.expression + self.direction * self.impact[0]).expand() == 0)
 
 
-def restitution_of(given: Any, what: str) -> sympy.Expr:
-    """Return a restitution; one that is a number lies between 0 and 1.
+def restitution_of(restitution: Any, what: str) -> sympy.Expr:
+    """Return a coefficient of restitution.
 
     Raises
     ------
     ModelError
-        It does not, or is no expression.
+        It is not an expression, or is a number outside 0 to 1.
     """
-    e = expression(given, what)
+    e = expression(restitution, what)
     if e.is_number and not 0 <= e <= 1:
-        raise ModelError(f"{what} is {shown(given)}. Give one from 0 (plastic) to 1 (elastic).")
+        raise ModelError(f"{what} is {shown(restitution)}. Give one from 0 (plastic) to 1 (elastic).")
     return e
 
 
-def _reset(given: Any) -> tuple[tuple[Any, sympy.Expr], ...]:
-    if given is None:
+def _reset(reset: Any) -> tuple[tuple[Any, sympy.Expr], ...]:
+    if reset is None:
         return ()
-    pairs = pairs_of(given, "reset of an event")
+    pairs = pairs_of(reset, "reset of an event")
     return tuple((key, expression(value, f"reset[{shown(key)}] of an event")) for key, value in pairs)
 
 
-def _impact(given: Any) -> tuple[sympy.Expr, sympy.Expr] | None:
-    if given is None:
+def _impact(impact: Any) -> tuple[sympy.Expr, sympy.Expr] | None:
+    if impact is None:
         return None
-    if not isinstance(given, (tuple, list)) or len(given) != len(("phi", "restitution")):
-        raise ModelError(f"impact of an event is {shown(given)}. Give (phi, restitution).")
-    return expression(given[0], "phi of an impact"), restitution_of(given[1], "The restitution of an impact")
+    if not isinstance(impact, (tuple, list)) or len(impact) != len(("phi", "restitution")):
+        raise ModelError(f"impact of an event is {shown(impact)}. Give (phi, restitution).")
+    return expression(impact[0], "phi of an impact"), restitution_of(impact[1], "The restitution of an impact")

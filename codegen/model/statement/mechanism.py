@@ -1,4 +1,4 @@
-"""The fields of a mechanism, normalised, and properties that follow from them."""
+"""The record of a mechanism's normalised fields, and properties derived from them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .event import Event
 
 @dataclass(frozen=True, slots=True)
 class Mechanism:
-    """The fields of a `Model`, as its docstring has them, before anything is checked."""
+    """The fields of a `Model` (see its docstring), without checks."""
 
     name: str
     coordinates: tuple[sympy.Expr, ...]
@@ -53,42 +53,42 @@ class Mechanism:
 
     @property
     def switches(self) -> tuple[Switch, ...]:
-        """What of the other fields contacts were made into."""
+        """The switches of its contacts: the parameters and rows into which contacts were translated."""
         rows = self.holonomic_constraints, self.nonholonomic_constraints
         normals = normals_of({field.name: getattr(self, field.name) for field in fields(Mechanism)})
         return tuple(switch_of(name, entry, *rows, normals) for name, entry in self.contacts)
 
     @property
     def row_names(self) -> tuple[str, ...]:
-        """(m) names of the constraint rows, as "guide[1]"; "" of rows without, () where none has one."""
+        """(m) names of the constraint rows, such as "guide[1]"; "" for rows without a name, () if no row has one."""
         return names_of_rows(self.constraint_names, self.h, self.m)
 
     @property
     def rates(self) -> tuple[sympy.Expr, ...]:
-        """Velocities xdot : (n) the derivatives of the coordinates."""
+        """(n) velocities xdot, the time derivatives of the coordinates."""
         return tuple(x.diff(t) for x in self.coordinates)
 
     @property
     def initial_x(self) -> tuple[float, ...]:
-        """(n) [u_i] coordinates at the start."""
+        """(n) [u_i] initial coordinates."""
         known = dict(self.initial)
         return tuple(known.get(x, 0.0) for x in self.coordinates)
 
     @property
     def initial_y(self) -> tuple[float, ...]:
-        """(n) quasi-velocities at the start, or () where `initial` names none."""
+        """(n) initial quasi-velocities, or () where `initial` has none."""
         known = dict(self.initial)
-        given = any(y in known for y, _ in self.quasi_velocities)
-        return tuple(known.get(y, 0.0) for y, _ in self.quasi_velocities) if given else ()
+        has_some = any(y in known for y, _ in self.quasi_velocities)
+        return tuple(known.get(y, 0.0) for y, _ in self.quasi_velocities) if has_some else ()
 
-    def in_rates(self, given: sympy.Expr) -> sympy.Expr:
-        """Return an expression with the quasi-velocities (3) written in the rates."""
-        return in_rates(given, self.quasi_velocities)
+    def in_rates(self, expression: sympy.Expr) -> sympy.Expr:
+        """Replace the quasi-velocities in an expression by P xdot (3)."""
+        return in_rates(expression, self.quasi_velocities)
 
 
-def in_rates(given: sympy.Expr, quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> sympy.Expr:
-    """Return an expression with quasi-velocities, pairs y_i and P xdot (3), written in the rates."""
+def in_rates(expression: sympy.Expr, quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> sympy.Expr:
+    """Replace quasi-velocities, given as pairs y_i and P xdot (3), in an expression."""
     if not quasi_velocities:
-        return given
+        return expression
     replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in quasi_velocities}
-    return given.xreplace(replacements).xreplace(dict(quasi_velocities))
+    return expression.xreplace(replacements).xreplace(dict(quasi_velocities))

@@ -1,7 +1,7 @@
-"""First-order states: their rates, and the mechanism in which each is the rate of a coordinate of its own.
+"""First-order states, represented as velocities of additional coordinates.
 
-A state z with zdot = f is the velocity of a coordinate Z that has unit mass and the force f, and that nothing else
-depends on: Z'' = f. Formulations, methods, lanes, events and derivatives know velocities, and so they know states.
+A state z with zdot = f becomes the velocity of a coordinate Z with unit mass and force f, so that Z'' = f; nothing
+depends on Z itself. All formulations, methods, lanes, events and derivatives therefore support states.
 """
 
 from __future__ import annotations
@@ -19,26 +19,26 @@ from .mechanism import Mechanism
 States = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
 
-def states_of(given: Any) -> States:
-    """Return pairs of a state z and its rate, as they were given.
+def states_of(states: Any) -> States:
+    """Return pairs of a state z and its rate, in the same order.
 
     Raises
     ------
     ModelError
         A rate is not an expression; names the state.
     """
-    return tuple((z, expression(rate, f"states[{name_of(z)}]")) for z, rate in pairs_of(given, "states"))
+    return tuple((z, expression(rate, f"states[{name_of(z)}]")) for z, rate in pairs_of(states, "states"))
 
 
 def integral(z: sympy.Expr) -> sympy.Expr:
-    """Return the coordinate Z whose velocity a state is."""
+    """Return the coordinate Z of which the state z is the velocity."""
     return sympy.Function(f"integral of {name_of(z)}")(t)
 
 
 def as_mechanism(model: Mechanism) -> Mechanism:
-    """Return the mechanism that is derived: a model itself, or where it has states one with a coordinate for each.
+    """Return the mechanism whose equations are derived: the model itself, or one with a coordinate for each state.
 
-    The kinetic energy of the new coordinates is in its T; that of the model is without.
+    Its T includes the kinetic energy of these coordinates; the T of the model does not.
     """
     if not model.states:
         return model
@@ -54,28 +54,28 @@ def as_mechanism(model: Mechanism) -> Mechanism:
         "scales": (*model.scales, *(1.0 for _ in integrals)),
         "initial": tuple((key if quasi else rates.get(key, key), value) for key, value in model.initial),
     }
-    twice = {z.diff(t): rate.diff(t) for z, rate in rates.items()}
+    accelerations = {z.diff(t): rate.diff(t) for z, rate in rates.items()}
     for name in ("potential_energy", "forces", "outputs", "events", "contacts"):
-        made[name] = _written(_written(made[name], twice), rates)
+        made[name] = _replaced(_replaced(made[name], accelerations), rates)
     return Mechanism(**made)
 
 
-def _written(given: Any, replacements: dict[sympy.Expr, sympy.Expr]) -> Any:
-    """Return expressions, in tuples and records, with replacements made."""
-    if isinstance(given, sympy.Basic):
-        return given.xreplace(replacements)
-    if isinstance(given, tuple):
-        return tuple(_written(part, replacements) for part in given)
-    if not is_dataclass(given):
-        return given
-    made = copy(given)
-    for field in fields(given):
-        object.__setattr__(made, field.name, _written(getattr(given, field.name), replacements))
+def _replaced(source: Any, replacements: dict[sympy.Expr, sympy.Expr]) -> Any:
+    """Apply replacements to all expressions in nested tuples and records."""
+    if isinstance(source, sympy.Basic):
+        return source.xreplace(replacements)
+    if isinstance(source, tuple):
+        return tuple(_replaced(part, replacements) for part in source)
+    if not is_dataclass(source):
+        return source
+    made = copy(source)
+    for field in fields(source):
+        object.__setattr__(made, field.name, _replaced(getattr(source, field.name), replacements))
     return made
 
 
 def check_states(model: Mechanism) -> None:
-    """Raise ModelError where a state is no function of time, or is a coordinate."""
+    """Raise ModelError where a state is not a function of time, or is also a coordinate."""
     for z, _ in model.states:
         if not isinstance(z, AppliedUndef) or z.args != (t,):
             raise ModelError(

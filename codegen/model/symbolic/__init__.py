@@ -1,1 +1,1 @@
-"""The equations of a model in SymPy; nothing compiled comes of them."""
+"""Symbolic equations of motion of a model, for display; generated code does not use them."""

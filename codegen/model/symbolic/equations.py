@@ -1,4 +1,4 @@
-"""The equations of motion of a model as SymPy matrices, in the user's symbols. Nothing generated comes of them."""
+"""Equations of motion as SymPy matrices in the user's symbols, for display; generated code does not use them."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from ..statement.mechanism import Mechanism
 from .expression_text import as_python, latex
 from .lagrange import lagrange, stated
 
-_SOON_EXPANDED = 700
-_SOON_SIMPLIFIED = 110
-"""Operations of an expression that SymPy expands in a few hundredths of a second, and simplifies within one."""
+_MOST_EXPANDED = 700
+_MOST_SIMPLIFIED = 110
+"""Operation counts up to which SymPy expands in a few hundredths of a second, and simplifies within a second."""
 
 
 @dataclass(frozen=True, slots=True)
 class Equations:
-    """M xddot + A^T lambda = bias (11), A xdot + b = 0 (8), and that differentiated, A xddot + gamma = 0.
+    """M xddot + A^T lambda = bias (11), A xdot + b = 0 (8), and its time derivative A xddot + gamma = 0.
 
-    x, v, a, multipliers : (n,), (n,), (n,), (m,) what the equations are in: x(t) and its derivatives, lambda
+    x, v, a, multipliers : (n,), (n,), (n,), (m,) unknowns: x(t), its derivatives, lambda
     M : (n, n) [J s^2 / (u_i u_j)]
     bias : (n, 1) [J / u_i]
     A : (m, n); b, gamma : (m, 1)
@@ -49,12 +49,12 @@ class Equations:
 
     @property
     def parts(self) -> dict[str, sympy.ImmutableDenseMatrix]:
-        """The matrices by name, without those of constraints where there are none."""
+        """The matrices by name; those of constraints only where there are constraints."""
         parts = {"M": self.M, "bias": self.bias}
         return parts | ({"A": self.A, "b": self.b, "gamma": self.gamma} if self.A.rows else {})
 
     def latex(self) -> str:
-        """Return LaTeX: the form of the equations, and below what stands in it, ready for an `align*`."""
+        """Return the form of the equations and their matrices in LaTeX, as an `align*` environment."""
         names = {"M": "M", "bias": "h", "A": "A", "b": "b", "gamma": r"\gamma"}
         rows = [rf"{names[name]} &= {latex(part)}" for name, part in self.parts.items()]
         rows += [rf"{left} &= {right}" for left, right in self.state_form]
@@ -77,7 +77,7 @@ class Equations:
         return tuple((latex(z.diff(t)), latex(rate)) for z, rate in self.states)
 
     def source(self) -> str:
-        """Return Python that makes these matrices."""
+        """Return Python source that defines these matrices."""
         return as_python(self.parts)
 
     def _repr_latex_(self) -> str:
@@ -85,26 +85,26 @@ class Equations:
 
 
 def equations_of(model: Mechanism) -> Equations:
-    """Return Lagrange's equations of a model, simplified where that is quick."""
-    found, n, m = lagrange(model), model.n, model.m
-    back = dict(zip((*found.x, *found.v, *found.u, found.time), stated(model), strict=True))
+    """Return Lagrange's equations of a model, simplified where that is fast."""
+    terms, n, m = lagrange(model), model.n, model.m
+    back = dict(zip((*terms.x, *terms.v, *terms.u, terms.time), stated(model), strict=True))
 
     def matrix(rows: int, columns: int, entries: Iterable[sympy.Expr]) -> sympy.ImmutableDenseMatrix:
         return sympy.ImmutableDenseMatrix(rows, columns, [simplified(entry).xreplace(back) for entry in entries])
 
     return Equations(
         model.coordinates, tuple(MULTIPLIER(sympy.Integer(row)) for row in range(m)),
-        matrix(n, n, sum(found.M, ())), matrix(n, 1, found.f), matrix(m, n, sum(found.A, ())), matrix(m, 1, found.b),
-        matrix(m, 1, (-g for g in found.g)), tuple((z, simplified(rate)) for z, rate in model.states),
+        matrix(n, n, sum(terms.M, ())), matrix(n, 1, terms.f), matrix(m, n, sum(terms.A, ())), matrix(m, 1, terms.b),
+        matrix(m, 1, (-g for g in terms.g)), tuple((z, simplified(rate)) for z, rate in model.states),
     )  # fmt: skip
 
 
 def simplified(expression: sympy.Expr) -> sympy.Expr:
-    """Return the shortest of an expression and forms of it that are quickly found."""
+    """Return the shortest of an expression and those of its expanded, simplified and factored forms found fast."""
     forms = [expression]
-    if sympy.count_ops(expression) <= _SOON_EXPANDED:
+    if sympy.count_ops(expression) <= _MOST_EXPANDED:
         forms.append(sympy.expand(expression))
-    if sympy.count_ops(forms[-1]) <= _SOON_SIMPLIFIED:
+    if sympy.count_ops(forms[-1]) <= _MOST_SIMPLIFIED:
         forms.append(sympy.trigsimp(forms[-1]))
     return min((*forms, *map(sympy.factor_terms, forms[1:])), key=_length)
 

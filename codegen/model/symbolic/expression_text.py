@@ -1,4 +1,4 @@
-"""Expressions of a model as LaTeX and as Python."""
+"""Printers of a model's expressions: LaTeX and Python."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ _PREAMBLE = ("from sympy import *", "", f"{t.name} = {sympy.srepr(t)}")
 
 
 def latex(expression: sympy.Basic) -> str:
-    """Return LaTeX in which derivatives in time are dots."""
+    """Return LaTeX with dots for time derivatives."""
     return str(vlatex(expression))
 
 
 def as_python(parts: Mapping[str, sympy.MatrixBase]) -> str:
-    """Return Python that makes matrices: first their symbols, in the order of names, then each by its name."""
+    """Return Python source that defines the symbols of matrices, sorted by name, then each matrix by its name."""
     parts = {name: part.applyfunc(_without_tables) for name, part in parts.items()}
-    held = {atom for part in parts.values() for atom in part.atoms(sympy.Symbol, AppliedUndef)} - {t}
-    symbols = sorted(held, key=lambda atom: (isinstance(atom, AppliedUndef), name_of(atom)))
+    atoms = {atom for part in parts.values() for atom in part.atoms(sympy.Symbol, AppliedUndef)} - {t}
+    symbols = sorted(atoms, key=lambda atom: (isinstance(atom, AppliedUndef), name_of(atom)))
     names = _identifiers(symbols, parts)
     printer = _Python(names)
     declared = [f"{names[symbol]} = {sympy.srepr(symbol)}" for symbol in symbols]
@@ -36,25 +36,25 @@ def as_python(parts: Mapping[str, sympy.MatrixBase]) -> str:
 
 
 def _without_tables(expression: sympy.Expr) -> sympy.Expr:
-    """Write calls of tables as those of functions that are not defined, which Python can be told without numbers."""
+    """Replace calls of tables by calls of undefined functions, which need no numbers in the Python source."""
     return expression.replace(lambda part: hasattr(part, "as_undefined"), lambda part: part.as_undefined())
 
 
 def _identifiers(symbols: Iterable[sympy.Basic], taken: Iterable[str]) -> dict[sympy.Basic, str]:
-    """Name each symbol as its user does, where Python and SymPy leave that name free."""
-    known, found = {*taken, t.name, *keyword.kwlist, *dir(sympy)}, {}
+    """Return an identifier for each symbol: the user's name, changed where Python or SymPy already uses it."""
+    known, identifiers = {*taken, t.name, *keyword.kwlist, *dir(sympy)}, {}
     for symbol in symbols:
         name = re.sub(r"\W", "_", name_of(symbol))
         name = name if name.isidentifier() else f"_{name}"
         while name in known:
             name += "_"
         known.add(name)
-        found[symbol] = name
-    return found
+        identifiers[symbol] = name
+    return identifiers
 
 
 class _Python(StrPrinter):  # type: ignore[misc]
-    """As SymPy prints, with the names that were declared."""
+    """SymPy's printer, with the declared names of symbols and functions."""
 
     def __init__(self, names: Mapping[sympy.Basic, str]) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""Lagrange's equations of a model by differentiation in SymPy, of which nothing generated comes."""
+"""Lagrange's equations of a model by differentiation in SymPy; generated code does not use them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Rows = tuple[tuple[sympy.Expr, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class Lagrange:
-    """M a + A^T lambda = f (11), A v + b = 0 (8), and that differentiated, A a = g, in plain symbols.
+    """M a + A^T lambda = f (11), A v + b = 0 (8), and its time derivative A a = g, in plain symbols.
 
     Attributes
     ----------
@@ -61,23 +61,24 @@ class Lagrange:
 
 
 def lagrange(model: Mechanism) -> Lagrange:
-    """Differentiate T, V and the constraints of a model.
+    """Derive Lagrange's equations from T, V and the constraints of a model.
 
-    M_ij = d2T / dv_i dv_j; f = Q - dV/dx + dT/dx - (d2T / dv dx) v - d2T / dv dt; rows and their rates as stated.
+    M_ij = d2T / dv_i dv_j; f = Q - dV/dx + dT/dx - (d2T / dv dx) v - d2T / dv dt; A and b are coefficients of the
+    constraints as velocities, and g follows from their time derivatives.
     """
     x, v, u, time = symbols(model)
     plain = dict(zip(stated(model), (*x, *v, *u, time), strict=True))
 
-    def rate(expression: sympy.Expr) -> sympy.Expr:  # along the motion, where the velocities stay
+    def rate(expression: sympy.Expr) -> sympy.Expr:  # time derivative at constant velocities
         moving = (expression.diff(q) * w for q, w in zip(x, v, strict=True))
         return sympy.Add(*moving) + expression.diff(time)
 
-    T, V, *others = (model.in_rates(sympy.sympify(given)).xreplace(plain) for given in (
+    T, V, *others = (model.in_rates(sympy.sympify(one)).xreplace(plain) for one in (
         model.kinetic_energy, model.potential_energy, *model.forces, *model.holonomic_constraints,
         *model.nonholonomic_constraints))  # fmt: skip
-    forces, given = others[: model.n], others[model.n :]
+    forces, constraints = others[: model.n], others[model.n :]
     momenta = [T.diff(w) for w in v]
-    rows = [rate(phi) for phi in given[: model.h]] + given[model.h :]
+    rows = [rate(phi) for phi in constraints[: model.h]] + constraints[model.h :]
     values = (*model.parameters, *zip(u, (value for _, value in model.inputs), strict=True))
     return Lagrange(
         x, v, u, time, tuple((symbol, float(value)) for symbol, value in values),
@@ -90,11 +91,11 @@ def lagrange(model: Mechanism) -> Lagrange:
 
 
 def stated(model: Mechanism) -> tuple[sympy.Expr, ...]:
-    """Return coordinates, rates, inputs and the time as the user states them."""
+    """Return coordinates, rates, inputs and time in the user's symbols."""
     return (*model.coordinates, *model.rates, *(signal for signal, _ in model.inputs), t)
 
 
 def symbols(model: Mechanism) -> tuple[Any, Any, Any, sympy.Symbol]:
-    """Return the plain symbols of the same."""
+    """Return plain symbols for coordinates, rates, inputs and time."""
     x, v = (sympy.symbols(f"em_{letter}:{model.n}") for letter in "xv")
     return x, v, tuple(sympy.Symbol(name_of(signal)) for signal, _ in model.inputs), sympy.Symbol("em_time")
