@@ -24,7 +24,7 @@ from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
 from eigenmotion.building import shared_library, verification
-from eigenmotion.building.build import build, later
+from eigenmotion.building.build import build, load_part
 from eigenmotion.building.cache import LOCATION
 from eigenmotion.building.lazy_units import PARTS, WORDS
 from eigenmotion.building.request import request
@@ -86,7 +86,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         timed("all", build, seconds)(model)
         first = dict(seconds)
         for part in PARTS:
-            timed(f"later: {WORDS[part]}", later, first)(request(model), toolchain(), part)
+            timed(f"later: {WORDS[part]}", load_part, first)(request(model), toolchain(), part)
     return first
 
 

@@ -12,7 +12,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.building import lazy_units, shared_library
-from eigenmotion.building.build import all_of, cached_sources, later, make
+from eigenmotion.building.build import all_of, cached_sources, load_part, make
 from eigenmotion.building.request import request
 from eigenmotion.building.shared_library import load
 from eigenmotion.building.toolchain import UNITS, Toolchain, toolchain
@@ -111,8 +111,8 @@ def test_who_needs_a_part_asks_for_it(formulation, what, monkeypatch):
     system = em.build(model_of("pendulum"), formulation=formulation)
     part, ask = ASKING[what]
     part = {"eigenfactor": "duals", "lagrange": "derivatives"}[formulation] if part is None else part
-    given, asked = system.compiled.later, []
-    system.compiled.later = lambda part: asked.append(part) or given(part)
+    given, asked = system.compiled.load_part, []
+    system.compiled.load_part = lambda part: asked.append(part) or given(part)
     assert ask(system) is not None
     assert not part or part in asked  # by each of the threads that find it missing at once
     assert set(asked) <= {part}
@@ -182,7 +182,7 @@ def test_what_has_all_needs_no_compiler(own_cache, tmp_path, units):
     asked = request(model_of("pendulum"))
     system = load(all_of(cached_sources(asked), toolchain(), asked.model))
     assert sorted(units) == sorted(set(UNITS) - {"lanes", "duals"})
-    assert system.compiled.later is None
+    assert system.compiled.load_part is None
     for method in ("rk34", "radau5", "ra15"):
         assert system.simulate((0.0, 1.0), method=method).success
     assert system.linearize().A.shape == (2, 2)
@@ -223,9 +223,9 @@ def test_what_is_compiled_later_is_proved_then(part, methods, own_cache, monkeyp
     if methods:
         words = rf"a run by {methods[0]} is made up(.|\n)*{lazy_units.WORDS[part]} of pendulum"
         with pytest.raises(em.ProofError, match=words):
-            later(asked, toolchain(), part)
+            load_part(asked, toolchain(), part)
     else:
-        later(asked, toolchain(), part)
+        load_part(asked, toolchain(), part)
     assert tuple(held[len(EXPLICIT) :]) == methods
     assert len(list((own_cache / "binaries").iterdir())) == (1 if methods else 2)
 
@@ -234,7 +234,7 @@ def test_what_acts_is_there_at_first():
     """Events do what they do in a model's first run."""
     system = em.build(model_of("bouncing_ball"))
     asked = []
-    system.compiled.later = asked.append
+    system.compiled.load_part = asked.append
     assert system.simulate((0.0, 1.0)).success
     assert not asked
 
@@ -242,7 +242,7 @@ def test_what_acts_is_there_at_first():
 def test_what_extrapolates_has_its_derivatives_at_first():
     """dM/dx says whether axes turn where eigenvalues coincide at the start: the proof asks, with nothing to add."""
     system = em.build(model_of("drone"), close_eigenvalues="extrapolate", flags="-O0")
-    system.compiled.later = None
+    system.compiled.load_part = None
     with pytest.raises(em.ModelError, match="coincide at x0"):
         system.simulate((0.0, 1.0))
     alone = shared_library.system_in(make(request(model_of("pendulum")), toolchain()))

@@ -26,7 +26,7 @@ from eigenmotion.building.build import compiled
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 from eigenmotion.building.verification import ProofError, prove
 from eigenmotion.building.verification.arithmetic.evaluate import Evaluation
-from eigenmotion.building.verification.arithmetic.hyperdual import FUNCTIONS, RELATIONS, given
+from eigenmotion.building.verification.arithmetic.hyperdual import FUNCTIONS, RELATIONS, from_parts
 from eigenmotion.stability.models.degenerate import quaternion_body
 
 from ..equations.test_random_mechanisms import SHAPES, mechanism
@@ -270,7 +270,7 @@ EXPRESSIONS = [
 def test_hyper_dual_numbers_know_two_derivatives(expression, at):
     """Along v = (1, 2) and w = (3, 5), against SymPy's derivatives in thirty digits."""
     other, v, w = 0.9, (1.0, 2.0), (3.0, 5.0)
-    values = {x: given(np.array(at), v[0], w[0]), y: given(np.array(other), v[1], w[1])}
+    values = {x: from_parts(np.array(at), v[0], w[0]), y: from_parts(np.array(other), v[1], w[1])}
     found = Evaluation(values)(expression)
     along = [lambda e, u=u: u[0] * sympy.diff(e, x) + u[1] * sympy.diff(e, y) for u in (v, w)]
     right = [expression, along[0](expression), along[1](expression), along[1](along[0](expression))]

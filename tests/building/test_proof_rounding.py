@@ -16,7 +16,7 @@ import eigenmotion as em
 from eigenmotion import Model, System
 from eigenmotion.building.verification import ProofError, prove
 from eigenmotion.building.verification.arithmetic.evaluate import Evaluation
-from eigenmotion.building.verification.arithmetic.hyperdual import given
+from eigenmotion.building.verification.arithmetic.hyperdual import from_parts
 from eigenmotion.building.verification.arithmetic.rounding_bounds import EPS, FACTOR, Rounded, inverse, root, rounded
 
 from ..support.generation import FORMULATIONS, loaded, system_for
@@ -115,7 +115,7 @@ def exact(expression: sympy.Expr, at: dict[sympy.Symbol, float]) -> float:
 @pytest.mark.parametrize(("expression", "value"), EXPRESSIONS, ids=str)
 def test_bounds_hold_and_are_near_rounding(expression, value):
     """Of a value and of its derivative, against sixty digits."""
-    found = Evaluation({x: given(np.array(value), 1.0), y: given(np.array(0.9))})(expression)
+    found = Evaluation({x: from_parts(np.array(value), 1.0), y: from_parts(np.array(0.9))})(expression)
     at = {x: value, y: 0.9}
     slope = sympy.diff(expression, x).replace(sympy.DiracDelta, lambda *_: sympy.S.Zero)
     for part, right in ((found.a, expression), (found.b, slope)):
@@ -129,7 +129,7 @@ def test_bounds_hold_and_are_near_rounding(expression, value):
 def test_bounds_of_what_vanishes_hold(number):
     expression, random_ = ZEROS[number](), np.random.default_rng(number)
     symbols = sorted(expression.atoms(AppliedUndef, sympy.Symbol), key=str)
-    values = {s: given(random_.uniform(-1, 1, 100), random_.uniform(-1, 1, 100)) for s in symbols}
+    values = {s: from_parts(random_.uniform(-1, 1, 100), random_.uniform(-1, 1, 100)) for s in symbols}
     found = Evaluation(values)(expression)
     for part in (found.a, found.b):
         assert (np.abs(part.value) <= 2 * part.bound).all()
@@ -137,11 +137,11 @@ def test_bounds_of_what_vanishes_hold(number):
 
 
 def test_what_a_kink_decides_by_rounding_is_known_as_far_as_its_sides_agree():
-    apart = Evaluation({x: given(np.array([0.3, 1e8]), 1.0)})(sympy.Abs((x + 1) ** 2 - x**2 - 2 * x - 1))
+    apart = Evaluation({x: from_parts(np.array([0.3, 1e8]), 1.0)})(sympy.Abs((x + 1) ** 2 - x**2 - 2 * x - 1))
     assert (np.abs(apart.a.value) <= 2 * apart.a.bound).all()
-    jumps = Evaluation({x: given(np.array([0.0, 1.0]), 1.0)})(sympy.Piecewise((5, x > 0), (2, True)))
+    jumps = Evaluation({x: from_parts(np.array([0.0, 1.0]), 1.0)})(sympy.Piecewise((5, x > 0), (2, True)))
     assert jumps.a.bound[0] >= 3 > 1e-3 > jumps.a.bound[1]
-    edge = Evaluation({x: given(np.array(0.3), 1.0)})(sympy.log((x + 1) ** 2 - x**2 - 2 * x - 1 + 1e-15))
+    edge = Evaluation({x: from_parts(np.array(0.3), 1.0)})(sympy.log((x + 1) ** 2 - x**2 - 2 * x - 1 + 1e-15))
     assert not edge.a.bound < 1.0
 
 
@@ -169,7 +169,7 @@ def test_a_sum_in_another_order_is_within_its_bound():
     terms = sympy.symbols("t1:200")
     random_ = np.random.default_rng(0)
     numbers = random_.normal(size=len(terms)) * 10.0 ** random_.uniform(-8, 8, len(terms))
-    found = Evaluation({s: given(v) for s, v in zip(terms, numbers, strict=True)})(sympy.Add(*terms)).a
+    found = Evaluation({s: from_parts(v) for s, v in zip(terms, numbers, strict=True)})(sympy.Add(*terms)).a
     for _ in range(20):
         assert abs(random_.permutation(numbers).cumsum()[-1] - found.value) < 4 * found.bound
 

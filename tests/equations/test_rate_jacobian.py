@@ -92,6 +92,6 @@ def test_where_it_cannot_be_compiled(monkeypatch):
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.raises(CompilerNotFoundError, match="no-such-compiler"):
         system.jacobian(0.0, y)
-    system.compiled.later = None
+    system.compiled.load_part = None
     with pytest.raises(ModelError, match=r"eigenmotion.build know; or build with 'lagrange'"):
         system.jacobian(0.0, y)

@@ -67,7 +67,7 @@ def built(model: Model, choices: Choices) -> System:
     """Return the System of what is asked for: generated, too, only where no process has done so before."""
     asked = Request(model, choices)
     system = system_in(_kept(asked), model.name)
-    system.compiled.later = partial(_differentiating, asked)
+    system.compiled.load_part = partial(_differentiating, asked)
     return system
 
 

@@ -1,1 +1,1 @@
-"""From a model file to a compiled library that is verified, and kept."""
+"""Building: from a model file to a compiled, verified and cached library."""

@@ -1,4 +1,4 @@
-"""Sources -> extension module -> System, by way of the cache."""
+"""Build of a System: generation, compilation and proof, with results from the cache where possible."""
 
 import logging
 import sys
@@ -35,10 +35,10 @@ def build(
     flags: str | None = None,
     **keywords: object,
 ) -> "System":
-    """Generate, compile and import; what was built before is taken from the cache.
+    """Generate, compile and load a model. A model that was built before is loaded from the cache.
 
-    What runs by `auto` need is compiled and proved now; derivatives, ensembles in lanes and other methods are as they
-    are first asked for, and kept likewise (docs/flags.md). What `output` gets has all.
+    The functions for runs with method "auto" are compiled and proved now. Derivatives, ensembles in lanes and other
+    methods are compiled at their first use, and cached too (docs/flags.md). The module in `output` is complete.
 
     Parameters
     ----------
@@ -47,23 +47,24 @@ def build(
     formulation
         "eigenfactor", "cholesky", "lagrange" or "inverse".
     close_eigenvalues
-        "bounded" or "extrapolate": what becomes of (32) where eigenvalues meet.
+        "bounded" or "extrapolate": the treatment of (32) near coincident eigenvalues.
     schur
-        "auto", "factor" or "eigenfactor": how Delta of (43) is factored.
+        "auto", "factor" or "eigenfactor": the factorisation of Delta of (43).
     output
-        A folder that gets the sources and the compiled module as well.
+        A folder to which the sources and the compiled module are written as well.
     compiler, flags
-        C compiler and flags after ours; else $CC and $EIGENMOTION_CFLAGS.
+        C compiler, and flags that follow ours; None: $CC and $EIGENMOTION_CFLAGS.
     **keywords
-        Arguments of the file's function `model`: `build("chain.py", n=8)`. Those named as one above: see `load_model`.
+        Arguments of the file's function `model`: `build("chain.py", n=8)`. For an argument with the name of a
+        parameter above, use `load_model`.
 
     Raises
     ------
     ModelError
-        The model has a mistake, or takes no such keyword.
+        The model has a mistake, or has no such keyword.
     BuildError
-        The compiler refused the code; carries its words. CompilerNotFoundError where there is none, FolderError where
-        the cache or `output` cannot be written to.
+        The compiler failed; contains its output. CompilerNotFoundError if there is no compiler, FolderError if the
+        cache or `output` cannot be written.
 
     Examples
     --------
@@ -74,52 +75,52 @@ def build(
     >>> em.build(model, formulation="lagrange").formulation
     'lagrange'
     """
-    wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    requested = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     folder = None if output is None else _folder(output)
-    return system_of(wanted, compiler, flags, folder)
+    return system_of(requested, compiler, flags, folder)
 
 
-def system_of(wanted: Request, compiler: str | None = None, flags: str | None = None, output: Path | None = None
+def system_of(requested: Request, compiler: str | None = None, flags: str | None = None, output: Path | None = None
               ) -> "System":  # fmt: skip
-    """Return the System of a request, which pickles as that request."""
+    """Return the System of a request; it is pickled as the request."""
     tools = toolchain(compiler, flags)
-    system = load(make(wanted, tools, output))
-    system.compiled.recipe = partial(system_of, wanted, compiler, flags)
-    system.compiled.later = partial(later, wanted, tools)
+    system = load(make(requested, tools, output))
+    system.compiled.recipe = partial(system_of, requested, compiler, flags)
+    system.compiled.load_part = partial(load_part, requested, tools)
     return system
 
 
-def later(wanted: Request, tools: Toolchain, part: str) -> "CompiledModel":
-    """Return a model that has what others lack until somebody asks; compiled now unless it was before.
+def load_part(requested: Request, tools: Toolchain, part: str) -> "CompiledModel":
+    """Return a model with the functions of a part, which is compiled now unless it is in the cache.
 
     Raises
     ------
     BuildError
-        As `build`; says what was asked for.
+        As `build`; names the part.
     """
     try:
-        return load(part_of(wanted, tools, part)).compiled
+        return load(part_of(requested, tools, part)).compiled
     except BuildError as error:
         raise type(error)(
-            f"{error}\n\nIt is {WORDS[part]} of {wanted.model.name} that cannot be compiled: parts of a model are as "
-            "something first asks for them. `eigenmotion build` makes a module that has all, where there is a compiler"
+            f"{error}\n\nIt is {WORDS[part]} of {requested.model.name} that cannot be compiled: parts of a model are "
+            "as something first asks for them. `eigenmotion build` makes a module that has all, where there is a compiler"
         ) from error
 
 
-def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
-    """Generate and compile, or find both in the cache; return the library in the cache.
+def make(requested: Request, tools: Toolchain, output: Path | None = None) -> Path:
+    """Generate and compile, unless both are in the cache; return the path of the library in the cache.
 
-    It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
-    once both are there.
+    The library has the functions that any run may need. If `output` is given, the sources and a complete module are
+    written to that folder after both exist.
     """
     with stepper_meanwhile(tools):
         if output is not None:
-            sources = cached_sources(wanted)
-            binary = all_of(sources, tools, wanted.model)
+            sources = cached_sources(requested)
+            binary = all_of(sources, tools, requested.model)
             with guarded():
                 module = binary.read_bytes()
             _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-        return compiled(first_sources(wanted), tools, wanted.model)
+        return compiled(first_sources(requested), tools, requested.model)
 
 
 def _folder(output: object) -> Path:
@@ -137,29 +138,29 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
         raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
-def cached_sources(wanted: Request) -> Sources:
-    """Return the sources of a request, derived unless the same generator did so before."""
-    return _cached_sources(wanted, wanted.sources_hash, whole=True)
+def cached_sources(requested: Request) -> Sources:
+    """Return the sources of a request, from the cache if the same generator wrote them before."""
+    return _cached_sources(requested, requested.sources_hash, whole=True)
 
 
-def first_sources(wanted: Request) -> Sources:
-    """Return what of the sources first runs need: all but derivatives, unless those are part of that."""
+def first_sources(requested: Request) -> Sources:
+    """Return the sources that first runs need: without derivatives, unless these runs need them."""
     if ALL_AT_FIRST:
-        return cached_sources(wanted)
-    return _cached_sources(wanted, key(wanted.sources_hash, "first"), whole=False)
+        return cached_sources(requested)
+    return _cached_sources(requested, key(requested.sources_hash, "first"), whole=False)
 
 
-def _cached_sources(wanted: Request, name: str, whole: bool) -> Sources:
-    folder = entry("sources", name, lambda folder: _generate(wanted, folder, whole))
+def _cached_sources(requested: Request, name: str, whole: bool) -> Sources:
+    folder = entry("sources", name, lambda folder: _generate(requested, folder, whole))
     with guarded():
-        files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
-    return Sources(wanted.model.name, files)
+        files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in requested.file_names)
+    return Sources(requested.model.name, files)
 
 
 def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
-    """Return the path of the library made of `sources`, and proved to be the model, where that is given.
+    """Return the path of the library compiled from `sources`, proved against `model` if that is given.
 
-    It has what every run may need, and NULL for the rest (parts.py).
+    The library has the functions that any run may need, and NULL for the others (lazy_units.py).
     """
 
     def fill(folder: Path) -> None:
@@ -170,22 +171,22 @@ def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> 
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
-def part_of(wanted: Request, tools: Toolchain, part: str) -> Path:
-    """Return the path of the library that has a part in new objects, and the rest in those of `compiled`."""
-    units, model, first = PARTS[part], wanted.model, first_sources(wanted)
-    kept = _objects(compiled(first, tools, model))
-    sources = cached_sources(wanted) if part == "derivatives" else first
+def part_of(requested: Request, tools: Toolchain, part: str) -> Path:
+    """Return the path of the library of a part: new objects for the part, and the objects of `compiled`."""
+    units, model, first = PARTS[part], requested.model, first_sources(requested)
+    existing = _objects(compiled(first, tools, model))
+    sources = cached_sources(requested) if part == "derivatives" else first
 
     def fill(folder: Path) -> None:
         _log.info("compiling %s of %s", WORDS[part], sources.name)
-        compile_in(sources, tools, folder, model, units, tuple(kept.values()))
+        compile_in(sources, tools, folder, model, units, tuple(existing.values()))
 
     folder = entry("binaries", key(_key(sources, tools, model), part), fill)
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
 def all_of(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
-    """Return the path of Python's module that has all, and proved so: for folders that users keep."""
+    """Return the path of a complete, proved Python module, for the folders of users."""
 
     def fill(folder: Path) -> None:
         _log.info("compiling all of %s", sources.name)
@@ -196,7 +197,7 @@ def all_of(sources: Sources, tools: Toolchain, model: Model | None = None) -> Pa
 
 
 def _objects(library: Path) -> dict[str, Path]:
-    """Return the objects that an entry has beside its library, by name."""
+    """Return name -> path of the objects beside a library in the cache."""
     return {path.name: path for path in sorted(library.parent.glob("*.o"))}
 
 
@@ -210,18 +211,18 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     return key(sources.name, *bodies, headers(), tools.identity, *proved)
 
 
-def _generate(wanted: Request, folder: Path, whole: bool) -> None:
-    _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources(whole).files:
+def _generate(requested: Request, folder: Path, whole: bool) -> None:
+    _log.info("deriving %s", requested.model.name)
+    for file in requested.sources(whole).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 
 def _python() -> str:
-    """The interpreter, whose binary interface a module uses."""
+    """Return a hash of the interpreter, whose binary interface a module uses."""
     return key(sys.version, EXTENSION_SUFFIX)
 
 
 @cache
 def _proof() -> str:
-    """Hash of what a module is held against before it is kept."""
+    """Return a hash of the code that proves a library before it is cached."""
     return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "verification").rglob("*.py"))))

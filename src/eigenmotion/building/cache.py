@@ -1,17 +1,18 @@
-"""The cache of generated and compiled models, by content.
+"""Cache of generated and compiled models, addressed by content.
 
-    sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, and the text of the generator; and
-                                               whether it is what first runs need
-    binaries/KEY/   NAME.<extension suffix>    KEY: the sources' text and the ABI's, compiler, flags, processor,
-                    NAME_UNIT.o ...                 the model and its proof; which part it is (parts.py), or Python
-    steppers/KEY/   UNIT.o                     KEY: its text after the preprocessor, compiler, flags, processor
-    KIND/KEY/sums                              hash of every other file of the entry
-    KIND/.KEY.XXXXXXXX/                        an entry on its way in or out
+    sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, the text of the generator; whether it has
+                                               only the sources for first runs
+    binaries/KEY/   NAME.<extension suffix>    KEY: the text of the sources and headers, compiler, flags, processor,
+                    NAME_UNIT.o ...                 the model and its proof; the part (lazy_units.py), or Python
+    steppers/KEY/   UNIT.o                     KEY: the text of the headers, compiler, flags, processor
+    KIND/KEY/sums                              hashes of all other files of the entry
+    KIND/.KEY.XXXXXXXX/                        an entry that is being written or deleted
     locks/KIND-KEY
 
-An entry is filled under another name and renamed, under a lock of its own: it is there in full or not at all,
-and of two processes that want the same one, the second waits and finds it. One that is not as its hashes say is made
-anew: what is loaded is what was compiled. The folder is the user's alone, for what it holds is run.
+An entry is written under another name and renamed, while its lock is held. So it exists completely or not at all, and
+of two processes that need the same entry, the second waits for the first. An entry that does not match its hashes is
+built again, so that only code that was compiled here is loaded. Only the user may write to the folder, since its
+content is executed.
 """
 
 import hashlib
@@ -31,23 +32,23 @@ from .errors import BuildError, FolderError
 
 LOCATION = "EIGENMOTION_CACHE"
 LOCKS, SUMS = "locks", "sums"
-_LOOKS = 0.005
-"""Seconds from one look whether a lock is free to the next: a build may wait for what it has begun itself."""
+_POLL = 0.005
+"""[s] between two attempts to take a lock; short, since a build may wait for an entry that it has begun itself."""
 _ENTRY = re.compile(r"[0-9a-f]{32}")
 _PASSING = re.compile(r"\.([0-9a-f]{32})\.[0-9a-f]{8}")
 
 
 def location() -> Path:
-    """Folder of the cache: $EIGENMOTION_CACHE, or where the platform keeps caches."""
+    """Return the folder of the cache: $EIGENMOTION_CACHE, or the cache folder of the platform."""
     chosen = os.environ.get(LOCATION)
     try:
         return Path(chosen).expanduser().absolute() if chosen else user_cache_path("eigenmotion", appauthor=False)
-    except RuntimeError as error:  # "~" of nobody
+    except RuntimeError as error:  # no such user after "~"
         raise FolderError(f"${LOCATION} is {chosen!r}: {error}") from error
 
 
 def key(*parts: str | bytes) -> str:
-    """Hash of a sequence of texts; ("ab", "c") and ("a", "bc") differ."""
+    """Return a hash of a sequence of texts; ("ab", "c") and ("a", "bc") differ."""
     digest = hashlib.sha256()
     for part in parts:
         data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
@@ -57,14 +58,14 @@ def key(*parts: str | bytes) -> str:
 
 
 def entry(kind: str, name: str, fill: Callable[[Path], None]) -> Path:
-    """Return the folder `kind/name`, which `fill(folder)` fills where it is not there yet, or is damaged.
+    """Return the folder `kind/name`. If it does not exist or is damaged, `fill(folder)` writes its files.
 
-    Whatever `fill` raises is raised, and leaves nothing behind.
+    An exception of `fill` is passed on, and no incomplete entry remains.
 
     Raises
     ------
     FolderError
-        The cache cannot be used: full, not to be written to, or open to others.
+        The cache cannot be used: it is full, read-only, or others can write to it.
     """
     folder = location() / kind / name
     with guarded():
@@ -82,7 +83,7 @@ def entry(kind: str, name: str, fill: Callable[[Path], None]) -> Path:
 
 @contextmanager
 def guarded() -> Iterator[None]:
-    """Whatever goes wrong with files of the cache says where it is and what to do."""
+    """Turn errors with files of the cache into a FolderError that tells where it is and what to do."""
     try:
         yield
     except BuildError:
@@ -95,16 +96,16 @@ def guarded() -> Iterator[None]:
 
 
 def sweep(kind: Path) -> None:
-    """Remove what builds that were killed left behind: a folder on its way of which nobody holds the lock."""
-    for left in kind.iterdir():
-        if match := _PASSING.fullmatch(left.name):
+    """Delete leftovers of killed builds: temporary folders whose lock is free."""
+    for leftover in kind.iterdir():
+        if match := _PASSING.fullmatch(leftover.name):
             with _free(kind.name, match[1]) as free:
                 if free:
-                    remove(left)
+                    remove(leftover)
 
 
 def remove(path: Path) -> None:
-    """Remove a file or a folder, as far as that can be done, also one whose rights forbid it and are ours to change."""
+    """Delete a file or a folder as far as possible, also a folder of ours without write permission."""
     with suppress(OSError):
         if path.is_dir() and not path.is_symlink():
             path.chmod(stat.S_IRWXU)
@@ -120,7 +121,7 @@ def contents() -> dict[str, list[int]]:
 
 
 def clear() -> dict[str, list[int]]:
-    """Remove every entry, but those that are being made, and return the sizes of what is gone. Touches nothing else."""
+    """Delete all entries but those that are being written, and nothing else; return the sizes of the deleted ones."""
     gone = {}
     with guarded():
         for kind in _kinds():
@@ -153,7 +154,7 @@ def _size(folder: Path) -> int:
 
 @contextmanager
 def _free(kind: str, name: str) -> Iterator[bool]:
-    """Hold the lock of an entry, or say that somebody else does."""
+    """Try to take the lock of an entry; yield whether it was free."""
     try:
         with _lock(kind, name, timeout=0.0):
             yield True
@@ -162,10 +163,10 @@ def _free(kind: str, name: str) -> Iterator[bool]:
 
 
 def _lock(kind: str, name: str, timeout: float = -1.0) -> AbstractContextManager[object]:
-    """Take the lock of an entry, which is held to the end of a `with`."""
+    """Return a context manager that holds the lock of an entry."""
     folder = location() / LOCKS
     _make(folder)
-    return FileLock(folder / f"{kind}-{name}").acquire(timeout=timeout, poll_interval=_LOOKS)
+    return FileLock(folder / f"{kind}-{name}").acquire(timeout=timeout, poll_interval=_POLL)
 
 
 def _make(folder: Path) -> None:
@@ -174,31 +175,31 @@ def _make(folder: Path) -> None:
 
 
 def _refuse_open(folder: Path) -> None:
-    """Refuse a folder that somebody else (but root) owns or can write to."""
+    """Raise FolderError if another user (except root) owns the folder or can write to it."""
     try:
-        found = folder.stat()
+        status = folder.stat()
     except FileNotFoundError:
         return
-    if _is_open(found):
-        whose = "belongs to somebody else" if _is_foreign(found) else "can be written to by others"
+    if _is_open(status):
+        whose = "belongs to somebody else" if _is_foreign(status) else "can be written to by others"
         raise FolderError(
             f"the cache {folder} {whose}, and what it holds is run. Make it yours alone (chmod go-w), "
             f"or set ${LOCATION} to a folder that is"
         )
 
 
-def _is_open(found: os.stat_result) -> bool:
-    return _is_foreign(found) or bool(found.st_mode & (stat.S_IWGRP | stat.S_IWOTH))
+def _is_open(status: os.stat_result) -> bool:
+    return _is_foreign(status) or bool(status.st_mode & (stat.S_IWGRP | stat.S_IWOTH))
 
 
-def _is_foreign(found: os.stat_result) -> bool:
-    return found.st_uid not in (os.geteuid(), 0)
+def _is_foreign(status: os.stat_result) -> bool:
+    return status.st_uid not in (os.geteuid(), 0)
 
 
 def _is_sound(folder: Path) -> bool:
-    """Whether an entry is there, it and all in it ours alone, and to the last bit what was put there."""
+    """Return whether an entry exists, only we can write to it, and all files match their hashes."""
     try:
-        if any(_is_open(found) or stat.S_ISLNK(found.st_mode) for found in (folder.lstat(), *_stats(folder))):
+        if any(_is_open(status) or stat.S_ISLNK(status.st_mode) for status in (folder.lstat(), *_stats(folder))):
             return False
         return (folder / SUMS).read_bytes() == _sums(folder)
     except OSError:
@@ -210,7 +211,7 @@ def _stats(folder: Path) -> list[os.stat_result]:
 
 
 def _sums(folder: Path) -> bytes:
-    """Return a line for each file, as `sha256sum` writes it."""
+    """Return one line for each file in the format of `sha256sum`."""
     files = sorted(file for file in folder.iterdir() if file.name != SUMS)
     return "".join(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in files).encode()
 
@@ -225,7 +226,7 @@ def _fill(folder: Path, fill: Callable[[Path], None]) -> None:
     try:
         fill(temporary)
         (temporary / SUMS).write_bytes(_sums(temporary))
-        for file in temporary.iterdir():  # whatever the user's umask lets others do
+        for file in temporary.iterdir():  # the user's umask may allow others to write
             file.chmod(stat.S_IMODE(file.stat().st_mode) & ~(stat.S_IWGRP | stat.S_IWOTH))
         _clear_the_way(folder)
         temporary.rename(folder)
@@ -235,7 +236,7 @@ def _fill(folder: Path, fill: Callable[[Path], None]) -> None:
 
 
 def _clear_the_way(folder: Path) -> None:
-    """Remove a damaged entry; renamed first, for whoever reads it now keeps what was opened."""
+    """Delete a damaged entry. It is renamed first, so that processes that read it now keep their open files."""
     if os.path.lexists(folder):
         damaged = _passing(folder)
         folder.rename(damaged)

@@ -1,10 +1,10 @@
-"""Errors between a model and a compiled module."""
+"""Errors of a build."""
 
 from ..codegen.model import ModelError
 
 
 class BuildError(RuntimeError):
-    """Generated code did not become a module; carries the tool's own words and the command.
+    """Generated code could not be compiled or loaded; contains the output of the tool and the command.
 
     Examples
     --------
@@ -18,7 +18,7 @@ class BuildError(RuntimeError):
 
 
 class CompilerNotFoundError(BuildError, ModelError):
-    """There is no C compiler. Also a ModelError, as everything is that stops a model before its first run.
+    """There is no C compiler. Also a ModelError, like all errors before the first run of a model.
 
     Examples
     --------
@@ -32,4 +32,4 @@ class CompilerNotFoundError(BuildError, ModelError):
 
 
 class FolderError(BuildError, OSError):
-    """A folder that is to hold what is built cannot be used: the cache's, or the one asked for."""
+    """A folder for results of a build cannot be used: the cache, or `output`."""

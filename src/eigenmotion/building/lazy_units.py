@@ -1,7 +1,8 @@
-"""Compile units that are built at first, and those that are built on demand.
+"""Compile units of a first build, and parts that are compiled on demand.
 
-A library without some units has NULL where their functions would be (em_units.h). A part is a library, too: the same
-objects and those of its units, from whose `em_model` the first one takes what it lacks (`PointModel.need`).
+A library without some units has NULL in place of their functions (em_units.h). A part is a library too: it has the
+objects of the first library and those of its own units. The first model copies the functions that it lacks from the
+`em_model` of the part (`PointModel.need`).
 """
 
 import sys
@@ -16,22 +17,22 @@ PARTS: Mapping[str, tuple[str, ...]] = MappingProxyType({
     "members": ("members",),
     "duals": ("duals",),
 })  # fmt: skip
-"""Their units; by what names runtime/point.pyx asks for them."""
+"""Name of each part, as in runtime/point.pyx -> its units."""
 WORDS: Mapping[str, str] = MappingProxyType({
     "derivatives": "derivatives",
     "members": "what runs side by side need",
     "duals": "the Jacobian of the right-hand side",
 })  # fmt: skip
 ALL_AT_FIRST = not sys.platform.startswith("linux")
-"""Whether nothing may be missing as a library is linked: where objects are not ELF's."""
+"""Whether all units must be linked at first, since undefined symbols are allowed only in ELF objects."""
 _AT_FIRST = ("model", "rhs", "lanes", "aside")
 _DERIVED = {"#define EM_ACTS", '#include "dynamics/em_close_eigenvalues.h"'}
-"""In a NAME.c that wants derivatives at once: what events do stands among them, and dM/dx tells where axes turn."""
+"""Lines of a NAME.c that needs derivatives at once: for event actions, or for dM/dx near close eigenvalues."""
 _DIFFERENTIATES = '#include "dynamics/em_rate_jacobian.h"'
 
 
 def at_first(text: str) -> tuple[str, ...]:
-    """Return the units of a NAME.c that its first run may need."""
+    """Return the units of a NAME.c that a first run may need."""
     if ALL_AT_FIRST:
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
     first = {*_AT_FIRST, "derivatives"} if _DERIVED.intersection(text.splitlines()) else _AT_FIRST
@@ -39,12 +40,12 @@ def at_first(text: str) -> tuple[str, ...]:
 
 
 def whole() -> tuple[str, ...]:
-    """Return the units of a module that stands alone: all but that for `System.jacobian`, which wants a compiler."""
+    """Return the units of a complete module: all but that for `System.jacobian`, which is compiled on demand."""
     return tuple(unit for unit in UNITS if unit not in (*IN_PLACE_OF.values(), "duals"))
 
 
 def methods_of(units: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the methods that these units are new to, explicit ones first."""
+    """Return the methods that these units add, explicit ones first."""
     explicit = {"model", "lanes", "members"}.intersection(units)
     first = [name for name, method in METHODS.items() if explicit and not method.implicit]
     return (*first, *(name for name, method in METHODS.items() if "derivatives" in units and method.implicit))

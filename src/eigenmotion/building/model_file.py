@@ -1,4 +1,4 @@
-"""Model files: run one, and hand over the `model` it defines."""
+"""Model files: execution of a file that defines a `model`."""
 
 import inspect
 import os
@@ -17,7 +17,7 @@ from ..codegen.model import Model, ModelError
 
 T = TypeVar("T")
 _loading = RLock()
-"""What a model file imports is found by way of sys.path, and that is the whole process's."""
+"""Lock around changes of sys.path, with which a model file finds its imports: it belongs to the whole process."""
 _TRUTH = {"1": True, "true": True, "yes": True, "on": True, "0": False, "false": False, "no": False, "off": False}
 
 
@@ -34,7 +34,7 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     Raises
     ------
     ModelError
-        The file is not there, fails (says where), defines no `model`, or knows no such keyword.
+        The file does not exist, raises an exception (names the line), defines no `model`, or has no such keyword.
 
     Examples
     --------
@@ -44,22 +44,22 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     """
     file = _file(path)
     with _loading, _importable(file.parent):
-        found = _guarded(file, lambda: _run(file)).get("model")
-        if isinstance(found, Model):
-            return _without(file, found, keywords)
-        if found is None:
+        defined = _guarded(file, lambda: _run(file)).get("model")
+        if isinstance(defined, Model):
+            return _without(file, defined, keywords)
+        if defined is None:
             raise ModelError(f"{file}: defines no `model` (a Model, or a function that returns one)")
-        if not callable(found):
-            raise ModelError(f"{file}: `model` is {_article(found)}, not a Model or a function that returns one")
-        arguments = _arguments(file, found, keywords)
-        built = _guarded(file, lambda: found(**arguments))
+        if not callable(defined):
+            raise ModelError(f"{file}: `model` is {_article(defined)}, not a Model or a function that returns one")
+        arguments = _arguments(file, defined, keywords)
+        built = _guarded(file, lambda: defined(**arguments))
     if not isinstance(built, Model):
         raise ModelError(f"{file}: model() returned {_article(built)}, not a Model")
     return built
 
 
 def _file(path: object) -> Path:
-    """Return the path of a file that is there."""
+    """Return the path of an existing file."""
     try:
         file = Path(path)  # type: ignore[arg-type]
         if stat.S_ISREG(file.stat().st_mode):
@@ -74,7 +74,7 @@ def _file(path: object) -> Path:
 
 
 def _run(file: Path) -> dict[str, object]:
-    """Execute the file's text (never a byte code cache of it) and return its names."""
+    """Execute the text of the file (never cached byte code) and return its global names."""
     module = ModuleType(f"_eigenmotion_model_{file.stem}")
     module.__file__ = str(file)
     exec(compile(file.read_bytes(), str(file), "exec", dont_inherit=True), module.__dict__)
@@ -83,9 +83,9 @@ def _run(file: Path) -> dict[str, object]:
 
 @contextmanager
 def _importable(folder: Path) -> Iterator[None]:
-    """Let a model file import its neighbours, after everything installed; they are read anew with the next file.
+    """Let a model file import modules beside it, with lower priority than installed ones.
 
-    Neither the folder nor they stay: the `geometry` beside one model is not the one beside another.
+    Afterwards the folder and these modules are removed again: another model may have another `geometry` beside it.
     """
     place = str(folder.resolve())
     before = set(sys.modules)
@@ -105,7 +105,7 @@ def _lies_in(module: ModuleType, place: str) -> bool:
 
 
 def _guarded(file: Path, action: Callable[[], T]) -> T:
-    """Do `action`; what goes wrong in it is a ModelError that names the line of the user's file."""
+    """Return action(); turn exceptions into a ModelError that names the line of the user's file."""
     try:
         return action()
     except Exception as error:
@@ -118,7 +118,7 @@ def _guarded(file: Path, action: Callable[[], T]) -> T:
 
 
 def _place(file: Path, error: Exception) -> str:
-    """FILE:LINE of the last line of the user's file that led to `error`."""
+    """Return FILE:LINE of the innermost line of the user's file in the traceback."""
     if isinstance(error, SyntaxError) and error.filename == str(file):
         return f"{file}:{error.lineno}"
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(file)]
@@ -157,7 +157,7 @@ def _is_needed(parameter: inspect.Parameter) -> bool:
 
 
 def _parsed(file: Path, name: str, value: object, default: object) -> object:
-    """Text -> the type of the default; anything else stays."""
+    """Return text converted to the type of the default; other values unchanged."""
     if not isinstance(value, str) or isinstance(default, str):
         return value
     try:

@@ -1,4 +1,4 @@
-"""A request for generated code: a model, the options that shape its code, and the command that a header states."""
+"""Request for generated code: a model, the options of generation, and the command for the headers."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
@@ -19,12 +19,12 @@ from .model_file import load_model
 
 SUFFIXES = (".h", ".c", ".pyx")
 OPTIONS = ("formulation", "close_eigenvalues", "schur", "output", "compiler", "flags")
-"""Of `build`."""
+"""Options of `build`."""
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """One model and the options of its generated code; `origin` is the command its headers name."""
+    """A model and the options of its generated code; `origin` is the command in the headers of the files."""
 
     model: Model
     choices: Choices = STANDARD
@@ -32,26 +32,26 @@ class Request:
 
     @property
     def input_hash(self) -> str:
-        """Hash of all that the generated code depends on but the generator itself."""
+        """Hash of the model and the options: all inputs of the generator."""
         return input_hash(self.model, self.choices)
 
     @property
     def sources_hash(self) -> str:
-        """Hash of all that the generated text depends on, the generator included."""
+        """Hash of all that the generated text depends on: inputs, command and generator."""
         return key(self.input_hash, self.origin, generator_hash())
 
     def sources(self, whole: bool = True) -> Sources:
-        """Derive and render; `whole` as of `generate`."""
+        """Derive and render; `whole` as in `generate`."""
         with uncollected():
             return generate(self.model, self.choices, origin=self.origin, whole=whole)
 
     def explanation(self) -> str:
-        """Say in words what the generated code carries and what it left out."""
+        """Return a text about what the generated code computes and leaves out."""
         return explain(self.model, self.choices)
 
     @property
     def file_names(self) -> tuple[str, ...]:
-        """Names of the generated files, known without generating them."""
+        """Names of the generated files."""
         return tuple(self.model.name + suffix for suffix in SUFFIXES)
 
 
@@ -63,7 +63,7 @@ def request(
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
 ) -> Request:
-    """Ask for the code of a model, or of the model that the file `source` defines.
+    """Return the request for a model, or for the model that the file `source` defines.
 
     Parameters
     ----------
@@ -73,21 +73,21 @@ def request(
     Raises
     ------
     ModelError
-        The file or the model has a mistake, or takes no such arguments.
+        The file or the model has a mistake, or has no such arguments.
     """
     choices = Choices(formulation, close_eigenvalues, schur)
-    given = definitions or {}
+    keywords = definitions or {}
     if isinstance(source, Model):
-        if given:
-            from ..arguments.named_values import unknown  # noqa: PLC0415, for which compilers need not wait: it loads NumPy
+        if keywords:
+            from ..arguments.named_values import unknown  # noqa: PLC0415, loads NumPy, for which compilers would wait
 
-            raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
+            raise ModelError(f"model {source.name}: {unknown('option', keywords, OPTIONS)} A Model takes no keywords.")
         return Request(source, choices)
-    return Request(load_model(source, **given), choices, _command(Path(source).name, given, choices))
+    return Request(load_model(source, **keywords), choices, _command(Path(source).name, keywords, choices))
 
 
 def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:
-    """Write the command that generates these files, without what it takes by default and without folders."""
+    """Return the command that generates these files, without defaults and without folders."""
     words = ["eigenmotion", "generate", file]
     words += [f"-D {name}={value}" for name, value in sorted(definitions.items())]
     standard = asdict(STANDARD)
@@ -98,13 +98,13 @@ def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> 
 
 @cache
 def generator_hash() -> str:
-    """Hash of the generator: its Python, its templates, and the versions of SymPy and Jinja."""
+    """Return a hash of the generator: its Python files, its templates, and the versions of SymPy and Jinja."""
     texts = [text for package in ("eigenmotion.codegen", "eigenmotion.templates") for text in _texts(files(package))]
     return key(version("sympy"), version("jinja2"), *texts)
 
 
 def _texts(folder: Traversable) -> Iterator[bytes]:
-    """Every Python file and template of a package, the rooms in it included."""
+    """Yield the content of each Python file and template of a package and its subpackages."""
     for file in sorted(folder.iterdir(), key=lambda file: file.name):
         if file.name.endswith((".py", ".jinja")):
             yield file.read_bytes()

@@ -1,4 +1,4 @@
-"""Libraries of models: sources are compiled into one, and it is loaded; one that has all is a module of Python, too."""
+"""Shared libraries of models: compilation, linking and loading. A complete library is also a Python module."""
 
 import ctypes
 import logging
@@ -26,63 +26,63 @@ if TYPE_CHECKING:
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
 _loaded: dict[Path, "System"] = {}
-_CAPSULE = b"eigenmotion.em_model"  # which outlives its capsules, as they ask
+_CAPSULE = b"eigenmotion.em_model"  # a constant, as capsules must outlive their name
 _capsule = ctypes.pythonapi.PyCapsule_New
 _capsule.restype, _capsule.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None,
-               units: Sequence[str] = (), kept: Sequence[Path] = ()) -> None:  # fmt: skip
-    """Compile units (all), prove the library of them and of objects that are `kept`, and keep it beside new objects.
+               units: Sequence[str] = (), existing: Sequence[Path] = ()) -> None:  # fmt: skip
+    """Compile units (default: all) and link them with `existing` objects; prove the library; copy it to `folder`.
 
-    Compilers work in a folder of its own, for they leave files about. It lies in the one that gets the library: what a
-    build that is killed leaves behind goes with that. What has been proved of objects that are kept is not proved anew.
+    The compiler runs in a temporary folder inside `folder`, since it leaves other files; if the build is killed, it is
+    deleted together with `folder`. With existing objects, only the methods of the new units are proved.
     """
     library, proved = f"{sources.name}{EXTENSION_SUFFIX}", methods_of(tuple(units) or whole())
     with _work(sources.files, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
-            built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
+            built = pool.submit(compile_and_link, work, sources.name, tools, units, existing)
             with uncollected():
-                from .verification import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
-        made = built.result()
+                from .verification import prove, prove_methods  # noqa: PLC0415, slow import while the compiler runs
+        new = built.result()
         if model is not None:
             system = system_in(work / library)
-            prove_methods(model, system, proved) if kept else prove(model, system, proved)
-        for name in (library, *made):
+            prove_methods(model, system, proved) if existing else prove(model, system, proved)
+        for name in (library, *new):
             shutil.copyfile(work / name, folder / name)
 
 
 @contextmanager
 def _work(files: Iterable[SourceFile], folder: Path) -> Iterator[Path]:
-    """A folder with files."""
+    """Make a temporary folder with files."""
     with TemporaryDirectory(prefix="work-", dir=folder) as place:
         for file in files:
             (Path(place) / file.name).write_text(file.text, encoding="utf-8")
         yield Path(place)
 
 
-def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[str] = (), kept: Sequence[Path] = ()
+def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[str] = (), existing: Sequence[Path] = ()
                      ) -> tuple[str, ...]:  # fmt: skip
-    """Units of NAME.c side by side, then the library of them. Without `units`: all, and it is a module of Python.
+    """Compile units of NAME.c in parallel, then link them. Without `units`: all units, as a Python module.
 
-    Returns the names of objects that are new, and this model's alone.
+    Returns the names of the new objects of this model.
     """
     is_module, units = not units, tuple(units) or whole()
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
-    there = {path.name for path in kept}
+    compiled_before = {path.name for path in existing}
     with ThreadPoolExecutor(max_workers=cores()) as pool:
         shared = pool.submit(stepper, tools)
-        own = [unit for unit in units if f"{name}_{unit}.o" not in there]
-        made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
+        missing = [unit for unit in units if f"{name}_{unit}.o" not in compiled_before]
+        jobs = [pool.submit(tools.compile_unit, work, name, unit) for unit in missing]
         if is_module:
-            made.append(pool.submit(tools.compile_module, work, name))
-        new = tuple(one.result() for one in made)
-    tools.link(work, (*new, shared.result(), *(str(path) for path in kept if path.name not in replaced)), name)
+            jobs.append(pool.submit(tools.compile_module, work, name))
+        new = tuple(job.result() for job in jobs)
+    tools.link(work, (*new, shared.result(), *(str(path) for path in existing if path.name not in replaced)), name)
     return new
 
 
 def stepper(tools: Toolchain) -> str:
-    """Return the path of the object that all models have in common: compiled once by each compiler, with its flags."""
+    """Return the path of the stepper object, which all models share; compiled once for each compiler and its flags."""
 
     def fill(folder: Path) -> None:
         with _work((), folder) as work:
@@ -93,9 +93,9 @@ def stepper(tools: Toolchain) -> str:
 
 @contextmanager
 def stepper_meanwhile(tools: Toolchain) -> Iterator[None]:
-    """Have the stepper compiled, where it is not yet, while a model is derived.
+    """Compile the stepper, unless it is in the cache, while a model is derived.
 
-    Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
+    The link step takes it from the cache or waits for it. An error here occurs there again, and is reported there.
     """
     with ThreadPoolExecutor(max_workers=1) as pool:
         pool.submit(stepper, tools)
@@ -103,7 +103,7 @@ def stepper_meanwhile(tools: Toolchain) -> Iterator[None]:
 
 
 def load(binary: Path) -> "System":
-    """Load the library at `binary`, once a process, and return the System of its model."""
+    """Load the library at `binary`, once per process, and return the System of its model."""
     with _loading:
         if binary not in _loaded:
             _loaded[binary] = system_in(binary)
@@ -111,8 +111,8 @@ def load(binary: Path) -> "System":
 
 
 def system_in(binary: Path) -> "System":
-    """Return a System of what is in a library now; it stays loaded, wherever its file goes."""
-    from ..system.system import System  # noqa: PLC0415, as above
+    """Return a System of a library, which stays loaded even if its file is moved or deleted."""
+    from ..system.system import System  # noqa: PLC0415, loads NumPy, for which compilers would wait
 
     stem = binary.name.removesuffix(EXTENSION_SUFFIX)
     try:

@@ -1,4 +1,4 @@
-"""Do the files on disk say what the generator would write?"""
+"""Check of generated files: whether they are what the generator would write."""
 
 import difflib
 import re
@@ -13,19 +13,19 @@ _COMMENT = re.compile(r"# (.+)|/\* (.+) \*/")
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One generated file that is not as it should be."""
+    """One generated file that is out of date, and the reason."""
 
     file: Path
     reason: str
 
 
 def differences_by_hash(request: Request, folder: Path) -> tuple[Difference, ...]:
-    """Compare hashes: the model's with those in the files' headers, and each body with its header's.
+    """Compare the hash of the model, and of the body of each file, with those in the header of the file.
 
-    Finds an edited model and an edited file without deriving; a changed generator it does not find.
+    Finds an edited model and an edited file without a derivation; does not find a changed generator.
     """
-    wanted = request.input_hash
-    reasons = [(folder / name, _doubt(folder / name, request, wanted)) for name in request.file_names]
+    requested = request.input_hash
+    reasons = [(folder / name, _doubt(folder / name, request, requested)) for name in request.file_names]
     return tuple(Difference(file, reason) for file, reason in reasons if reason)
 
 
@@ -55,21 +55,21 @@ def _changes(path: Path, text: str) -> str:
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
 
-def _doubt(path: Path, request: Request, wanted: str) -> str:
-    """Say what speaks against a file; every byte of it counts, its header's included."""
+def _doubt(path: Path, request: Request, requested: str) -> str:
+    """Return why a file is out of date, or "". Every byte of it is checked, the header included."""
     if not path.is_file():
         return "missing"
     text = path.read_bytes().decode("utf-8", "replace")
     header = stamp(text)
     if not (header.input_hash and header.body_hash):
         return "has no header of ours"
-    if header.input_hash != wanted:
+    if header.input_hash != requested:
         return "was generated from another model or with other options"
-    head = (commented(request.origin), f"input sha256:{wanted}", f"body sha256:{body_hash(text)}")
+    head = (commented(request.origin), f"input sha256:{requested}", f"body sha256:{body_hash(text)}")
     return "" if _comments(text, len(head)) == head else "was edited by hand, or made by another command"
 
 
 def _comments(text: str, count: int) -> tuple[str, ...]:
-    """Return what the first lines say, each a comment of C or Cython; "" for a line that is not one."""
+    """Return the text of the first lines, which are comments of C or Cython; "" for a line that is not a comment."""
     matches = [_COMMENT.fullmatch(line) for line in text.splitlines()[:count]]
     return tuple(match[1] or match[2] if match else "" for match in matches)

@@ -1,4 +1,4 @@
-"""The C compiler: which one, with which flags, and what it said."""
+"""C compiler: its choice, its flags, and its runs."""
 
 import os
 import shlex
@@ -17,14 +17,14 @@ from .errors import BuildError, CompilerNotFoundError
 INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
 OPTIMISED = (
     "-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno", "-fno-trapping-math",
-    "-fno-tree-slp-vectorize",  # GCC 12 packs straight-line code into vectors wrongly where a loop unrolls,
-    "--param=vect-epilogues-nomask=0",  # and moves what is left of a loop to where the stack is not aligned
+    "-fno-tree-slp-vectorize",  # GCC 12 vectorises straight-line code of unrolled loops wrongly,
+    "--param=vect-epilogues-nomask=0",  # and uses an unaligned stack in the epilogues of loops
 )  # fmt: skip
-"""Default flags, as far as a compiler knows them (docs/flags.md)."""
-STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
+"""Default flags, if the compiler knows them (docs/flags.md)."""
+STANDARD = ("-std=c11",)  # without warnings, which users of a model cannot act on
 SHARED = ("-fPIC", "-fvisibility=hidden")
-MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
-HURRIED = ("-O1",)  # for what is called at times only
+MODULE = ("-O1", "-w")  # code that runs once; no warnings about Python's headers
+HURRIED = ("-O1",)  # for functions that are called rarely
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
@@ -35,41 +35,41 @@ UNITS = {
     "aside": ("EM_UNIT=EM_ASIDE",),
     "duals": ("EM_ON_LANES", "EM_ON_DUALS"),
 }
-"""What a model's C file is compiled to, side by side and the longest first, and the macros that say so (em_real.h)."""
+"""Units of a model's C file (compiled in parallel, the longest first) -> the macros that select them (em_units.h)."""
 STEPPER = "em_stepper"
-"""A C file beside the headers: the object that all models have in common."""
+"""The C file of the object that all models share."""
 IN_PLACE_OF = {"members": "lanes"}
-"""What a unit has besides its own, so that the other is not linked beside it."""
+"""Unit -> another unit whose functions it contains, and which is therefore not linked beside it."""
 FLAGS = "EIGENMOTION_CFLAGS"
 ZIG = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=undefined")
-"""Clang with a library, of the `ziglang` wheel; where nothing is optimised, it would stop at undefined behaviour."""
+"""Clang of the `ziglang` wheel. Without the flag, unoptimised code would trap at undefined behaviour."""
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
 
 @cache
 def headers() -> str:
-    """Return a hash of all that is compiled in, and of what makes a module of a model."""
+    """Return a hash of all C files and headers of the runtime."""
     return key(*(path.read_bytes() for path in sorted(INCLUDE.rglob("*.[ch]"))))
 
 
 @dataclass(frozen=True)
 class Toolchain:
-    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins)."""
+    """A C compiler of the GCC or Clang kind, and flags that follow ours (the last of two that disagree wins)."""
 
     command: tuple[str, ...]
     flags: tuple[str, ...] = field(default=())
 
     @cached_property
     def optimised(self) -> tuple[str, ...]:
-        """Those of OPTIMISED that the compiler takes: it is asked, not known by its name."""
-        return OPTIMISED if self._takes(*OPTIMISED) else tuple(flag for flag in OPTIMISED if self._takes(flag))
+        """The flags of OPTIMISED that the compiler accepts in a test run."""
+        return OPTIMISED if self._accepts(*OPTIMISED) else tuple(flag for flag in OPTIMISED if self._accepts(flag))
 
     @cached_property
     def identity(self) -> str:
-        """Hash of what the code it makes depends on: version, flags, and the processor `-march=native` stands for.
+        """Hash of all that compiled code depends on: version, flags, and the processor of `-march=native`.
 
-        The macros that the compiler predefines tell all three.
+        The predefined macros of the compiler depend on all three.
         """
         macros = self._run(*self.optimised, *self.flags, *_MACROS)
         flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *HURRIED, *LINK, *map(str, UNITS.items()), *self.flags)
@@ -77,14 +77,14 @@ class Toolchain:
 
     @cached_property
     def lanes(self) -> int:
-        """Numbers in a vector of the processor, as em_real.h has them; 1: it has no vectors."""
+        """Doubles in a vector of the processor, as in em_real.h; 1: it has no vectors."""
         header = str(INCLUDE / "numeric/em_real.h")
         macros = self._run(*self.optimised, *self.flags, "-dM", "-E", "-x", "c", header)
         return next(int(line.split()[2]) for line in macros.splitlines() if line.startswith("#define EM_LANES "))
 
     @property
     def described(self) -> dict[str, str]:
-        """Say which compiler it is, and the flags it is given."""
+        """The version of the compiler, and its flags."""
         try:
             name = self._run("--version").splitlines()[0]
         except (BuildError, IndexError):
@@ -92,14 +92,14 @@ class Toolchain:
         return {"compiler": name, "flags": " ".join((*self.optimised, *self.flags))}
 
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
-        """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
+        """Compile a unit, STEM.c -> STEM_UNIT.o; return the name of the object."""
         target, optimised = f"{stem}_{unit}.o", HURRIED if unit == "duals" else self.optimised
         macros = (f"-D{macro}" for macro in UNITS[unit])
         self._run(*self._object(optimised), *macros, "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
 
     def compile_stepper(self, folder: Path) -> str:
-        """em_stepper.c -> em_stepper.o, what all models have in common, of which the name is returned."""
+        """Compile the stepper, em_stepper.c -> em_stepper.o; return the name of the object."""
         target = f"{STEPPER}.o"
         self._run(*self._object(self.optimised), "-c", str(INCLUDE / f"{STEPPER}.c"), "-o", target, folder=folder)
         return target
@@ -108,7 +108,7 @@ class Toolchain:
         return (*STANDARD, *optimised, *SHARED, *self.flags, f"-I{INCLUDE}")
 
     def compile_module(self, folder: Path, stem: str) -> str:
-        """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""
+        """Compile em_module.c -> STEM_module.o, which makes the library a Python module STEM; return its name."""
         headers = (f"-I{INCLUDE}", f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}")
         names = (f"-DEM_MODEL={stem}_model", f"-DEM_INIT=PyInit_{stem}")
         source, target = str(INCLUDE / "em_module.c"), f"{stem}_module.o"
@@ -116,11 +116,11 @@ class Toolchain:
         return target
 
     def link(self, folder: Path, objects: tuple[str, ...], name: str) -> None:
-        """Object files -> the extension module NAME."""
+        """Link object files to the library NAME."""
         self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
 
-    def _takes(self, *flags: str) -> bool:
-        """Whether the compiler takes flags without a word; one that cannot be started takes all, and says so later."""
+    def _accepts(self, *flags: str) -> bool:
+        """Return whether the compiler accepts flags without a warning; True if it cannot be started."""
         try:
             self._run("-Werror", *flags, *_MACROS)
         except BuildError as error:
@@ -144,16 +144,16 @@ def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchai
     Raises
     ------
     CompilerNotFoundError
-        The compiler asked for is not on the PATH, or there is none.
+        The requested compiler is not on the PATH, or there is none.
     BuildError
-        The command or the flags are no words of a shell.
+        The command or the flags cannot be split as in a shell.
     """
     chosen = _words("" if compiler is None else compiler, "compiler") or _words(os.environ.get("CC", ""), "$CC")
     candidates = [chosen] if chosen else [("cc",), ("gcc",), ("clang",)]
     more = _words(os.environ.get(FLAGS, ""), f"${FLAGS}") if flags is None else _words(flags, "flags")
     for command in candidates:
         found = shutil.which(command[0])
-        if found:  # absolute, for it is started in other folders; links stay, for some compilers go by their own name
+        if found:  # absolute, as it runs in other folders; links are not resolved, as some compilers check their name
             return Toolchain((os.path.abspath(found), *command[1:]), more)  # noqa: PTH100
     if not chosen and zig_is_there():
         return Toolchain(ZIG, more)
@@ -180,12 +180,12 @@ def _words(text: object, what: str) -> tuple[str, ...]:
 
 
 def run(command: tuple[str, ...], folder: Path | None = None, text: str = "") -> str:
-    """Run a tool, which reads a text if it asks, and return its standard output.
+    """Run a tool with `text` as standard input, and return its standard output.
 
     Raises
     ------
     BuildError
-        It could not be started, or did not answer 0.
+        The tool cannot be started, or its exit code is not 0.
     """
     try:
         done = subprocess.run(command, cwd=folder, input=text, capture_output=True, text=True, encoding="utf-8",

@@ -115,11 +115,11 @@ def export_fmu(
     >>> em.export_fmu(model, "pendulum.fmu").name
     'pendulum.fmu'
     """
-    wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    requested = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     chosen: Method = method_of(method, STEPPED)
     target = _target(path)
     options = tuple(_positive(value, name) for value, name in ((rtol, "rtol"), (atol, "atol")))
-    unit = packed(wanted, chosen, options, _step(chosen, step))
+    unit = packed(requested, chosen, options, _step(chosen, step))
     try:
         write(target, unit)
     except OSError as error:
@@ -153,13 +153,13 @@ def _step(method: Method, step: float | None) -> float:
     return 0.0 if step is None else _positive(step, "step")
 
 
-def packed(wanted: Request, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
+def packed(requested: Request, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
     """Return the unit's bytes: the same for the same model, options and compiler."""
-    texts = {file.name: file.text for file in cached_sources(wanted).files if not file.name.endswith(".pyx")}
+    texts = {file.name: file.text for file in cached_sources(requested).files if not file.name.endswith(".pyx")}
     texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h"))}
     texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in _HEADERS}
     texts = {name: _side_by_side(text) for name, text in texts.items()}
-    unit = _unit(system_of(wanted), texts, method, tolerances, step)
+    unit = _unit(system_of(requested), texts, method, tolerances, step)
     texts[f"{unit.name}_fmu.c"] = _template("unit.c.jinja", unit)
     files = {"modelDescription.xml": _template("modelDescription.xml.jinja", unit).encode()}
     files |= {f"sources/{name}": text.encode() for name, text in sorted(texts.items())}

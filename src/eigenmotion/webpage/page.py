@@ -45,7 +45,7 @@ class Run:
         return self.given.get(kind, {}).get(name, default)
 
 
-def page(wanted: Request, source: str, run: Run, space: Three | None = None) -> str:
+def page(requested: Request, source: str, run: Run, space: Three | None = None) -> str:
     """Return the page of a request as HTML.
 
     Parameters
@@ -60,14 +60,14 @@ def page(wanted: Request, source: str, run: Run, space: Three | None = None) -> 
     BuildError
         There is no compiler for WebAssembly, or it refused the code.
     """
-    model, made = wanted.model, program(wanted.model, wanted.choices)
+    model, made = requested.model, program(requested.model, requested.choices)
     return _environment().get_template("page.html.jinja").render(
         title=model.name.replace("_", " "), summary=summary(source), space=made.dimension == len("xyz"),
         inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=made.left_out,
-        download=f"{model.name}.py", source=_base64(source.encode()), origin=wanted.origin,
+        download=f"{model.name}.py", source=_base64(source.encode()), origin=requested.origin,
         licence=space.licence if space else "", formulation=made.formulation, rtol=f"{run.rtol:g}",
         atol=f"{run.atol:g}",
-        about=_json(about(model, run, made.conserves_energy)), wasm=_packed(module(wanted)),
+        about=_json(about(model, run, made.conserves_energy)), wasm=_packed(module(requested)),
         parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
     )  # fmt: skip
 

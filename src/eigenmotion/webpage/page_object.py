@@ -82,10 +82,10 @@ def show(
     >>> shown
     <Page of ... kB>
     """
-    wanted = request(source, keywords, formulation=formulation)
+    requested = request(source, keywords, formulation=formulation)
     text = "" if isinstance(source, Model) else Path(source).read_text(encoding="utf-8")
-    library, missing = of_space(wanted.model)
-    return Page(page(wanted, text, Run(t_end, rtol, atol), library), missing)
+    library, missing = of_space(requested.model)
+    return Page(page(requested, text, Run(t_end, rtol, atol), library), missing)
 
 
 def of_space(model: Model) -> tuple[Three | None, str]:

@@ -28,7 +28,7 @@ class WasmCompiler:
     identity: str
 
 
-def module(wanted: Request) -> bytes:
+def module(requested: Request) -> bytes:
     """Return the WebAssembly of a request, compiled unless it was before.
 
     Raises
@@ -36,7 +36,7 @@ def module(wanted: Request) -> bytes:
     CompilerNotFoundError
         There is nothing to compile it with; says what to install.
     """
-    tools, sources = wasm_compiler(), cached_sources(wanted)
+    tools, sources = wasm_compiler(), cached_sources(requested)
     texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
     headers = [path.read_bytes() for path in sorted(INCLUDE.rglob("*.h"))]
     name = key(tools.identity, *_FLAGS, _HARNESS.read_bytes(), *texts, *headers)

@@ -1,4 +1,4 @@
-"""A build proves itself: its System against the user's own expressions, before anything is kept (docs/proof.md)."""
+"""Proof of a build: check of the compiled model against the user's expressions, before it is cached (docs/proof.md)."""
 
 from .verdict import ProofError as ProofError
 from .verdict import prove as prove

@@ -1,4 +1,4 @@
-"""Values of a compiled model at many points; NaN where it declines to answer."""
+"""Values of a compiled model at many points; NaN where it has no value."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from .arithmetic.rounding_bounds import EPS
 from .test_points import Points
 
 _STRIDE = 1e-4
-"""What differences along the motion are over, relative to how long it takes a coordinate to become another."""
+"""Step of finite differences along the motion, relative to the time in which a coordinate changes by its own size."""
 
 
 @dataclass(frozen=True, slots=True)
 class CompiledValues:
-    """Answers at k points, the points first.
+    """Values at k points, which are the first axis.
 
-    M, factored (k, n, n); factored_rate, rate_off (k, n, n), along the motion, by differences, and their bounds;
+    M, factored (k, n, n): M and the factored matrix; factored_rate, rate_off (k, n, n): the rate of `factored` along
+    the motion by finite differences, and its error bound;
     A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
     C (k, n, n); s (k, n);
@@ -50,15 +51,15 @@ class CompiledValues:
     least_norm: Vector
 
 
-def ask(system: System, points: Points) -> CompiledValues:
-    """Ask a model everything at every place."""
+def evaluate_compiled(system: System, points: Points) -> CompiledValues:
+    """Evaluate all functions of a model at all points."""
     columns = zip(points.t, points.x, points.v, points.u, points.p, strict=True)
-    rows = [_ask(system.compiled, *place) for place in columns]
+    rows = [_evaluate_one(system.compiled, *place) for place in columns]
     return CompiledValues(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
-def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
-    """Return the fields of CompiledValues at one place."""
+def _evaluate_one(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
+    """Return the fields of CompiledValues at one point."""
     try:
         prepared = c.prepare(p)
     except EvaluationError:
@@ -83,7 +84,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
 
 
 def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> tuple[Vector, Vector]:
-    """(n, n) the rate of what is factored, by differences of fourth order, and what it is off by; 0 where that is M."""
+    """Return the rate (n, n) of the factored matrix by differences of fourth order, and its error; 0 if that is M."""
     if not c.augmented:
         return np.zeros((c.n, c.n)), np.zeros((c.n, c.n))
     moving = v != 0.0
@@ -96,7 +97,10 @@ def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared)
 
 
 def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
-    """The same with no contact or friction held, of which events watch multipliers: that follows from the others."""
+    """Return the constants without closed contacts and stuck frictions, whose events depend on multipliers.
+
+    Those multipliers are checked elsewhere.
+    """
     if not c.switches:
         return prepared
     free = p.copy()
@@ -105,7 +109,7 @@ def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
 
 
 def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector, least_norm: bool) -> Vector:
-    """Return dy, NaN where there is none: rows that depend on each other are refused, but for the luck of rounding."""
+    """Return dy; NaN if it has no value, or if rows depend on each other (only rounding can give a value then)."""
     try:
         return np.full(c.n_state, np.nan) if least_norm else c.rhs(t, y, prepared, u)
     except EvaluationError:
@@ -113,7 +117,7 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector, 
 
 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
-    """Shapes of the fields of CompiledValues at one place."""
+    """Return the shapes of the fields of CompiledValues at one point."""
     n, m, state = c.n, c.m, (c.n_state,)
     return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
             (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

@@ -1,4 +1,4 @@
-"""The first steps of a run, held against accelerations that have been proved: the steppers, settling and guards."""
+"""Check of the first steps of a run against proved accelerations: methods, settling and monitors."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ FAR = 1e9
 STEPS = 2
 """Steps of each method; so short a run is the same in every formulation."""
 SUBSTEPS = 32
-"""Steps of fourth order for each of them, by which they are judged."""
+"""Steps of the reference (classical fourth-order method) for each step."""
 TOLERANCE = 1e-9
-"""Of the run; what is left of x and v is judged by a thousand times that part of what they change by."""
+"""Tolerance of the run; errors of x and v above a thousand times this part of their change are wrong."""
 SOUND = 1e-6
-"""The least eigenvalue, of a matrix with ones on its diagonal, from which nothing there is singular to anybody."""
+"""Above this least eigenvalue, a matrix with unit diagonal is certainly regular."""
 _REASONS = (StopReason.SINGULAR_MASS_MATRIX, StopReason.DEPENDENT_CONSTRAINTS)
 
 
 def first_steps(system: System, methods: Iterable[str] = tuple(METHODS)) -> Iterator[tuple[str, str]]:
-    """Yield (method, what is wrong) where a run from the model's own start does not go as its accelerations say.
+    """Yield (method, what is wrong) for runs from the model's start that disagree with its accelerations.
 
-    Methods are compiled ones, explicit ones first. A start that cannot be, or a run that ends there for a reason of its
-    own, says nothing. Implicit steps go no farther than explicit ones, which are what they are judged by.
+    Methods are compiled ones, explicit ones first. A start that is refused, or a run that ends there for a reason of
+    its own, decides nothing. Runs by implicit methods are not longer than those by explicit methods.
     """
-    x, far = system.compiled.initial_x, min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
+    x, far = system.compiled.initial_x, min(FAR, system.compiled.smooth_interval(0.0, 1.0, system.prepare())[0])
     end = far
     with np.errstate(all="ignore"):
         for name in methods:
@@ -54,18 +54,18 @@ def _run(system: System, method: str, end: float, atol: float) -> Solution:
 
 
 def _refuses(run: Solution) -> bool:
-    """Whether it ends at the start; without an absolute tolerance, rounding of a number that is zero may be why."""
+    """Return whether the run ends at its start. Without an absolute tolerance, rounding of a zero may be the reason."""
     return run.stop in _REASONS and float(run.t[-1]) == 0.0
 
 
 def _jumps(system: System, run: Solution) -> bool:
-    """Whether something acted, or holds that does not in the model's own mode."""
+    """Return whether there was an event action, or a contact or friction holds (none does in the model's own mode)."""
     acted = any(len(times) for times, acts in zip(run.t_events or (), system.compiled.acting, strict=False) if acts)
     return acted or any(any(mode.values()) for _, mode in run.modes)
 
 
 def _is_sound(system: System, x: Vector) -> bool:
-    """Whether M, and A M^-1 A^T, are regular at the start beyond doubt."""
+    """Return whether M and A M^-1 A^T are certainly regular at the start."""
     M, A = system.mass_matrix(x), system.pfaffian(x)[0]
     return _least(M) > SOUND and _least(A @ np.linalg.solve(M, A.T)) > SOUND
 
@@ -76,10 +76,11 @@ def _least(W: Vector) -> float:
 
 
 def _off(system: System, run: Solution) -> float:
-    """Return how far the run is off, 0 where that is nothing, or may be the error of what judges it.
+    """Return the error of the run; 0 if it is within the tolerance, or may be the error of the reference.
 
-    That becomes less with shorter substeps, as where a force or M jumps or bends at the start. And without an absolute
-    tolerance, from rest, rounding of accelerations may be what moves: whoever asks looks at a run with one, too.
+    The error of the reference decreases with shorter substeps, for example if a force or M has a jump or kink at the
+    start. Without an absolute tolerance, a motion from rest may be only rounding of accelerations; so the caller also
+    checks a run with an absolute tolerance.
     """
     if not run.nsteps or _jumps(system, run) or _rests(system, run):
         return 0.0
@@ -90,9 +91,9 @@ def _off(system: System, run: Solution) -> float:
 
 
 def _rests(system: System, run: Solution) -> bool:
-    """Whether it starts at rest where nothing pushes, then or by its end, by more than rounding.
+    """Return whether the run starts at rest, and accelerations at its start and end are only rounding.
 
-    Rounding is what x moved in its last points makes of accelerations, or what is left of reactions that cancel forces.
+    Rounding: the change of accelerations if x changes in its last digits, or the rest of reactions that cancel forces.
     """
     x, v = (part[:, 0] for part in run.motion)
     near = x * (1 + 4 * np.finfo(float).eps)
@@ -114,7 +115,7 @@ def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
 
 
 def _error(system: System, run: Solution, substeps: int) -> float:
-    """Return how far the run is off, relative to the way of x and the change of v in the mass metric; NaN: unknown."""
+    """Return the error relative to the distance of x and the change of v in the mass metric; NaN if unknown."""
     n, times = system.compiled.n, np.linspace(0.0, run.t[-1], substeps * run.nsteps + 1)
     start = z = np.concatenate([part[:, 0] for part in run.motion])
     try:
@@ -132,7 +133,7 @@ def _error(system: System, run: Solution, substeps: int) -> float:
 
 
 def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
-    """One step of the classical fourth-order method."""
+    """Return the state after one step of the classical fourth-order method."""
     k1 = _rate(system, t, z)
     k2 = _rate(system, t + h / 2, z + h / 2 * k1)
     k3 = _rate(system, t + h / 2, z + h / 2 * k2)
@@ -142,13 +143,13 @@ def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
 
 def _rate(system: System, t: float, z: Vector) -> Vector:
     """Return (v, a) at t, moved into the smooth interval between the time events around the start."""
-    n, (_, low, high) = system.compiled.n, system.compiled.piece(0.0, 1.0, system.prepare())
+    n, (_, low, high) = system.compiled.n, system.compiled.smooth_interval(0.0, 1.0, system.prepare())
     t = min(max(t, low), high)
     return np.concatenate([z[n:], _motion(system, z[:n], z[n:], t)[0]])
 
 
 def _motion(system: System, x: Vector, v: Vector, t: float) -> tuple[Vector, Vector]:
-    """Accelerations and multipliers at the defaults."""
+    """Return accelerations and multipliers at default parameters and inputs."""
     c, prepared = system.compiled, system.prepare()
     shares = c.shares(t, x, prepared, SHARED_FROM_START)
     return c.acceleration(float(t), x, v, prepared, c.input_defaults, shares)

@@ -18,11 +18,11 @@ from .symbolic_values import SymbolicValues
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """Terms, each (k, r), whose sum is zero to their rounding.
+    """Terms, each (k, r), whose sum is zero up to rounding.
 
-    names : (r,) the subject of each sum
-    more : (k, r) the additional error bound of linear solves behind the values
-    scale : (k, r) the size relative to which the bound decides whether the identity means anything
+    names : (r,) what each sum checks
+    more : (k, r) additional error bound, of the linear solves for the values
+    scale : (k, r) size to which the bound is compared, to decide whether the identity proves anything
     always : whether the compiled model must have a value wherever the expression has one
     """
 
@@ -33,53 +33,53 @@ class Identity:
     always: bool = False
 
 
-def expressions(model: Mechanism, v: Vector, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
-    """Identities of single expressions and their derivatives; v (k, n)."""
+def expressions(model: Mechanism, v: Vector, compiled: CompiledValues, symbolic: SymbolicValues) -> Iterator[Identity]:
+    """Yield the identities of single expressions and their derivatives; v (k, n)."""
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
     second = [f"d2T / d{one} d{two} of kinetic_energy" for one in rates for two in rates]
-    size, pace = geometric(found.factored), rounded(v)
-    yield _equal(second, found.M, stated.M, size)
+    size, pace = geometric(compiled.factored), rounded(v)
+    yield _equal(second, compiled.M, symbolic.M, size)
     heavy_ones = model.n - len(model.states)  # states are velocities without energy
-    squares, products = 0.5 * pace[:, :, None] * stated.M * pace[:, None, :], stated.G * pace
+    squares, products = 0.5 * pace[:, :, None] * symbolic.M * pace[:, None, :], symbolic.G * pace
     squares = squares[:, :heavy_ones, :heavy_ones]
-    T2, T1, T0, V = found.energies.T[:, :, None]
+    T2, T1, T0, V = compiled.energies.T[:, :, None]
     yield Identity(["T2 of kinetic_energy"], [rounded(T2), -_summed(flat(squares))], always=True)
     yield Identity(["T1 of kinetic_energy"], [rounded(T1), -_summed(products)], scale=np.abs(T2), always=True)
-    yield _equal(["T0 of kinetic_energy"], T0, stated.T0[:, None])
-    yield _equal(["potential_energy"], V, stated.V[:, None])
-    unit = np.sqrt(np.abs(np.einsum("kii->ki", found.factored)))[:, None, :]
-    heavy = unit * np.abs(found.A / unit).max(axis=2, keepdims=True, initial=0.0)
-    yield _equal([f"the factor of {rate} in {row}" for row in rows for rate in rates], found.A, stated.A, heavy)
-    moving = _summed(rounded(found.A) * pace[:, None, :])
-    yield Identity(rows, [rounded(found.b), -stated.row, moving], always=True)
-    yield _equal(rows[: model.h], found.phi, stated.phi)
-    yield _equal([f"quasi_velocities[{name_of(y)}]" for y, _ in model.quasi_velocities], found.quasi, stated.quasi)
-    yield _equal([f"events[{name}]" for name, _ in model.events], found.events, stated.events)
+    yield _equal(["T0 of kinetic_energy"], T0, symbolic.T0[:, None])
+    yield _equal(["potential_energy"], V, symbolic.V[:, None])
+    unit = np.sqrt(np.abs(np.einsum("kii->ki", compiled.factored)))[:, None, :]
+    heavy = unit * np.abs(compiled.A / unit).max(axis=2, keepdims=True, initial=0.0)
+    yield _equal([f"the factor of {rate} in {row}" for row in rows for rate in rates], compiled.A, symbolic.A, heavy)
+    moving = _summed(rounded(compiled.A) * pace[:, None, :])
+    yield Identity(rows, [rounded(compiled.b), -symbolic.row, moving], always=True)
+    yield _equal(rows[: model.h], compiled.phi, symbolic.phi)
+    yield _equal([f"quasi_velocities[{name_of(y)}]" for y, _ in model.quasi_velocities], compiled.quasi, symbolic.quasi)
+    yield _equal([f"events[{name}]" for name, _ in model.events], compiled.events, symbolic.events)
     shapes = enumerate(model.drawing)
-    yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], found.drawn, stated.drawn)
+    yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], compiled.drawn, symbolic.drawn)
 
 
 def motion(
-    model: Mechanism, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
+    model: Mechanism, v: Vector, compiled: CompiledValues, symbolic: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
-    """Lagrange's equations (7), the differentiated constraints, and the outputs, which use their solution; v (k, n)."""
+    """Yield Lagrange's equations (7), the differentiated constraints, and the outputs, which use their solution."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
-    yield Identity(names, equations(found, stated), errors.solved, errors.solved / EPS)
-    size = np.einsum("kri,ki->kr", np.abs(stated.A.value), np.abs(found.a))
-    size += np.einsum("kri,ki->kr", np.abs(stated.A_rate.value), np.abs(v))
-    yield Identity([f"{row}, differentiated," for row in row_names(model)], [stated.row_rate], errors.rows, size)
-    yield Identity([f"outputs[{name}]" for name, _ in model.outputs], [rounded(found.outputs), -stated.outputs])
+    yield Identity(names, equations(compiled, symbolic), errors.solved, errors.solved / EPS)
+    size = np.einsum("kri,ki->kr", np.abs(symbolic.A.value), np.abs(compiled.a))
+    size += np.einsum("kri,ki->kr", np.abs(symbolic.A_rate.value), np.abs(v))
+    yield Identity([f"{row}, differentiated," for row in row_names(model)], [symbolic.row_rate], errors.rows, size)
+    yield Identity([f"outputs[{name}]" for name, _ in model.outputs], [rounded(compiled.outputs), -symbolic.outputs])
 
 
-def equations(found: CompiledValues, stated: SymbolicValues) -> list[Rounded]:
-    """The terms of d/dt dT/dxdot - dT/dx + dV/dx - Q + A^T lambda, (k, n) each."""
-    push = applied(stated.A.turned, rounded(found.multipliers))
-    return [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, push]
+def equations(compiled: CompiledValues, symbolic: SymbolicValues) -> list[Rounded]:
+    """Return the terms of d/dt dT/dxdot - dT/dx + dV/dx - Q + A^T lambda, (k, n) each."""
+    push = applied(symbolic.A.turned, rounded(compiled.multipliers))
+    return [symbolic.momentum_rate, -symbolic.T_x, symbolic.V_x, -symbolic.Q, push]
 
 
 def row_names(model: Mechanism) -> list[str]:
-    """Names of the constraint rows, as in error messages of a Model."""
+    """Return the names of the constraint rows, as in error messages of a Model."""
     kinds = {"holonomic_constraints": model.h, "nonholonomic_constraints": model.m - model.h}
     return [f"{kind}[{k}]" for kind, count in kinds.items() for k in range(count)]
 
@@ -89,12 +89,12 @@ def flat(values: Rounded) -> Rounded:
     return Rounded(*(part.reshape(len(part), -1) for part in (values.value, values.bound)))
 
 
-def _equal(names: Sequence[str], found: Vector, stated: Rounded, scale: Vector | float = 0.0) -> Identity:
-    wide = np.broadcast_to(scale, found.shape).reshape(len(found), -1)
-    return Identity(names, [flat(rounded(found)), -flat(stated)], scale=wide, always=True)
+def _equal(names: Sequence[str], compiled: Vector, symbolic: Rounded, scale: Vector | float = 0.0) -> Identity:
+    wide = np.broadcast_to(scale, compiled.shape).reshape(len(compiled), -1)
+    return Identity(names, [flat(rounded(compiled)), -flat(symbolic)], scale=wide, always=True)
 
 
 def _summed(terms: Rounded) -> Rounded:
-    """Sums over the last axis; (k, 1) of (k, r)."""
+    """Return sums over the last axis; (k, 1) of (k, r)."""
     value, bound = (part.sum(axis=-1, keepdims=terms.value.ndim == 2) for part in (terms.value, terms.bound))
     return Rounded(value, bound)

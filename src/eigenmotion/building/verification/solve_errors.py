@@ -16,9 +16,9 @@ from .symbolic_values import SymbolicValues
 class Errors:
     """Bounds at k points.
 
-    solved : (k, n) of the residual of M a = f - A^T lambda, with a computed by a root of M
-    a : (k, n) of the accelerations
-    rows : (k, m) of A a + gamma for these accelerations
+    solved : (k, n) bound of the residual of M a = f - A^T lambda, with a computed by a root of M
+    a : (k, n) bound of the accelerations
+    rows : (k, m) bound of A a + gamma for these accelerations
     """
 
     solved: Vector
@@ -26,25 +26,25 @@ class Errors:
     rows: Vector
 
 
-def errors(found: CompiledValues, stated: SymbolicValues, terms: list[Rounded]) -> Errors:
+def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Rounded]) -> Errors:
     """Return bounds for lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), with errors eps of each term.
 
-    Here M is the matrix that is factored, and `terms` are the terms of Lagrange's equations.
+    Here M is the factored matrix, and `terms` are the terms of Lagrange's equations.
     """
-    multipliers = np.abs(found.multipliers)
-    solved = EPS * np.einsum("kij,kj->ki", geometric(found.factored), np.abs(found.a))
-    W = inverse(stated.M)
-    push = applied(stated.A.turned, rounded(found.multipliers))
-    free = np.abs(found.a) + np.abs(applied(W, push).value)
+    multipliers = np.abs(compiled.multipliers)
+    solved = EPS * np.einsum("kij,kj->ki", geometric(compiled.factored), np.abs(compiled.a))
+    W = inverse(symbolic.M)
+    push = applied(symbolic.A.turned, rounded(compiled.multipliers))
+    free = np.abs(compiled.a) + np.abs(applied(W, push).value)
     left = sum((term.bound for term in terms), solved)
     wide = np.abs(W.value)
-    alone = _times(wide, left + _times(stated.M.bound, free))
-    delta = stated.A @ W @ stated.A.turned
-    lost = _times(np.abs(stated.A.value), alone) + stated.row_rate.bound
+    alone = _times(wide, left + _times(symbolic.M.bound, free))
+    delta = symbolic.A @ W @ symbolic.A.turned
+    lost = _times(np.abs(symbolic.A.value), alone) + symbolic.row_rate.bound
     rows = lost + _times(delta.bound + EPS * geometric(delta.value), multipliers)
     pushed = _times(np.abs(inverse(delta).value), rows)
-    moved = _times(wide, _times(np.abs(stated.A.value).swapaxes(1, 2), pushed))
-    rows[found.least_norm != 0.0] = np.inf  # dependent rows may contradict each other off the constraints
+    moved = _times(wide, _times(np.abs(symbolic.A.value).swapaxes(1, 2), pushed))
+    rows[compiled.least_norm != 0.0] = np.inf  # dependent rows may contradict each other off the constraints
     return Errors(solved, alone + moved, rows)
 
 

@@ -1,4 +1,4 @@
-"""Identities of the integrated right-hand side: the rates of the state against the acceleration."""
+"""Identities of the right-hand side: rates of the state compared with the acceleration."""
 
 from __future__ import annotations
 
@@ -28,43 +28,43 @@ class Factors:
 
 
 def rates(
-    system: System, v: Vector, found: CompiledValues, stated: SymbolicValues, errors: Errors
+    system: System, v: Vector, compiled: CompiledValues, symbolic: SymbolicValues, errors: Errors
 ) -> Iterator[Identity]:
-    """Identities of the state y and its rate dy, for v (k, n)."""
+    """Yield identities of the state y and its rate dy, for v (k, n)."""
     n, layout, names = system.compiled.n, system.layout, system.compiled.coordinates
-    back = rounded(v).off(EPS * recovered(system, v, found))
-    yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(found.dy[:, :n]), -back])
-    yield Identity([f"{name}' of the state" for name in names], [rounded(found.velocity), -back])
-    a = rounded(found.a).off(errors.a)
+    back = rounded(v).off(EPS * recovered(system, v, compiled))
+    yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(compiled.dy[:, :n]), -back])
+    yield Identity([f"{name}' of the state" for name in names], [rounded(compiled.velocity), -back])
+    a = rounded(compiled.a).off(errors.a)
     if "v" in layout:
-        yield Identity([f"the rate of {name}'" for name in names], [rounded(found.dy[:, n:]), -a],
-                       scale=speeds(found.a, found))  # fmt: skip
+        yield Identity([f"the rate of {name}'" for name in names], [rounded(compiled.dy[:, n:]), -a],
+                       scale=speeds(compiled.a, compiled))  # fmt: skip
     elif system.formulation == "cholesky":
-        yield _of_root(names, rounded(found.dy[:, n : 2 * n]), back, a, stated)
+        yield _of_root(names, rounded(compiled.dy[:, n : 2 * n]), back, a, symbolic)
     else:
-        yield from _of_eigenfactors(system, back, a, found, stated)
+        yield from _of_eigenfactors(system, back, a, compiled, symbolic)
     if "s_delta" in layout:
-        yield from _of_delta(system, found, stated)
+        yield from _of_delta(system, compiled, symbolic)
 
 
-def recovered(system: System, v: Vector, found: CompiledValues) -> Vector:
-    """(k, n): eps times this bounds the error of velocities computed from the state, e.g. from eta = (root of M) v."""
-    return np.abs(v) if "v" in system.layout else speeds(v, found)
+def recovered(system: System, v: Vector, compiled: CompiledValues) -> Vector:
+    """Return (k, n); eps times this bounds the error of velocities from the state, e.g. from eta = (root of M) v."""
+    return np.abs(v) if "v" in system.layout else speeds(v, compiled)
 
 
-def speeds(v: Vector, found: CompiledValues) -> Vector:
-    """(k, n): the speed of each coordinate that alone has the kinetic energy of v (k, n)."""
-    W = np.einsum("kii->ki", inverse(rounded(found.factored)).value)
-    energy = np.einsum("ki,kij,kj->k", v, found.factored, v)
+def speeds(v: Vector, compiled: CompiledValues) -> Vector:
+    """Return (k, n): for each coordinate, the speed with which it alone has the kinetic energy of v (k, n)."""
+    W = np.einsum("kii->ki", inverse(rounded(compiled.factored)).value)
+    energy = np.einsum("ki,kij,kj->k", v, compiled.factored, v)
     return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
 
 
-def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, stated: SymbolicValues) -> Identity:
-    """The identity of eta = L^T v, M = L L^T, with the rate of L from that of M."""
-    L = root(stated.M)
+def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, symbolic: SymbolicValues) -> Identity:
+    """Return the identity of eta = L^T v, M = L L^T, with the rate of L from that of M."""
+    L = root(symbolic.M)
     back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
     W = Rounded(back, np.abs(back) @ L.bound @ np.abs(back))
-    inner = W @ stated.M_rate @ W.turned
+    inner = W @ symbolic.M_rate @ W.turned
     half = np.tril(np.ones(back.shape[1:])) - 0.5 * np.eye(back.shape[1])
     turning = applied((L @ (half * inner)).turned, v)
     terms = [eta_rate, -turning, -applied(L.turned, a)]
@@ -72,34 +72,34 @@ def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, st
 
 
 def _all(terms: Sequence[Rounded]) -> Vector:
-    """(k, 1): the common size of terms in the same unit."""
+    """Return (k, 1): the common size of terms in the same unit."""
     return np.asarray(sum(np.abs(term.value) for term in terms).max(axis=1, keepdims=True))
 
 
 def _of_eigenfactors(
-    system: System, v: Rounded, a: Rounded, found: CompiledValues, stated: SymbolicValues
+    system: System, v: Rounded, a: Rounded, compiled: CompiledValues, symbolic: SymbolicValues
 ) -> Iterator[Identity]:
-    """Identities of eta = S C v (17) and M = C^T S^2 C, in units of `scales`."""
+    """Yield identities of eta = S C v (17) and M = C^T S^2 C, in units of `scales`."""
     c = system.compiled
     unit, names = rounded(1.0 / c.scales), c.coordinates
     both = c.scales[:, None] * c.scales
-    M, M_rate = both * stated.M, both * stated.M_rate
-    factors = _factors_of(system, found, M_rate.value)
+    M, M_rate = both * symbolic.M, both * symbolic.M_rate
+    factors = _factors_of(system, compiled, M_rate.value)
     size = _largest(factors, blocks_of(c, c.n))
     yield from _factored([f"M of {one}, {two}" for one in names for two in names], factors, M, M_rate, size)
     C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
     Cv, Ca, turn = applied(C, v * unit), applied(C, a * unit), applied(C_rate, v * unit)
-    terms = [rounded(found.dy[:, c.n : 2 * c.n]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
+    terms = [rounded(compiled.dy[:, c.n : 2 * c.n]), -(s_rate * Cv), -(s * turn), -(s * Ca)]
     wide = np.abs(factors.C)
-    off = wide @ M_rate.bound @ wide.swapaxes(1, 2)  # of C Mdot C^T, by which C and s turn and stretch
+    off = wide @ M_rate.bound @ wide.swapaxes(1, 2)  # error of C Mdot C^T, which determines the rates of C and s
     off = off + EPS * size * np.abs(factors.C_rate).max(axis=2, keepdims=True, initial=0.0)
     more = np.einsum("kij,kj->ki", off, np.abs(Cv.value)) / factors.s
     yield Identity([f"the rate of eta number {k}" for k in range(c.n)], terms, more, _all(terms))
 
 
-def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factors:
-    """Return the eigenfactors in the state; for blocks that do not turn, those of M."""
-    C, s, C_rate = found.C.copy(), found.s.copy(), np.zeros_like(found.C)
+def _factors_of(system: System, compiled: CompiledValues, M_rate: Vector) -> Factors:
+    """Return the eigenfactors in the state; for blocks that are not in the state, those of M."""
+    C, s, C_rate = compiled.C.copy(), compiled.s.copy(), np.zeros_like(compiled.C)
     s_rate = np.einsum("kij,kjl,kil->ki", C, M_rate, C) / (2.0 * s)
     if "s" in system.layout:
         carried = [
@@ -108,8 +108,8 @@ def _factors_of(system: System, found: CompiledValues, M_rate: Vector) -> Factor
         for block, (at, root) in zip(carried, _places(system, "C", "s", carried), strict=True):
             square = np.ix_(range(len(C)), block, block)
             shape = (len(C), len(block), len(block))
-            C[square], C_rate[square] = found.y[:, at].reshape(shape), found.dy[:, at].reshape(shape)
-            s[:, block], s_rate[:, block] = found.y[:, root], found.dy[:, root]
+            C[square], C_rate[square] = compiled.y[:, at].reshape(shape), compiled.dy[:, at].reshape(shape)
+            s[:, block], s_rate[:, block] = compiled.y[:, root], compiled.dy[:, root]
     return Factors(C, s, C_rate, s_rate)
 
 
@@ -122,7 +122,7 @@ def _places(system: System, C: str, s: str, blocks: Sequence[Sequence[int]]) -> 
 
 
 def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
-    """(k, n, n): the largest s^2 of the block of both coordinates, to which rounding of its factors is relative."""
+    """Return (k, n, n): the largest s^2 in the block of both coordinates; rounding of the factors is relative to it."""
     size = np.zeros_like(factors.C)
     for block in map(list, blocks):
         size[np.ix_(range(len(size)), block, block)] = (factors.s[:, block] ** 2).max(axis=1)[:, None, None]
@@ -132,7 +132,7 @@ def _largest(factors: Factors, blocks: Sequence[Sequence[int]]) -> Vector:
 def _factored(
     names: Sequence[str], factors: Factors, W: Rounded, W_rate: Rounded, size: Vector, turning: Vector | float = 0.0
 ) -> Iterator[Identity]:
-    """Identities of W = C^T S^2 C with orthonormal C, and of their derivatives (30), (35)."""
+    """Yield identities of W = C^T S^2 C with orthonormal C, and of their derivatives (30), (35)."""
     C, s, C_rate, s_rate = map(rounded, (factors.C, factors.s, factors.C_rate, factors.s_rate))
     squares, unit = (s * s)[:, :, None], Rounded(np.broadcast_to(np.eye(C.value.shape[1]), C.value.shape), 0.0 * size)
     wide = np.abs(factors.C.swapaxes(1, 2)) @ np.abs(factors.C)
@@ -157,20 +157,20 @@ def _wide(size: Vector) -> Vector:
     return size.reshape(len(size), -1)
 
 
-def _of_delta(system: System, found: CompiledValues, stated: SymbolicValues) -> Iterator[Identity]:
-    """Identities of Delta = A M^-1 A^T (47) and of the eigenfactors of its groups."""
-    A, W = stated.A, inverse(stated.M)
+def _of_delta(system: System, compiled: CompiledValues, symbolic: SymbolicValues) -> Iterator[Identity]:
+    """Yield identities of Delta = A M^-1 A^T (47) and of the eigenfactors of its groups."""
+    A, W = symbolic.A, inverse(symbolic.M)
     P = A @ W
-    half = stated.A_rate @ P.turned
-    delta, delta_rate = P @ A.turned, half + half.turned - P @ stated.M_rate @ P.turned
-    turning = np.abs(_factors_of(system, found, stated.M_rate.value).C_rate).max(axis=(1, 2), keepdims=True)
+    half = symbolic.A_rate @ P.turned
+    delta, delta_rate = P @ A.turned, half + half.turned - P @ symbolic.M_rate @ P.turned
+    turning = np.abs(_factors_of(system, compiled, symbolic.M_rate.value).C_rate).max(axis=(1, 2), keepdims=True)
     groups = [group for group in _coupled(delta) if len(group) > 1]
     if sum(map(len, groups)) != system.layout["s_delta"].stop - system.layout["s_delta"].start:
-        return  # rows coupled in form only
+        return  # some rows are coupled only formally
     for group, (at, root_at) in zip(groups, _places(system, "C_delta", "s_delta", groups), strict=True):
-        shape, square = (len(found.y), len(group), len(group)), np.ix_(range(len(found.y)), group, group)
-        factors = Factors(found.y[:, at].reshape(shape), found.y[:, root_at],
-                          found.dy[:, at].reshape(shape), found.dy[:, root_at])  # fmt: skip
+        shape, square = (len(compiled.y), len(group), len(group)), np.ix_(range(len(compiled.y)), group, group)
+        factors = Factors(compiled.y[:, at].reshape(shape), compiled.y[:, root_at],
+                          compiled.dy[:, at].reshape(shape), compiled.dy[:, root_at])  # fmt: skip
         names = [f"Delta of rows {one}, {two}" for one in group for two in group]
         size = _largest(factors, [range(len(group))])
         yield from _factored(names, factors, delta[square], delta_rate[square], size, turning)

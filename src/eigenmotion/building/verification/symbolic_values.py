@@ -1,4 +1,4 @@
-"""Values of the user's own expressions at many points, in hyper-dual numbers."""
+"""Values of the user's expressions at many points, in hyper-dual numbers."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from ...arguments.named_values import Vector
 from ...codegen.model import multiplier, t
 from ...codegen.model.statement.mechanism import Mechanism
 from .arithmetic.evaluate import Evaluation
-from .arithmetic.hyperdual import HyperDual, given
+from .arithmetic.hyperdual import HyperDual, from_parts
 from .arithmetic.rounding_bounds import EPS, Rounded, joined, rounded
 from .compiled_values import CompiledValues
 from .test_points import Points
 
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
 _AT_ONCE = 30_000
-"""Numbers in one array: enough to make Python's share small, few enough for the processor's cache."""
+"""Numbers in one array: large compared with the overhead of Python, small compared with the processor's cache."""
 
 
 @dataclass(frozen=True, slots=True)
 class SymbolicValues:
-    """Values at k points, the points first, for the accelerations and multipliers that the compiled model found.
+    """Values at k points (first axis), with the accelerations and multipliers of the compiled model.
 
     M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum_rate (k, n) = d/dt dT/dxdot; T_x, V_x, Q (k, n)
     A, A_rate (k, m, n); row (k, m) = A xdot + b; row_rate (k, m) its rate; phi (k, h); quasi (k, n or 0)
@@ -54,9 +54,9 @@ class SymbolicValues:
     unknown: frozenset[str]
 
 
-def evaluate(model: Mechanism, points: Points, found: CompiledValues, speed: Vector) -> SymbolicValues:
+def evaluate(model: Mechanism, points: Points, compiled: CompiledValues, speed: Vector) -> SymbolicValues:
     """Evaluate all expressions of a model; velocities have the error bound eps `speed` (k, n)."""
-    statement = _Values(model, points, found, speed)
+    statement = _Values(model, points, compiled, speed)
     with np.errstate(all="ignore"):
         energies, along = statement.energies(), statement.along()
         across, twice = statement.across(), statement.twice()
@@ -69,12 +69,15 @@ def evaluate(model: Mechanism, points: Points, found: CompiledValues, speed: Vec
 class _Values:
     """Evaluations of one model at the same points, with different parts varied."""
 
-    def __init__(self, model: Mechanism, points: Points, found: CompiledValues, speed: Vector) -> None:
-        self.model, self.points, self.found = model, points, found
+    def __init__(self, model: Mechanism, points: Points, compiled: CompiledValues, speed: Vector) -> None:
+        self.model, self.points, self.compiled = model, points, compiled
         self.k, self.n = points.x.shape
         self.x = _columns(rounded(points.x))
         self.v = _columns(Rounded(points.v, EPS * np.maximum(np.abs(points.v), speed)))
-        self.a, self.each = _columns(rounded(found.a)), _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0)
+        self.a, self.each = (
+            _columns(rounded(compiled.a)),
+            _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0),
+        )
         self.time = rounded(points.t[:, None])
         self._evaluations: list[Evaluation] = []
 
@@ -84,28 +87,28 @@ class _Values:
         return frozenset().union(*(value.unknown for value in self._evaluations))
 
     def energies(self) -> dict[str, Rounded]:
-        """M, G, T0 and the rate of M: T at rest, along each velocity and each two of them, with x and t moving."""
+        """Return M, G, T0 and the rate of M, from T at rest, at unit velocities and at sums of two of them."""
         pairs = list(combinations(range(self.n), 2))
         one, none = np.eye(self.n), np.zeros((1, self.n))
         patterns = np.concatenate([none, one, -one, *(one[[i]] + one[[j]] for i, j in pairs)])
         size = max(1, _AT_ONCE // len(patterns))
         parts = [self._energies(slice(i, i + size), patterns) for i in range(0, self.k, size)]
-        unit = _units(self.found)
+        unit = _units(self.compiled)
         (T, T_rate) = (joined(part, axis=0) for part in zip(*parts, strict=True))
         M, G, T0 = _quadratic(T, unit, pairs)
         return {"M": M, "G": G, "T0": T0, "M_rate": _quadratic(T_rate, unit, pairs)[0]}
 
     def _energies(self, rows: slice, patterns: Vector) -> tuple[Rounded, Rounded]:
-        unit = _units(self.found)[rows]
+        unit = _units(self.compiled)[rows]
         moving = [HyperDual(x[rows], v[rows]) for x, v in zip(self.x, self.v, strict=True)]
-        velocities = [given(patterns[:, i] * unit[:, i : i + 1]) for i in range(self.n)]
+        velocities = [from_parts(patterns[:, i] * unit[:, i : i + 1]) for i in range(self.n)]
         value = self._evaluation(moving, velocities, HyperDual(self.time[rows], _ONE), rows)
         T = value(self.model.kinetic_energy)
         shape = (len(unit), len(patterns))
         return _filled(T.a, shape), _filled(T.b, shape)
 
     def along(self) -> dict[str, Rounded]:
-        """Return the derivatives along the motion and by velocities, and the values that are not differentiated."""
+        """Return derivatives along the motion and with respect to velocities, and values without derivatives."""
         model = self.model
         x = [HyperDual(*pair) for pair in zip(self.x, self.v, strict=True)]
         v = [HyperDual(*parts) for parts in zip(self.v, self.a, self.each, strict=True)]
@@ -123,7 +126,7 @@ class _Values:
         }  # fmt: skip
 
     def across(self) -> dict[str, Rounded]:
-        """Return the derivatives by coordinates, and their rates at rest."""
+        """Return the derivatives with respect to coordinates, and their rates."""
         model = self.model
         x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
         value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.time, _ONE))
@@ -137,7 +140,7 @@ class _Values:
         }  # fmt: skip
 
     def twice(self) -> Rounded:
-        """d2 phi / dt2 (k, h) along the motion."""
+        """Return d2 phi / dt2 (k, h) along the motion."""
         x = [HyperDual(x, v, v, a) for x, v, a in zip(self.x, self.v, self.a, strict=True)]
         value = self._evaluation(x, [], HyperDual(self.time, _ONE, _ONE))
         return self._table(value(row).f for row in self.model.holonomic_constraints)
@@ -157,11 +160,11 @@ class _Values:
         values |= zip((rate.diff(t) for rate in model.rates), map(HyperDual, self.a), strict=True)
         values |= zip((p for p, _ in model.parameters), map(HyperDual, self._parameters(rows)), strict=True)
         values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(points.u[rows]))), strict=True)
-        values |= {multiplier(row): given(self.found.multipliers[:, row, None]) for row in range(model.m)}
+        values |= {multiplier(row): from_parts(self.compiled.multipliers[:, row, None]) for row in range(model.m)}
         value = Evaluation(values)
         for y, P_xdot in model.quasi_velocities if v else ():
             value.define(y, value(P_xdot))
-            value.define(y.diff(t), given(np.nan) if (rate := value(y).b) is None else HyperDual(rate))
+            value.define(y.diff(t), from_parts(np.nan) if (rate := value(y).b) is None else HyperDual(rate))
         self._evaluations.append(value)
         return value
 
@@ -171,12 +174,12 @@ class _Values:
         return _columns(Rounded(p, np.where(p == np.round(p), 0.0, EPS * np.abs(p))))
 
     def _table(self, values: Iterable[Rounded | None]) -> Rounded:
-        """(k, how many values)."""
+        """Return values as columns of an array (k, number of values)."""
         columns = [_filled(value, (self.k, 1)) for value in values]
         return joined([rounded(np.empty((self.k, 0))), *columns], axis=1)
 
     def _matrix(self, values: Iterable[Rounded | None]) -> Rounded:
-        """(k, how many values, n)."""
+        """Return values as rows of an array (k, number of values, n)."""
         rows = [_filled(value, (self.k, self.n))[:, None] for value in values]
         return joined([rounded(np.empty((self.k, 0, self.n))), *rows], axis=1)
 
@@ -194,15 +197,15 @@ def _filled(part: Rounded | None, shape: tuple[int, int]) -> Rounded:
     return (part or _ZERO).filled(shape)
 
 
-def _units(found: CompiledValues) -> Vector:
+def _units(compiled: CompiledValues) -> Vector:
     """Return velocities (k, n), each with as much kinetic energy as at rest, so that no term is lost by rounding."""
-    diagonal, T0 = np.einsum("kii->ki", found.M), np.abs(found.energies[:, 2:3])
+    diagonal, T0 = np.einsum("kii->ki", compiled.M), np.abs(compiled.energies[:, 2:3])
     unit = np.sqrt(np.where(T0 > 0.0, T0, 1.0) / np.abs(diagonal))
     return np.where(np.isfinite(unit) & (unit > 0.0), unit, 1.0)
 
 
 def _quadratic(T: Rounded, unit: Vector, pairs: list[tuple[int, int]]) -> tuple[Rounded, Rounded, Rounded]:
-    """M (k, n, n), G (k, n), T0 (k,) of T at rest, at plus and minus each velocity, and at each two of them."""
+    """Return M (k, n, n), G (k, n), T0 (k,) from T at rest, at plus and minus unit velocities, and at sums of two."""
     n = unit.shape[1]
     rest, plus, minus, both = T[:, :1], T[:, 1 : n + 1], T[:, n + 1 : 2 * n + 1], T[:, 2 * n + 1 :]
     squares, (i, j) = plus + minus - 2.0 * rest, np.array(pairs, dtype=int).reshape(-1, 2).T

@@ -11,7 +11,7 @@ from ...runtime import CompiledModel, EvaluationError
 from ...system.system import System
 
 SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
-"""How large x and v are about; each state has an opposite, for chance alone leaves out signs."""
+"""Approximate sizes of x and v. Each state is used with both signs, so that all signs occur."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Points:
     p: Vector
 
     def described(self, number: int, system: System) -> str:
-        """Say where one of them is, in the model's names."""
+        """Return one point as text, in the model's names."""
         values = [("t", self.t[number])]
         values += zip(system.compiled.coordinates, self.x[number], strict=True)
         values += zip((f"{name}'" for name in system.compiled.coordinates), self.v[number], strict=True)
@@ -36,9 +36,9 @@ class Points:
 
 
 def draw(system: System, attempt: int) -> Points:
-    """Draw states of both signs about 0, of different sizes and of the start's, others about the start, and the start.
+    """Draw random points: states of several sizes with both signs, states near the start, and the start itself.
 
-    What follows a failed attempt lies closer to the start. Some points have other parameters than the defaults.
+    Points of later attempts are closer to the start. Some points have other parameters than the defaults.
     """
     random = np.random.default_rng(attempt)
     c = system.compiled
@@ -61,7 +61,7 @@ def draw(system: System, attempt: int) -> Points:
 
 
 def _keep_declared(model: CompiledModel, p: Vector) -> None:
-    """Put numbers that parameters were not declared to have on the other side of 0, or back to their defaults."""
+    """Change the sign of values that contradict the assumptions of their parameter, or reset them to the default."""
     for k, own in enumerate(model.parameter_defaults.tolist() if any(model.declared) else ()):
         p[k] = next(value for value in (p[k], -p[k], own) if _may_be(model, k, value))
 
@@ -77,12 +77,12 @@ def _may_be(model: CompiledModel, k: int, value: float) -> bool:
 
 
 def _both_signs(random: np.random.Generator, sizes: Vector) -> Vector:
-    """Numbers of about these sizes, and their opposites."""
+    """Return random numbers of about these sizes, and their negatives."""
     half = sizes * np.exp(random.normal(0.0, 0.5, sizes.shape)) * random.choice([-1.0, 1.0], sizes.shape)
     return np.concatenate([half, -half])
 
 
 def _nearby(random: np.random.Generator, numbers: Vector, distance: float, count: int) -> Vector:
-    """Numbers off by up to `distance` times their size; by `distance` itself where they are 0."""
+    """Return numbers changed by up to `distance` times their size; zeros are changed by up to `distance`."""
     size = np.where(numbers == 0.0, 1.0, np.abs(numbers))
     return np.asarray(numbers + distance * size * random.uniform(-1.0, 1.0, (count, len(numbers))))

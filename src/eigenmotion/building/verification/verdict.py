@@ -1,4 +1,4 @@
-"""The proof of a build: values of the compiled model against the user's own expressions, at random points."""
+"""Proof of a build: the compiled model is compared with the user's expressions at random points."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...codegen.model.statement.states import as_mechanism
 from ...system.system import System
 from ..errors import BuildError
 from .arithmetic.rounding_bounds import FACTOR
-from .compiled_values import CompiledValues, ask
+from .compiled_values import CompiledValues, evaluate_compiled
 from .first_steps import first_steps
 from .identities import Identity, equations, expressions, motion
 from .regularised_mass import factored
@@ -31,11 +31,11 @@ _log = logging.getLogger("eigenmotion")
 
 
 class ProofError(BuildError):
-    """The compiled model is not what its energies, forces and constraints say; names the term and the state.
+    """The compiled model disagrees with its energies, forces or constraints; names the term and the state.
 
     Examples
     --------
-    It is an error of the compiler or of this program, not of the model; `formulation` or `flags` may lead around it.
+    This is an error of the compiler or of this program, not of the model. Another `formulation` or `flags` may help.
 
     >>> import eigenmotion as em
     >>> from eigenmotion.models.pendulum import model
@@ -47,7 +47,7 @@ class ProofError(BuildError):
 
 
 def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
-    """Check a compiled model against the user's expressions, at random points.
+    """Check a compiled model against the user's expressions at random points.
 
     The computed accelerations and multipliers satisfy Lagrange's equations and the differentiated constraints; M, A,
     energies, quasi-velocities, outputs and events equal the expressions; the right-hand side is the rate of the state;
@@ -76,7 +76,7 @@ def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
 
 
 def _prove_identities(model: Mechanism, system: System) -> None:
-    """Check identities at new points until each term had a value somewhere, and log the terms without one."""
+    """Check the identities at new points until each of them was decided at some point; log the others."""
     for attempt in range(_ATTEMPTS):
         unproved, silent = _compare(model, system, draw(system, attempt))
         if not unproved:
@@ -89,29 +89,29 @@ def _prove_identities(model: Mechanism, system: System) -> None:
 
 def _compare(model: Mechanism, system: System, points: Points) -> tuple[list[str], bool]:
     """Return the names of identities that no point decides, and whether the model has no acceleration at any point."""
-    found = ask(system, points)
-    stated = evaluate(model, points, found, recovered(system, points.v, found))
-    if stated.unknown:
-        _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(stated.unknown)))
+    compiled = evaluate_compiled(system, points)
+    symbolic = evaluate(model, points, compiled, recovered(system, points.v, compiled))
+    if symbolic.unknown:
+        _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(symbolic.unknown)))
     unproved: list[str] = []
     with np.errstate(all="ignore"):
-        for identity in _identities(model, system, points, found, stated):
+        for identity in _identities(model, system, points, compiled, symbolic):
             left, bound, size = _judged(identity)
             _refuse(model, system, points, identity, left, bound)
             blind = ~(FACTOR * bound <= KNOWN * size).any(axis=0)
             unproved += np.array(identity.names)[blind][:1].tolist()
-    return unproved, bool(np.isnan(found.a).all())
+    return unproved, bool(np.isnan(compiled.a).all())
 
 
 def _identities(
-    model: Mechanism, system: System, points: Points, found: CompiledValues, stated: SymbolicValues
+    model: Mechanism, system: System, points: Points, compiled: CompiledValues, symbolic: SymbolicValues
 ) -> Iterator[Identity]:
-    yield from expressions(model, points.v, found, stated)
-    whole, added = factored(system, found, stated)
+    yield from expressions(model, points.v, compiled, symbolic)
+    whole, added = factored(system, compiled, symbolic)
     yield from added
-    off = errors(found, whole, equations(found, stated))
-    yield from motion(model, points.v, found, stated, off)
-    yield from rates(system, points.v, found, whole, off)
+    off = errors(compiled, whole, equations(compiled, symbolic))
+    yield from motion(model, points.v, compiled, symbolic, off)
+    yield from rates(system, points.v, compiled, whole, off)
 
 
 def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
@@ -119,7 +119,7 @@ def _judged(identity: Identity) -> tuple[Vector, Vector, Vector]:
     values, bounds = (np.array([getattr(term, part) for term in identity.terms]) for part in ("value", "bound"))
     left, bound = np.abs(values.sum(axis=0)), bounds.sum(axis=0) + identity.more
     size = np.maximum(np.abs(values).sum(axis=0), identity.scale)
-    if len(values) > 1:  # zero, says the one everywhere; and so does the other, to its rounding
+    if len(values) > 1:  # all terms but one are exactly zero: the other then is zero within its rounding, which decides
         size = np.where((np.count_nonzero(values, axis=0) <= 1).all(axis=0), np.inf, size)
     if identity.always:
         unanswered = ~np.isfinite(values[0]) & np.isfinite(values[1:]).all(axis=0)

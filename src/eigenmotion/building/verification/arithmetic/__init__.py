@@ -1,1 +1,1 @@
-"""Values of the user's expressions: hyper-dual numbers with bounds of their rounding."""
+"""Arithmetic of the proof: hyper-dual numbers with bounds of their rounding errors."""

@@ -1,4 +1,4 @@
-"""A user's expression in hyper-dual numbers, straight from SymPy's tree: nothing of `codegen`'s graph, nor of C."""
+"""Evaluation of SymPy expressions in hyper-dual numbers, independent of the graph of `codegen` and of C."""
 
 from __future__ import annotations
 
@@ -24,14 +24,17 @@ _NO_VALUE = HyperDual(*4 * (Rounded(np.nan, np.nan),))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Truth:
-    """1, 0, or what is not a number, where a condition is on what is none; and where rounding decides."""
+    """Truth of a condition: 1, 0, or NaN if its operands are NaN.
+
+    unsure : whether rounding decides
+    """
 
     holds: Part
     unsure: Part
 
     @property
     def never(self) -> Part:
-        """Where it does not hold, whatever rounding does."""
+        """Whether the condition is false whatever the rounding."""
         return (self.holds == 0) & ~self.unsure
 
     def __invert__(self) -> _Truth:
@@ -51,11 +54,11 @@ class Evaluation:
     Parameters
     ----------
     values
-        What each symbol, function of time and derivative is.
+        The value of each symbol, function of time and derivative.
 
     Attributes
     ----------
-    unknown : names of functions met that have no counterpart here; not a number where they stand
+    unknown : names of functions that are not supported here; expressions with them are NaN
     """
 
     def __init__(self, values: Mapping[sympy.Basic, HyperDual]) -> None:
@@ -64,13 +67,13 @@ class Evaluation:
         self.unknown: set[str] = set()
 
     def __call__(self, expression: sympy.Basic) -> HyperDual:
-        """Return the value of an expression, however deep it is nested."""
+        """Return the value of an expression, without recursion, so that it may be nested deeply."""
         waiting = [expression]
         while waiting:
             part = waiting.pop()
             if part in self._known or part in self._truths:
                 continue
-            missing = [inner for inner in _asked(part) if inner not in self._known and inner not in self._truths]
+            missing = [inner for inner in _arguments(part) if inner not in self._known and inner not in self._truths]
             if missing:
                 waiting += [part, *missing]
             elif isinstance(part, Boolean):
@@ -81,7 +84,7 @@ class Evaluation:
         return value
 
     def define(self, symbol: sympy.Basic, value: HyperDual) -> None:
-        """Let a symbol have a value from here on."""
+        """Set the value of a symbol."""
         self._known[symbol] = value
 
     def _evaluate(self, expression: sympy.Basic) -> HyperDual:
@@ -91,7 +94,7 @@ class Evaluation:
             return self._piecewise(expression)
         if isinstance(expression, sympy.Pow):
             return power(*(self._known[part] for part in expression.args))
-        name, values = type(expression).__name__, [self._known[part] for part in _asked(expression)]
+        name, values = type(expression).__name__, [self._known[part] for part in _arguments(expression)]
         if isinstance(expression, TableCall):
             return of_table(expression, *values)
         if name in _OF_MANY:
@@ -121,8 +124,8 @@ class Evaluation:
         return _Truth(np.where(known, holds, np.nan), np.asarray(known & doubt(one, other)))
 
 
-def _asked(expression: sympy.Basic) -> Sequence[sympy.Basic]:
-    """Return what has to be known before an expression is."""
+def _arguments(expression: sympy.Basic) -> Sequence[sympy.Basic]:
+    """Return the subexpressions whose values an expression needs."""
     if isinstance(expression, Piecewise):
         return [part for pair in expression.args for part in pair.args]
     parts: Sequence[sympy.Basic] = expression.args
@@ -133,7 +136,7 @@ def _asked(expression: sympy.Basic) -> Sequence[sympy.Basic]:
 
 
 def _constant(number: sympy.Basic) -> Rounded:
-    """Whole numbers are exact; others are rounded once."""
+    """Return the value of a constant: whole numbers are exact, others are rounded once."""
     value = np.float64(number)
     return Rounded(value, 0.0) if number.is_Integer and int(value) == number else rounded(value)
 

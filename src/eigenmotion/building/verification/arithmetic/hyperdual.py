@@ -1,7 +1,7 @@
-"""Hyper-dual numbers: first and mixed second derivatives by arithmetic, exact to rounding, of which each has a bound.
+"""Hyper-dual numbers: first and mixed second derivatives, exact to rounding, with bounds of the rounding error.
 
-a + b d + c e + f d e with d^2 = e^2 = 0: a function of x + v d + w e has its derivative along v at d, along w at e,
-along both at d e (Fike and Alonso 2011). No step to choose, nothing that cancels.
+a + b d + c e + f d e with d^2 = e^2 = 0: a function of x + v d + w e has its derivative along v as coefficient of d,
+along w of e, and the mixed second derivative of d e (Fike and Alonso 2011). There is no step size and no cancellation.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ import numpy as np
 from .rounding_bounds import EPS, FACTOR, Part, Rounded, rounded
 
 _Some = Rounded | None
-"""A part; None where it is zero throughout."""
+"""A coefficient; None if it is zero everywhere."""
 
 
 def plus(first: _Some, second: _Some) -> _Some:
-    """Return the sum of parts."""
+    """Return the sum of two coefficients."""
     if first is None:
         return second
     return first if second is None else first + second
 
 
 def times(first: _Some, second: _Some) -> _Some:
-    """Return the product of parts."""
+    """Return the product of two coefficients."""
     return None if first is None or second is None else first * second
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HyperDual:
-    """a + b d + c e + f d e; numbers that broadcast against each other, None for zero."""
+    """a + b d + c e + f d e; coefficients broadcast against each other, None is zero."""
 
     a: Rounded
     b: _Some = None
@@ -44,7 +44,7 @@ class HyperDual:
 
     @property
     def varies(self) -> bool:
-        """Whether there is any derivative."""
+        """Whether the number has a nonzero derivative."""
         return self.b is not None or self.c is not None
 
     def __add__(self, other: HyperDual) -> HyperDual:
@@ -62,7 +62,7 @@ class HyperDual:
         )
 
     def through(self, value: Rounded, slope: _Some = None, bend: _Some = None) -> HyperDual:
-        """Return g(self), given g, g' and g'' at a; None where a derivative is zero."""
+        """Return g(self) from g, g' and g'' at a; None for a derivative that is zero."""
         return HyperDual(
             value,
             times(slope, self.b),
@@ -71,12 +71,12 @@ class HyperDual:
         )
 
     def power(self, p: Rounded) -> HyperDual:
-        """Return self^p for an exponent that varies with nothing."""
+        """Return self^p for a constant exponent."""
         if np.ndim(p.value) == 0 and p.value == 2.0:
             return self * self
         a, orders = self.a, 3 if self.varies else 1
         whole = (p.value >= 0.0) & (p.value == np.floor(p.value))
-        reach = np.abs(a.value) + np.where(whole, a.bound, 0.0)  # where no slope is less than that of the power
+        reach = np.abs(a.value) + np.where(whole, a.bound, 0.0)  # the slope here bounds that of the power
         factors = np.cumprod(np.array(np.broadcast_arrays(1.0, *(p.value - k for k in range(orders)))), axis=0)
         unsure = a.near() & (a.bound > 0.0) & ~whole
         most = np.where(p.value > 0.0, (np.abs(a.value) + a.bound) ** p.value, np.inf)
@@ -91,7 +91,7 @@ class HyperDual:
         return self.through(*map(derivative, range(orders)))
 
     def where(self, chosen: Part, doubt: Part, other: HyperDual) -> HyperDual:
-        """Return self where `chosen`, and the other elsewhere; either will do where there is a doubt."""
+        """Return self where `chosen`, and other elsewhere; where there is a doubt, the bound covers both."""
 
         def part(mine: _Some, theirs: _Some) -> _Some:
             return None if mine is None and theirs is None else _either(chosen, doubt, mine or _ZERO, theirs or _ZERO)
@@ -109,8 +109,8 @@ def _either(chosen: Part, doubt: Part, mine: Rounded, theirs: Rounded) -> Rounde
     return Rounded(np.where(chosen, mine.value, theirs.value), np.where(doubt, unsure, bound))
 
 
-def given(a: Part, b: Part = None, c: Part = None, f: Part = None) -> HyperDual:
-    """Return a number of given parts, each of which is rounded once."""
+def from_parts(a: Part, b: Part = None, c: Part = None, f: Part = None) -> HyperDual:
+    """Return a number from its coefficients, each of which is rounded once."""
     return HyperDual(rounded(a), *(None if part is None else rounded(part) for part in (b, c, f)))
 
 
@@ -122,7 +122,7 @@ def power(base: HyperDual, exponent: HyperDual) -> HyperDual:
 
 
 def doubt(one: HyperDual, other: HyperDual) -> Part:
-    """Return whether rounding decides which is larger, or that they are equal where they are about to change."""
+    """Return whether rounding decides which is larger, or they are equal but their difference varies."""
     difference = one.a - other.a
     return difference.near() & ((difference.bound > 0.0) | one.varies | other.varies)
 
@@ -132,12 +132,12 @@ def _scaled_power(factor: Part, a: Part, p: Part) -> Part:
 
 
 def _moved(slope: Part, bound: Part) -> Part:
-    """What a value is off by where its argument is: nothing, if that is known."""
+    """Return the error of a value due to the error of its argument; 0 if the argument is exact."""
     return np.where(bound == 0.0, 0.0, np.abs(slope) * bound)
 
 
 def _arctan2(y: HyperDual, x: HyperDual) -> HyperDual:
-    """atan2, turned so that the angle left is zero: it has no branches there."""
+    """Return atan2: the angle, plus atan of a rotated argument near zero, where there is no branch cut."""
     up, right = HyperDual(y.a), HyperDual(x.a)
     along = y * up + x * right
     across = y * right + x * HyperDual(-y.a)
@@ -148,7 +148,7 @@ def _arctan2(y: HyperDual, x: HyperDual) -> HyperDual:
 
 
 def _steps(value: Callable[[Part], Part], jump: float, whole: bool = False) -> Callable[[HyperDual], HyperDual]:
-    """Of functions that jump by so much at zero, or at whole numbers."""
+    """Return the extension of a step function, with a jump at zero or at whole numbers."""
 
     def function(x: HyperDual) -> HyperDual:
         at = Rounded(np.round(x.a.value) if whole else 0.0, 0.0)
@@ -160,7 +160,11 @@ def _steps(value: Callable[[Part], Part], jump: float, whole: bool = False) -> C
 def _smooth(
     *derivatives: Callable[[Part], Part], edge: Callable[[Part], Part] | None = None, terms: float = 0.0
 ) -> Any:
-    """Of a function and three derivatives; `edge` is zero where it ends, `terms` is of what slopes may be made."""
+    """Return the extension of a function from its value and three derivatives.
+
+    edge : zero at the boundary of the domain
+    terms : size of terms that may cancel in the derivatives
+    """
 
     def function(x: HyperDual) -> HyperDual:
         a, off = x.a.value, x.a.bound
@@ -220,7 +224,7 @@ FUNCTIONS: Mapping[str, Callable[..., HyperDual]] = {
     "ceiling": _steps(np.ceil, 1.0, whole=True),
     "Heaviside": _steps(lambda a: np.heaviside(a, 0.5), 1.0),
 }  # fmt: skip
-"""By the names of SymPy's classes; Min and Max of two."""
+"""Name of the SymPy class -> function; Min and Max of two arguments."""
 
 RELATIONS: Mapping[str, Callable[[Part, Part], Part]] = {
     "StrictLessThan": operator.lt, "LessThan": operator.le, "StrictGreaterThan": operator.gt,

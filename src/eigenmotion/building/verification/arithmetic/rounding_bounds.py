@@ -1,6 +1,6 @@
-"""Numbers with a bound of their rounding error: a running error analysis (Higham 2002, section 3.3).
+"""Numbers with bounds of their rounding error: running error analysis (Higham 2002, section 3.3).
 
-The bound is the error of an evaluation, to first order, if every term has a relative error of eps. It does not depend
+The bound is, to first order, the error of an evaluation if every term has a relative error of eps. It does not depend
 on the order in which terms are added: another evaluation of the same terms differs by a small multiple of it.
 """
 
@@ -13,11 +13,11 @@ from typing import Any, TypeAlias
 import numpy as np
 
 Part: TypeAlias = Any
-"""An array, or a number."""
+"""An array or a number."""
 
 EPS = float(np.finfo(float).eps)
 FACTOR = 1e3
-"""Values that differ by more than so many bounds are different; equivalent forms of an expression differ by a few."""
+"""Values that differ by more than this many bounds are different; equivalent expressions differ by a few bounds."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,7 +59,7 @@ class Rounded:
 
     @property
     def turned(self) -> Rounded:
-        """Return the transposed matrices, of (k, i, j)."""
+        """The transposed matrices of (k, i, j)."""
         return Rounded(self.value.swapaxes(1, 2), self.bound.swapaxes(1, 2))
 
     def near(self, other: Part = 0.0) -> Part:
@@ -71,7 +71,7 @@ class Rounded:
         return Rounded(self.value, self.bound + more)
 
     def filled(self, shape: tuple[int, ...]) -> Rounded:
-        """Return the same as arrays of this shape."""
+        """Return the numbers broadcast to this shape."""
         return Rounded(*(np.array(np.broadcast_to(part, shape), dtype=float) for part in (self.value, self.bound)))
 
 
@@ -92,7 +92,7 @@ def applied(W: Rounded, v: Rounded) -> Rounded:
 
 
 def inverse(M: Rounded) -> Rounded:
-    """Return the pseudo-inverses of symmetric M (k, n, n); with infinite bounds where M may be singular."""
+    """Return the pseudo-inverses of symmetric M (k, n, n), with infinite bounds if M may be singular."""
     unit = np.sqrt(np.abs(np.einsum("kii->ki", M.value)))
     unit = np.where(unit > 0.0, unit, 1.0)
     size = unit[:, :, None] * unit[:, None, :]
@@ -106,7 +106,7 @@ def inverse(M: Rounded) -> Rounded:
 
 
 def root(M: Rounded) -> Rounded:
-    """Return triangular L (k, n, n), M = L L^T; with infinite bounds where M may not be positive definite."""
+    """Return triangular L (k, n, n), M = L L^T, with infinite bounds if M may not be positive definite."""
     W = inverse(M)
     sound = np.isfinite(W.bound).all(axis=(1, 2), keepdims=True) & (np.linalg.eigvalsh(
         np.where(np.isfinite(M.value), M.value, 0.0))[:, :1, None] > 0.0)  # fmt: skip
@@ -117,6 +117,6 @@ def root(M: Rounded) -> Rounded:
 
 
 def geometric(M: Part) -> Part:
-    """sqrt(M_ii M_jj), (k, n, n): a size of entries that does not depend on units."""
+    """Return sqrt(M_ii M_jj), (k, n, n): a size of the entries that is independent of units."""
     diagonal = np.sqrt(np.abs(np.einsum("kii->ki", M)))
     return np.asarray(diagonal[:, :, None] * diagonal[:, None, :])

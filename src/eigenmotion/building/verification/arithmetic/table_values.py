@@ -1,4 +1,4 @@
-"""Tables in hyper-dual numbers, by NumPy from the numbers of their pieces: nothing of C."""
+"""Values of tables in hyper-dual numbers, from their piecewise polynomials, independent of C."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .hyperdual import HyperDual, plus, times
 from .rounding_bounds import EPS, FACTOR, Part, Rounded
 
 _TERMS = 16.0
-"""What of its terms a polynomial is off by, in eps, with the rounding of the numbers that SciPy made."""
+"""Error of a polynomial in eps times its terms, including the rounding of SciPy's coefficients."""
 
 
 def of_table(call: TableCall, *point: HyperDual) -> HyperDual:
@@ -31,7 +31,7 @@ def _of_one(derivative: partial[Rounded], x: HyperDual) -> HyperDual:
 
 
 def _of_two(derivative: partial[Rounded], x: HyperDual, y: HyperDual) -> HyperDual:
-    """f(x, y) with f_x b_x + f_y b_y at d, likewise at e; and at d e what both bend."""
+    """Return f(x, y): coefficient f_x b_x + f_y b_y of d, likewise of e; of d e also the second derivatives."""
     value = derivative((0, 0))
     if not (x.varies or y.varies):
         return HyperDual(value)
@@ -45,9 +45,9 @@ def _of_two(derivative: partial[Rounded], x: HyperDual, y: HyperDual) -> HyperDu
 
 
 def _derivative(pieces: Pieces, orders: Sequence[int], point: Sequence[HyperDual], more: Sequence[int]) -> Rounded:
-    """A derivative of a table, with a bound: of its terms, and of what the arguments are off by.
+    """Return a derivative of a table with its bound, from rounding of the terms and errors of the arguments.
 
-    Nothing is said of derivatives where rounding decides on which side of a join an argument is.
+    The bound is infinite if rounding decides on which side of a join of pieces an argument is.
     """
     whole = [a + b for a, b in zip(orders, more, strict=True)]
     at = np.broadcast_arrays(*(np.asarray(one.a.value, dtype=float) for one in point))
@@ -69,7 +69,7 @@ def _near_join(axis: Axis, x: Part, off: Part) -> Part:
 
 
 def _polynomial(pieces: Pieces, orders: Sequence[int], at: Sequence[Part]) -> tuple[Part, Part]:
-    """A derivative at points, and eps times the sizes of its terms."""
+    """Return a derivative at points, and eps times the size of its terms."""
     within = [_looked_up(axis, x, pieces.outside) for axis, x in zip(pieces.axes, at, strict=True)]
     places = [_places(axis, x) for axis, x in zip(pieces.axes, within, strict=True)]
     powers = [
@@ -82,8 +82,8 @@ def _polynomial(pieces: Pieces, orders: Sequence[int], at: Sequence[Part]) -> tu
     for which in product(*(range(axis.order) for axis in pieces.axes)):
         term = table[(..., *which)] * np.prod([p[m] for p, m in zip(powers, which, strict=True)], axis=0)
         total, size = total + term, size + np.abs(term)
-    held = [bool(order) & (x != given) for order, x, given in zip(orders, within, at, strict=True)]
-    flat = np.any(held, axis=0) if pieces.outside == "hold" else False
+    moved = [bool(order) & (x != original) for order, x, original in zip(orders, within, at, strict=True)]
+    flat = np.any(moved, axis=0) if pieces.outside == "hold" else False
     return np.where(flat, 0.0, total), np.where(flat, 0.0, _TERMS * EPS * size)
 
 
