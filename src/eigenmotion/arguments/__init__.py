@@ -1,1 +1,1 @@
-"""Checks of users' arguments: names and arrays, inputs, options and methods of a run."""
+"""Arguments of users, checked: names and arrays, inputs, options and methods of a run."""

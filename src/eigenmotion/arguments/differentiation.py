@@ -1,4 +1,4 @@
-"""Names of the parameters, inputs and initial values by which motions are differentiated."""
+"""Variables of differentiation: the option `sensitivities`."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -13,14 +13,17 @@ from .tables import refuse_tables
 
 
 class Differentiated(NamedTuple):
-    """By which numbers: parameters, inputs, initial x, v; `from_quasi`: whether motions start from quasi-velocities."""
+    """The variables of differentiation: parameters, inputs, initial x and v.
+
+    from_quasi : whether motions start from quasi-velocities
+    """
 
     names: tuple[str, ...]
     from_quasi: bool
 
 
 def names_of(c: CompiledModel) -> tuple[str, ...]:
-    """Return all there are: coordinates, states, rates, quasi-velocities, inputs, parameters."""
+    """Return all names to choose from: coordinates, states, rates, quasi-velocities, inputs, parameters."""
     return *c.coordinates, *rates_of(c.coordinates[: c.n_coordinates]), *c.quasi_velocities, *c.inputs, *c.parameters
 
 
@@ -30,18 +33,18 @@ def rates_of(coordinates: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(f"{name}'" for name in coordinates)
 
 
-def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Differentiated:
-    """Read `sensitivities` of runs that start with v0.
+def differentiated(c: CompiledModel, sensitivities: Sequence[Any], v0: Any) -> Differentiated:
+    """Return the variables that `sensitivities` names, for runs that start with v0.
 
     Raises
     ------
     ModelError
-        A name that is none of the model's, or a quasi-velocity where the start is given in rates.
+        The model has no such name, or it is a quasi-velocity but the start is given in rates.
     """
-    if isinstance(asked, str) or not isinstance(asked, Sequence):
-        raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
+    if isinstance(sensitivities, str) or not isinstance(sensitivities, Sequence):
+        raise OptionError(f"sensitivities is {shown(sensitivities)}: give a list of names")
     known = dict.fromkeys(names_of(c))
-    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in asked))
+    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in sensitivities))
     if wrong := set(names) - known.keys():
         raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
     refuse_tables(c, names, "sensitivities")

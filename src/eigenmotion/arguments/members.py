@@ -1,4 +1,4 @@
-"""The task of an ensemble: one row of parameters, start and inputs for each member, and options that all share."""
+"""Task of an ensemble: options that all members share, and parameters, start and inputs of each member."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,11 +17,12 @@ Column = float | Signal | Controlled | Vector | list[Any]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Asked:
-    """What all members of an ensemble share. t_eval (nt,): times of the rows; the other fields are those of `Task`.
+class EnsembleTask:
+    """The part of a task that all members of an ensemble share. Fields as of `Task`, and:
 
-    method : em_method of em_run.h; None where the method is not compiled
-    iterates : whether its steps are found by iteration
+    t_eval : (nt,) times of the rows
+    method : em_method of em_run.h; None if the method is not compiled
+    iterates : whether the method solves its steps by iteration
     end_only : whether each run keeps only its last row
     differentiated : the variables of differentiation, or None
     """
@@ -44,7 +45,7 @@ class Asked:
     differentiated: Differentiated | None = None
 
     def task(self, prepared: Any, inputs: Inputs, y: Vector) -> Task:
-        """Return the run of one member."""
+        """Return the task of one member."""
         t_eval = None if self.end_only else self.t_eval
         return Task(
             self.model, prepared, inputs, self.t_start, self.t_end, y, self.rtol, self.atol, t_eval, False,
@@ -54,13 +55,13 @@ class Asked:
 
 @dataclass(frozen=True, eq=False)
 class Members:
-    """K members. An array with one row, and an input that is one number or Signal, is shared by all members.
+    """K members. All members share an array with one row, and an input that is one number or Signal.
 
     parameters (K or 1, n_parameters), x, v (K or 1, n)
     signals : for each input a number or a Signal for all, (K,) numbers, or a list of K numbers, Signals and controllers
     refused : (K,) whether a member cannot start for a reason found before its run
     swept : name -> (K,) values of each argument that differs between members
-    first : the number of member 0 among all members, if these are a part of them
+    first : the number of member 0 in the ensemble, if these members are a chunk of it
     """
 
     count: int
@@ -88,13 +89,13 @@ class Members:
 
     @property
     def controllers(self) -> list[Controlled]:
-        """The controllers there are, each once."""
+        """All controllers, each once."""
         lists = [one for one in self.signals if isinstance(one, list)]
         return list(dict.fromkeys(one for each in lists for one in each if isinstance(one, Controlled)))
 
     @property
     def inputs(self) -> tuple[Any, ...]:
-        """Return each input for compiled runs: an `em_signal`, an array of numbers, or a list of `em_signal`."""
+        """Each input for compiled runs: an `em_signal`, an array of numbers, or a list of `em_signal`."""
         return tuple(
             one if isinstance(one, np.ndarray)
             else [Inputs((each,)).compiled[0] for each in one] if isinstance(one, list)

@@ -1,4 +1,4 @@
-"""Integration methods: the table from which all other tables are made.
+"""Integration methods: the table from which all others are derived.
 
 All methods are compiled. em_methods.h implements them under the same names and numbers.
 """
@@ -17,10 +17,10 @@ class Method:
     """An integration method.
 
     name : as users write it, in upper or lower case
-    order : p, where the error of a run is proportional to h^p for steps h
+    order : p: the error of a run is proportional to h^p for steps h
     number : em_method of em_run.h
     implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
-    iterates : whether its stages are solved by iteration, which converges to the tolerances only
+    iterates : solves its stages by iteration, which converges only to the tolerances
     """
 
     name: str
@@ -43,9 +43,9 @@ METHODS = _table(
     Method("radau9", order=9, number=7, implicit=True),
 )
 AUTO = "auto"
-"""The name by which users leave the choice to method_selection.py."""
+"""The name with which users leave the choice to method_selection.py."""
 FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
-"""Methods of fixed step, for steppers only: the caller chooses the step, and there is no error estimate."""
+"""Methods of fixed step, only for steppers: the caller chooses the step, and there is no error estimate."""
 STEPPED = _table(*METHODS.values(), *FIXED.values())
 """All methods of steppers."""
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
@@ -78,7 +78,7 @@ def method_of(given: object, known: Mapping[str, Any]) -> Any:
 
 
 def checker_of(method: Method) -> Method:
-    """Return the method for the run that estimates the error of another: of its kind the one of highest order.
+    """Return the method of a second run for the error estimate: the one of highest order of the same kind.
 
     Methods that iterate are excluded: close to rounding their errors exceed those of their order.
     """

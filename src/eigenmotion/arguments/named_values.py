@@ -1,4 +1,4 @@
-"""Values by name: defaults with the values given, and errors that suggest the nearest known name."""
+"""Values by name: values over defaults, and errors that suggest the nearest known name."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -27,7 +27,7 @@ def rate_name(key: object) -> str:
 
 
 def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Mapping[str, str] | None = None) -> str:
-    """Return a message: the unknown names, the known ones and the nearest; or our name for another tool's option."""
+    """Return a message with the unknown, known and nearest names, or with our name for another tool's option."""
     wrong, places = sorted(names), elsewhere or {}
     if foreign := [f"in place of {name!r} of SciPy: {places[name]}" for name in wrong if name in places]:
         return f"unknown {what} {', '.join(map(repr, wrong))}; {'; '.join(foreign)}."
@@ -69,7 +69,7 @@ def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[s
 
 
 def _rates_go_elsewhere(wrong: Iterable[str], known: Sequence[str]) -> str:
-    """Return a hint that the rate of a coordinate belongs in v0, for the names that `initial` and --set use."""
+    """Return a hint that rates (named as in `initial` and --set) belong in v0."""
     rates = {name: rate_name(name.removesuffix("'")) for name in sorted(wrong)}
     found = [(name, rate) for name, rate in rates.items() if rate != name and rate in known]
     return "".join(f" {name!r} is a rate: give it as v0={{{rate!r}: ...}}." for name, rate in found)
@@ -122,5 +122,5 @@ def vector(given: object, what: str) -> Vector:
 
 
 def _has_truths(given: object) -> bool:
-    """Return whether a list contains True or False, which NumPy converts to 1 and 0 if numbers stand beside them."""
+    """Return whether a list contains True or False, which NumPy converts to 1 and 0 in a list with numbers."""
     return isinstance(given, list | tuple) and any(isinstance(value, bool | np.bool_) for value in given)

@@ -1,4 +1,4 @@
-"""The task of a run, checked before it starts."""
+"""Task of a run, and checks of its options."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -78,7 +78,7 @@ SCIPY_OPTIONS = {
 
 
 def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
-    """Return the value of an option's word, in upper or lower case; the keys of `known` are in lower case.
+    """Return the value of a keyword option, in upper or lower case; the keys of `known` are in lower case.
 
     Raises
     ------

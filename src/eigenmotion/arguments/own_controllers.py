@@ -1,4 +1,4 @@
-"""Controllers of the members of an ensemble: one for each member, made or copied in order."""
+"""Controllers of the members of an ensemble, one for each member: made by `make`, or copied."""
 
 from copy import deepcopy
 from dataclasses import replace
@@ -21,12 +21,12 @@ class OwnControllers:
         self._owners = set[int]()
 
     def column(self, given: Column) -> Column:
-        """Return one input; a controller becomes a list with one controller for each member.
+        """Return an input, where a controller is replaced by a list with one controller for each member.
 
         Raises
         ------
         ModelError
-            A controller cannot be copied, or `make` returns the same one again.
+            A controller cannot be copied, or `make` returns the same object twice.
         """
         if isinstance(given, Controlled):
             given = [given] * self._count

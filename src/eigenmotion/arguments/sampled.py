@@ -19,9 +19,9 @@ class Sampled:
     call per period sets.
 
     **In an ensemble each run has its own controller**: `make` is called once for each run; a callable object, or a
-    method of an object, is copied for each run by `copy.deepcopy`. A plain function is shared by all runs, so it must
-    not have state: if something that it refers to changes (a variable of an enclosing function, a global, a default),
-    the ensemble raises an error that names it.
+    method of an object, is copied for each run by `copy.deepcopy`. All runs share a plain function, so it must not have
+    state: if something that it refers to changes (a variable of an enclosing function, a global, a default), the
+    ensemble raises an error that names it.
 
     Parameters
     ----------
@@ -141,20 +141,20 @@ class Controlled:
             return tuple(defaults[name] for name in self.names)
         return initial if isinstance(initial, tuple) else (cast("float", initial),)
 
-    def read(self, said: Any, t: float) -> tuple[float, ...]:
-        """Return what the function returned as a number for each input.
+    def read(self, returned: Any, t: float) -> tuple[float, ...]:
+        """Return the value that the function returned as one number for each input.
 
         Raises
         ------
         ModelError
-            It is something else; names the time and the inputs.
+            The value has another form; names the time and the inputs.
         """
-        if type(said) is float and isfinite(said) and not self.several:
-            return (said,)
-        values = listed(said) if self.several else [said]
+        if type(returned) is float and isfinite(returned) and not self.several:
+            return (returned,)
+        values = listed(returned) if self.several else [returned]
         if values is None or len(values) != len(self.names):
             raise ModelError(f"{self} at t = {t:.9g}: {self._needed} is needed; what their function returned is "
-                             f"{shown(said)}")  # fmt: skip
+                             f"{shown(returned)}")  # fmt: skip
         return tuple(
             number(value, f"input {name!r} at t = {t:.9g}: a number is needed; what its function returned")
             for name, value in zip(self.names, values, strict=True)
@@ -162,7 +162,7 @@ class Controlled:
 
 
 def by_input(given: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Return the value of each input; a Sampled, of one name or of a tuple of names, becomes a Controlled.
+    """Return the value of each input; a Sampled, for one name or a tuple of names, becomes a Controlled.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Detection of state that controllers share: the objects to which a function refers, and their changes."""
+"""Detection of shared state of controllers: the objects to which a function refers, and their changes."""
 
 import dis
 import pickle

@@ -80,7 +80,7 @@ class Signal:
 
     @property
     def compiled(self) -> Compiled:
-        """Return the kind, times and values of the `em_signal`."""
+        """The kind, times and values of the `em_signal`."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
             values = self._spline[1]
@@ -88,10 +88,10 @@ class Signal:
 
     @property
     def _spline(self) -> tuple[Any, Vector]:
-        """Not-a-knot spline and its coefficients, made once. SciPy's takes a while to import."""
+        """The not-a-knot spline and its coefficients, computed once; scipy.interpolate is imported only if needed."""
         if not self._fitted:
-            made = import_module("scipy.interpolate").CubicSpline(np.asarray(self.times), np.asarray(self.values))
-            self._fitted.append((made, made.c.T.ravel()))
+            spline = import_module("scipy.interpolate").CubicSpline(np.asarray(self.times), np.asarray(self.values))
+            self._fitted.append((spline, spline.c.T.ravel()))
         return self._fitted[0]
 
     @property
@@ -108,7 +108,7 @@ class Inputs:
 
     @cached_property
     def compiled(self) -> tuple[Compiled, ...]:
-        """Return one `em_signal` for each input; sampled inputs have no values outside a run."""
+        """One `em_signal` for each input; inputs with a controller have no values outside a run."""
         return tuple(
             signal.compiled if isinstance(signal, Signal) else (0, np.empty(0), np.array([signal]))
             for signal in self.signals
@@ -139,7 +139,7 @@ class Inputs:
         return np.unique(times[(times > min(start, end)) & (times < max(start, end))])
 
     def uncovered(self, start: float, end: float) -> tuple[int, str] | None:
-        """Return the first input whose samples do not cover the span, and a message. Held samples last forever."""
+        """Return the first input whose samples do not cover the span, and a message. A held sample lasts forever."""
         for k, signal in enumerate(self.signals):
             if not isinstance(signal, Signal):
                 continue

@@ -1,7 +1,7 @@
-"""First-order states z of a compiled model: to it they are the last of its velocities, to users a part of the start.
+"""First-order states z: conversion between the arguments of users and arrays of compiled functions.
 
-A model of n coordinates and p states is compiled with n + p coordinates (codegen.model.statement.states): arrays x, v
-of compiled functions are (x, integrals of z) and (xdot, z).
+A model of n coordinates and p states is compiled with n + p coordinates (codegen.model.statement.states). The arrays
+x, v of compiled functions are (x, integrals of z) and (xdot, z).
 """
 
 from collections.abc import Mapping
@@ -18,14 +18,14 @@ Given = Mapping[Any, Any] | ArrayLike | None
 
 
 def names_of_states(c: CompiledModel) -> tuple[str, ...]:
-    """Return the names of the states; () where there are none."""
+    """Return the names of the states."""
     return c.coordinates[c.n_coordinates :]
 
 
-def apart(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
-    """Return what x0 says of coordinates, and what it says of states: None where it says nothing.
+def split_states(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
+    """Split x0 into coordinates and states; None for states that x0 does not have.
 
-    x0 is a mapping of names, or an array (..., n), or (..., n + p) with the states behind the coordinates.
+    x0 is a mapping of names, an array (..., n), or an array (..., n + p) with the states behind the coordinates.
     """
     if x0 is None or not c.n_states:
         return x0, None
@@ -41,18 +41,18 @@ def apart(c: CompiledModel, x0: Given) -> tuple[Given, Given]:
 
 
 def whole_x(c: CompiledModel, x: Given, what: str = "coordinate of x0") -> Vector:
-    """Return x (n + p,) of compiled functions: coordinates over the model's `initial`, and integrals, which are 0."""
+    """Return x (n + p,) of compiled functions: coordinates over the model's `initial`, and zeros for the integrals."""
     n = c.n_coordinates
     return np.concatenate([overlay(x, c.coordinates[:n], c.initial_x[:n], what), np.zeros(c.n_states)])
 
 
 def whole_v(c: CompiledModel, v: Vector, z: Given) -> Vector:
-    """Return v (n + p,) of compiled functions: rates, of which the first n are given, and states over `initial`."""
+    """Return v (n + p,) of compiled functions: the first n of v, and the states z over `initial`."""
     n = c.n_coordinates
     return np.concatenate([v[:n], overlay(z, names_of_states(c), c.initial_v[n:], "state of x0")])
 
 
 def refuse_states(c: CompiledModel, v0: Mapping[str, Any]) -> None:
-    """Raise ModelError where velocities name a state."""
+    """Raise ModelError if v0 names a state."""
     if c.n_states and (wrong := sorted(set(v0) & set(names_of_states(c)))):
         raise ModelError(f"{c.name}: v0 gives {wrong[0]!r}, which is a state: give its value in x0.")

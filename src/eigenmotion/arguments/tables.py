@@ -1,4 +1,4 @@
-"""Tables that runs are given in place of the model's own: by name among the parameters."""
+"""Tables as arguments of a run, which replace the model's own: by name, among the parameters."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -9,22 +9,22 @@ import numpy as np
 from ..codegen.model import Table
 from ..codegen.model.normalise import ModelError, shown
 from ..runtime import CompiledModel
-from ..runtime.tables import kept
+from ..runtime.tables import table_address
 from .named_values import is_named, spelled
 
 
 def with_tables(c: CompiledModel, given: Any, several: bool = False) -> Any:
-    """Return parameters with tables as the numbers by which compiled code knows them.
+    """Return parameters with tables replaced by the numbers that refer to them in compiled code.
 
     Parameters
     ----------
     several
-        Whether a list holds one table for each member of an ensemble.
+        Whether a list contains one table for each member of an ensemble.
 
     Raises
     ------
     ModelError
-        What is given for a table is none, or a function of another number of arguments.
+        The value for a table is not a table, or has another number of arguments.
     """
     if not c.tables or not is_named(given):
         return given
@@ -39,7 +39,7 @@ def _numbers(c: CompiledModel, name: str, value: Any, several: bool) -> Any:
 
 
 def _number(c: CompiledModel, name: str, value: Any) -> float:
-    """Return 0 for the model's own table; a number that stands for another one as it is, which `prepare` looks at."""
+    """Return the number of a table: 0 for the model's own. A number is returned as it is; `prepare` checks it."""
     if isinstance(value, float | int) and not isinstance(value, bool):
         return float(value)
     what = f"parameter {name!r} of {c.name}, a table,"
@@ -50,7 +50,7 @@ def _number(c: CompiledModel, name: str, value: Any) -> float:
     _, arguments = c.tables[name]
     if table.arguments != arguments:
         raise ModelError(f"{what} is a function of {arguments} argument(s), and is given one of {table.arguments}.")
-    return _kept(table)
+    return _address(table)
 
 
 def _outside(c: CompiledModel, name: str) -> str:
@@ -58,12 +58,12 @@ def _outside(c: CompiledModel, name: str) -> str:
 
 
 @lru_cache(maxsize=64)
-def _kept(table: Table) -> float:
-    return kept(table.pieces.numbers())
+def _address(table: Table) -> float:
+    return table_address(table.pieces.numbers())
 
 
 def refuse_tables(c: CompiledModel, names: Mapping[str, object] | tuple[str, ...], what: str) -> None:
-    """Raise ModelError where a name is that of a table, which is no number to vary."""
+    """Raise ModelError if a name is that of a table, which cannot be varied as a number can."""
     for name in names:
         if name in c.tables:
             raise ModelError(f"{what} names {name!r}, which is a table and no number. Name numbers.")

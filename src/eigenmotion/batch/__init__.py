@@ -1,1 +1,1 @@
-"""Many runs of one system as one call."""
+"""Batch runs: ensembles, sweeps and batches of steppers of one system."""

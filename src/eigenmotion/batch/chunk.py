@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
 from ..arguments.options import TO_DERIVE
 from ..codegen.model.normalise import ModelError
@@ -21,47 +21,54 @@ _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFU
 _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
 
 
-def run_chunk(asked: Asked, members: Members, stop: Stop, workers: int = 1) -> BatchArrays:
-    """Run the members and return their results. `stop` ends the runs early; `workers` share runs with controllers."""
-    model = asked.model
+def run_chunk(common: EnsembleTask, members: Members, stop: Stop, workers: int = 1) -> BatchArrays:
+    """Run the members and return their results.
+
+    stop : ends the runs early
+    workers : threads for runs with controllers
+    """
+    model = common.model
     if members.controllers:
-        return run_controlled(asked, members, stop, workers)
-    if _one_by_one(asked):
-        found = BatchArrays.none(asked, members.count)
-        doubtful = list(range(members.count))
+        return run_controlled(common, members, stop, workers)
+    if _runs_in_python(common):
+        results = BatchArrays.unrun(common, members.count)
+        to_check = list(range(members.count))
     else:
-        chunk = Chunk(asked, members, stop)
-        found = replace(BatchArrays.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
-        doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
+        chunk = Chunk(common, members, stop)
+        computed = {name: getattr(chunk, name) for name in _OF_CHUNK}
+        results = replace(BatchArrays.unrun(common, members.count), **computed)
+        to_check = np.flatnonzero(results.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
-            doubtful = list(range(members.count))  # eigenvalues that coincide at the start are handled in Python
+            to_check = list(range(members.count))  # eigenvalues that coincide at the start are handled in Python
     shifts: Shifts = {}
-    for k in doubtful:
+    for k in to_check:
         if not stop:
-            _look_again(asked, members, k, found, stop, shifts)
-    if asked.differentiated is not None:
-        shifts = shifts if in_one_run(asked) else vary_members(asked, members, found, stop)
-        found.dt_events = together(found, shifts, len(asked.differentiated.names))
-    return found
+            _run_in_python(common, members, k, results, stop, shifts)
+    if common.differentiated is not None:
+        shifts = shifts if in_one_run(common) else vary_members(common, members, results, stop)
+        results.dt_events = together(results, shifts, len(common.differentiated.names))
+    return results
 
 
-def _one_by_one(asked: Asked) -> bool:
-    """Return whether each member needs a run of `simulate`, because of contact modes or sensitivities."""
-    return bool(asked.model.switches) or in_one_run(asked)
+def _runs_in_python(common: EnsembleTask) -> bool:
+    """Return whether members run one by one as in `simulate`, because of contact modes or sensitivities."""
+    return bool(common.model.switches) or in_one_run(common)
 
 
-def _look_again(asked: Asked, members: Members, k: int, found: BatchArrays, stop: Stop, shifts: Shifts) -> None:
-    """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
+def _run_in_python(
+    common: EnsembleTask, members: Members, k: int, results: BatchArrays, stop: Stop, shifts: Shifts
+) -> None:
+    """Check the start of a member as `simulate` does; run the member if compiled code has not."""
     try:
-        task = task_of(asked, members, k)
+        task = task_of(common, members, k)
     except (ModelError, EvaluationError) as error:
-        refuse(asked, k, str(error), found)
+        refuse(common, k, str(error), results)
         return
-    if _one_by_one(asked) or found.status[k] == _REFUSED:
-        task = task._replace(dense=TO_DERIVE if in_one_run(asked) else 0)
-        solution = run_task(task, METHODS[asked.name])
-        keep(asked, k, solution, found)
+    if _runs_in_python(common) or results.status[k] == _REFUSED:
+        task = task._replace(dense=TO_DERIVE if in_one_run(common) else 0)
+        solution = run_task(task, METHODS[common.name])
+        keep(common, k, solution, results)
         if task.dense:
-            vary(asked, k, task, solution, found, shifts)
-        if found.status[k] == _INTERRUPTED:
+            vary(common, k, task, solution, results, shifts)
+        if results.status[k] == _INTERRUPTED:
             stop.set()

@@ -1,10 +1,10 @@
-"""A chunk of members with controllers: start, common run, and results."""
+"""Execution of a chunk of members with controllers."""
 
 import logging
 
 import numpy as np
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
 from ..arguments.named_values import Vector
 from ..arguments.options import Task
@@ -12,7 +12,7 @@ from ..arguments.shared_state import Watch
 from ..codegen.model.normalise import ModelError
 from ..results.batch_arrays import BatchArrays
 from ..results.solution import Solution
-from ..runtime import EvaluationError, RunInParts
+from ..runtime import EvaluationError, IncrementalRun
 from ..runtime.ensemble import Stop
 from ..simulation.compiled_run import solution_of
 from .controlled_runs import ControlledRuns, pace
@@ -22,7 +22,7 @@ from .member_start import task_of
 _log = logging.getLogger("eigenmotion")
 
 
-def run_controlled(asked: Asked, members: Members, stop: Stop, workers: int = 1) -> BatchArrays:
+def run_controlled(common: EnsembleTask, members: Members, stop: Stop, workers: int = 1) -> BatchArrays:
     """Run members with controllers and return their results. `stop` ends the runs early.
 
     Raises
@@ -30,35 +30,35 @@ def run_controlled(asked: Asked, members: Members, stop: Stop, workers: int = 1)
     ModelError
         A controller changes data that the runs share.
     """
-    found, watch = BatchArrays.none(asked, members.count), Watch(members.controllers)
-    for tasks in _by_pace(asked, members, found):
-        assert asked.method is not None
-        runs = ControlledRuns(tasks, asked.method)
+    results, watch = BatchArrays.unrun(common, members.count), Watch(members.controllers)
+    for tasks in _by_pace(common, members, results):
+        assert common.method is not None
+        runs = ControlledRuns(tasks, common.method)
         _advance(runs, watch, stop, workers)
         for k, task, run in runs.results():
-            _take_over(asked, k, task, run, found)
+            _store(common, k, task, run, results)
         for k, (t, error) in runs.failed.items():
-            found.words[k] = _words(members.first + k, t, error)
+            results.messages[k] = _message(members.first + k, t, error)
     watch.check()
-    return found
+    return results
 
 
-def _by_pace(asked: Asked, members: Members, found: BatchArrays) -> list[dict[int, Task]]:
+def _by_pace(common: EnsembleTask, members: Members, results: BatchArrays) -> list[dict[int, Task]]:
     """Return the tasks of the members that can start, grouped by the sample times of their controllers."""
     groups: dict[object, dict[int, Task]] = {}
     for k in range(members.count):
         try:
-            task = task_of(asked, members, k)
+            task = task_of(common, members, k)
         except (ModelError, EvaluationError) as error:
-            refuse(asked, k, str(error), found)
+            refuse(common, k, str(error), results)
             continue
-        groups.setdefault(pace(task), {})[k] = _with_rows(asked, task)
+        groups.setdefault(pace(task), {})[k] = _with_rows(common, task)
     return list(groups.values())
 
 
-def _with_rows(asked: Asked, task: Task) -> Task:
-    """Return the task with a row at its end only, if that is all that is needed; event actions need every step."""
-    return task._replace(t_eval=np.array([asked.t_end])) if asked.end_only and not asked.model.acts else task
+def _with_rows(common: EnsembleTask, task: Task) -> Task:
+    """Return the task, with a row at its end only if that is enough (event actions need every step)."""
+    return task._replace(t_eval=np.array([common.t_end])) if common.end_only and not common.model.acts else task
 
 
 def _advance(runs: ControlledRuns, watch: Watch, stop: Stop, workers: int) -> None:
@@ -71,13 +71,13 @@ def _advance(runs: ControlledRuns, watch: Watch, stop: Stop, workers: int) -> No
         stop.set()
 
 
-def _take_over(asked: Asked, k: int, task: Task, run: RunInParts, found: BatchArrays) -> None:
+def _store(common: EnsembleTask, k: int, task: Task, run: IncrementalRun, results: BatchArrays) -> None:
     """Copy the results of member k into the arrays of the chunk."""
-    solution = solution_of(task, METHODS[asked.name], run)
-    keep(asked, k, solution, found)
-    found.held[k], found.t_end[k] = task.inputs, run.reached
-    if asked.end_only and solution.success and not len(solution.t):
-        found.y[k, 0] = _at_its_end(solution, run.reached)
+    solution = solution_of(task, METHODS[common.name], run)
+    keep(common, k, solution, results)
+    results.recorded_inputs[k], results.t_end[k] = task.inputs, run.reached
+    if common.end_only and solution.success and not len(solution.t):
+        results.y[k, 0] = _at_its_end(solution, run.reached)
 
 
 def _at_its_end(solution: Solution, t: float) -> Vector:
@@ -86,9 +86,9 @@ def _at_its_end(solution: Solution, t: float) -> Vector:
     return np.asarray(next(y[-1] for times, y in pairs if len(times) and times[-1] == t))
 
 
-def _words(member: int, t: float, error: Exception) -> str:
+def _message(member: int, t: float, error: Exception) -> str:
     """Return the message of a member whose controller failed."""
-    said = str(error) if isinstance(error, ModelError) else f"a controller raised {type(error).__name__}: {error}"
-    words = f"At t = {t:.9g}: member {member}: {said}"
-    _log.info("%s", words, exc_info=error)
-    return words
+    reason = str(error) if isinstance(error, ModelError) else f"a controller raised {type(error).__name__}: {error}"
+    message = f"At t = {t:.9g}: member {member}: {reason}"
+    _log.info("%s", message, exc_info=error)
+    return message

@@ -1,6 +1,7 @@
-"""Chunks of members for other processes, on this machine or others: any `concurrent.futures.Executor`.
+"""Execution of an ensemble by a `concurrent.futures.Executor`: other processes, on this machine or others.
 
-A chunk takes about a second, so that the transfer costs little. A chunk whose worker was lost is run again.
+Work is sent in chunks of about one second, so that the transfer costs little. A chunk that is lost with its worker is
+run again.
 """
 
 import logging
@@ -12,7 +13,7 @@ from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future,
 from dataclasses import replace
 from functools import lru_cache
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError, shown
 from ..results.batch_arrays import BatchArrays, Collection
@@ -23,17 +24,17 @@ from .threads import Report, pieces
 
 _log = logging.getLogger("eigenmotion")
 _PILOT = 16  # members whose run time predicts that of the others
-_SECONDS = 1.0  # a chunk
+_SECONDS = 1.0  # run time of a chunk
 _AHEAD = 4  # least number of chunks for each core, if there are enough members, so that no worker is idle
 _TRIES = 3
-_TICK = 0.5  # [s] between two looks at signals
+_POLL = 0.5  # [s] between two checks for signals
 
 
-def _packed(asked: Asked) -> bytes:
+def _packed(common: EnsembleTask) -> bytes:
     try:
-        return pickle.dumps(asked)
+        return pickle.dumps(common)
     except (TypeError, AttributeError, pickle.PicklingError) as error:
-        raise ModelError(f"{asked.model.name} cannot travel to an executor's workers: {error}") from error
+        raise ModelError(f"{common.model.name} cannot travel to an executor's workers: {error}") from error
 
 
 def _check_travels(members: Members) -> None:
@@ -49,26 +50,26 @@ def _check_travels(members: Members) -> None:
 
 
 @lru_cache(maxsize=8)
-def _asked(packed: bytes) -> Asked:
-    """Unpickle what all members share, including the model: once per process, not once per chunk."""
-    asked: Asked = pickle.loads(packed)
-    return asked
+def _common(packed: bytes) -> EnsembleTask:
+    """Unpickle the task that all members share, with the model: once per process, not once per chunk."""
+    common: EnsembleTask = pickle.loads(packed)
+    return common
 
 
 def timed_chunk(packed: bytes, members: Members, tables: Mapping[float, Vector]) -> tuple[BatchArrays, float]:
     """Run members in one thread of a worker; return their results and the seconds it took."""
-    asked = _asked(packed)
-    places = [place for place, _ in asked.model.tables.values()]
+    common = _common(packed)
+    places = [place for place, _ in common.model.tables.values()]
     members = replace(members, parameters=unpacked(members.parameters, places, tables)) if tables else members
     start = time.perf_counter()
-    found = run_chunk(asked, members, Stop())
-    return found, time.perf_counter() - start
+    results = run_chunk(common, members, Stop())
+    return results, time.perf_counter() - start
 
 
-def in_executor(asked: Asked, members: Members, executor: Executor, report: Report) -> BatchArrays:
+def in_executor(common: EnsembleTask, members: Members, executor: Executor, report: Report) -> BatchArrays:
     """Run all members in the workers of the executor; Ctrl-C cancels the chunks that have not finished."""
     _check_travels(members)
-    work = _Work(asked, members, executor, report)
+    work = _Work(common, members, executor, report)
     try:
         pilot = min(_PILOT, members.count)
         work.submit([(0, pilot)])
@@ -81,16 +82,16 @@ def in_executor(asked: Asked, members: Members, executor: Executor, report: Repo
         work.finish()
     except KeyboardInterrupt:
         work.cancel()
-    return work.found.whole
+    return work.results.whole
 
 
 class _Work:
     """Chunks submitted to an executor."""
 
-    def __init__(self, asked: Asked, members: Members, executor: Executor, report: Report) -> None:
-        self.packed, self.members, self.executor, self.report = _packed(asked), members, executor, report
-        self.found, self.seconds = Collection(asked, members.count), 0.0
-        self.tables = tuple(asked.model.tables.values())
+    def __init__(self, common: EnsembleTask, members: Members, executor: Executor, report: Report) -> None:
+        self.packed, self.members, self.executor, self.report = _packed(common), members, executor, report
+        self.results, self.seconds = Collection(common, members.count), 0.0
+        self.tables = tuple(common.model.tables.values())
         self.waiting: dict[Future[tuple[BatchArrays, float]], tuple[int, int]] = {}
         self.tries: dict[tuple[int, int], int] = {}
 
@@ -106,14 +107,14 @@ class _Work:
                 self._put(part, timed_chunk(self.packed, members, tables))
 
     def _tables(self, members: Members) -> dict[float, Vector]:
-        """The tables that members were given, which travel as arrays."""
+        """Return address -> data of the tables among the parameters, to be sent to the worker."""
         places = [place for place, _ in self.tables]
         return packed(members.parameters[:, places].ravel().tolist()) if places else {}
 
     def finish(self) -> None:
         """Wait for all submitted chunks."""
         while self.waiting:
-            done, _ = wait(self.waiting, _TICK, return_when="FIRST_COMPLETED")
+            done, _ = wait(self.waiting, _POLL, return_when="FIRST_COMPLETED")
             for future in done:
                 self._take(future, self.waiting.pop(future))
 
@@ -129,8 +130,8 @@ class _Work:
             self.submit([part])
 
     def _put(self, part: tuple[int, int], done: tuple[BatchArrays, float]) -> None:
-        found, seconds = done
-        self.found.put(part[0], found)
+        results, seconds = done
+        self.results.put(part[0], results)
         self.seconds += seconds
         self.report(part[1] - part[0])
 

@@ -10,7 +10,7 @@ from ..arguments.named_values import Vector, by_name, by_spelling, is_named, ove
 from ..arguments.own_controllers import OwnControllers
 from ..arguments.sampled import Controlled, by_input
 from ..arguments.signals import Inputs, Signal, as_signal, check_samples
-from ..arguments.states import apart, refuse_states
+from ..arguments.states import refuse_states, split_states
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
@@ -19,15 +19,15 @@ from ..runtime import CompiledModel, EvaluationError, Prepared
 Table = dict[str, Vector] | Vector
 
 
-class _Given:
-    """What a user gives, name by name, and how many members that is."""
+class _Arguments:
+    """Sizes of the arguments of an ensemble, by name, and the number of members that follows from them."""
 
     def __init__(self) -> None:
         self.sizes: dict[str, int] = {}
         self.swept: dict[str, Vector] = {}
 
     def numbers(self, value: Any, what: str, label: str) -> Vector:
-        """Return a number, or (K,) numbers of which some may not be finite: then those members fail, not all."""
+        """Return a number, or (K,) numbers. Of (K,) numbers some may be infinite or NaN: only those members fail."""
         array = vector(value, what)
         if array.ndim > 1:
             raise ModelError(f"{what} has shape {array.shape}; give a number, or one for each member")
@@ -43,12 +43,12 @@ class _Given:
 
     @property
     def count(self) -> int:
-        """K: lengths of one fit any other.
+        """K. Arguments of length one fit any K.
 
         Raises
         ------
         ModelError
-            There are two others, or nothing; says which argument has how many.
+            Arguments have different lengths, or one is empty; the message lists the lengths.
         """
         sizes = {size for size in self.sizes.values() if size != 1}
         if 0 in sizes:
@@ -60,7 +60,7 @@ class _Given:
         return sizes.pop() if sizes else 1
 
     def table(self, given: Any, names: Sequence[str], defaults: Vector, what: str, mark: str = "") -> Table:
-        """Return what is given by name, or as an array (n,) or (K, n)."""
+        """Return columns by name, or rows (K or 1, n) for an array (n,) or (K, n)."""
         if given is None:
             return {}
         if not is_named(given):
@@ -82,7 +82,7 @@ class _Given:
 
 
 def _filled(table: Table, names: Sequence[str], defaults: Vector) -> Vector:
-    """Return rows (K or 1, n): what is given over the defaults."""
+    """Return rows (K or 1, n): the columns of the table over the defaults."""
     if not isinstance(table, dict):
         return table
     count = max((column.size for column in table.values()), default=1)
@@ -98,25 +98,25 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     Raises
     ------
     ModelError
-        An unknown name, arrays of different lengths, or what all members share and cannot be.
+        An unknown name, arrays of different lengths, or a value of all members that is out of range.
     """
-    c, found = system.compiled, _Given()
+    c, arguments = system.compiled, _Arguments()
     if isinstance(parameters, Prepared):
         parameters = np.array(system.prepare(parameters).parameters)
-    p = found.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
+    p = arguments.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
     _check_shared(c, p)
-    x0, z0 = apart(c, x0)
+    x0, z0 = split_states(c, x0)
     names, n = system.coordinates, system.n
-    x = found.table(x0, names, c.initial_x[:n], "coordinate of x0", "(0)")
-    z = found.table(z0, system.states, c.initial_v[n:], "state of x0", "(0)")
+    x = arguments.table(x0, names, c.initial_x[:n], "coordinate of x0", "(0)")
+    z = arguments.table(z0, system.states, c.initial_v[n:], "state of x0", "(0)")
     v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
     quick = _rates(system, v0)
     if isinstance(v0, Mapping):
         refuse_states(c, v0)
-    v = found.table(v0, names, c.initial_v[:n], "coordinate of v0", "'(0)") if quick else None
-    quasi = {} if v is not None or v0 is None else _columns(found, v0)
-    signals = _signals(system, inputs, found)
-    count = found.count
+    v = arguments.table(v0, names, c.initial_v[:n], "coordinate of v0", "'(0)") if quick else None
+    quasi = {} if v is not None or v0 is None else _columns(arguments, v0)
+    signals = _signals(system, inputs, arguments)
+    count = arguments.count
     P, X = _filled(p, c.parameters, c.parameter_defaults), _filled(x, names, c.initial_x[:n])
     c.check_tables_of(P)
     reasons: dict[int, str] = {}
@@ -129,20 +129,20 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     _check_finite(reasons, count, (c.parameters, P, "parameter"), (c.coordinates, X, "x0"), (c.coordinates, V, "v0"))
     refused = np.zeros(count, dtype=np.bool_)
     refused[list(reasons)] = True
-    swept = {name: np.broadcast_to(column, count) for name, column in found.swept.items() if count > 1}
+    swept = {name: np.broadcast_to(column, count) for name, column in arguments.swept.items() if count > 1}
     return Members(count, P, X, V, signals, refused, reasons, swept)
 
 
 def _beside(left: Vector, right: Vector) -> Vector:
-    """Return rows (K or 1, ...) of both, side by side."""
+    """Return the columns of two tables (K or 1, ...) side by side."""
     count = max(len(left), len(right))
     return np.hstack([np.broadcast_to(part, (count, part.shape[1])) for part in (left, right)])
 
 
 def _check_shared(c: CompiledModel, given: Table) -> None:
-    """Raise EvaluationError where a value that all members share is not such as its symbol was declared to have.
+    """Raise EvaluationError if a value of all members contradicts the assumptions of its symbol.
 
-    One of some members is their failure alone.
+    If members have different values, only the members with a wrong value fail, later.
     """
     if isinstance(given, dict):
         shared = {name: column for name, column in given.items() if column.size == 1}
@@ -152,7 +152,7 @@ def _check_shared(c: CompiledModel, given: Table) -> None:
 
 
 def _rates(system: CompiledSystem, v0: Any) -> bool:
-    """Whether v0 are rates, which take no look at the position."""
+    """Whether v0 gives rates, which do not depend on the position as quasi-velocities do."""
     if system.compiled.initial_y is None and not isinstance(v0, Mapping):
         return True
     if not isinstance(v0, Mapping):
@@ -162,14 +162,14 @@ def _rates(system: CompiledSystem, v0: Any) -> bool:
     return system.compiled.initial_y is None or len(v0) == system.n
 
 
-def _columns(found: _Given, v0: Any) -> dict[str, Vector]:
-    return {name: found.numbers(value, f"v0 {name!r}", f"{name}(0)") for name, value in v0.items()}
+def _columns(arguments: _Arguments, v0: Any) -> dict[str, Vector]:
+    return {name: arguments.numbers(value, f"v0 {name!r}", f"{name}(0)") for name, value in v0.items()}
 
 
 def _by_member(
     system: CompiledSystem, t: float, count: int, P: Vector, X: Vector, v0: dict[str, Vector], reasons: dict[int, str]
 ) -> Vector:
-    """Return rates (K, n) from quasi-velocities, which are of P(x, t); members without any are refused."""
+    """Return rates (K, n) from quasi-velocities, with P(x, t) of each member; `reasons` gets members without rates."""
     V = np.zeros((count, system.n))
     for k in range(count):
         p, x = P[k if len(P) > 1 else 0], X[k if len(X) > 1 else 0]
@@ -194,7 +194,7 @@ def _check_finite(reasons: dict[int, str], count: int, *tables: tuple[Sequence[s
                 reasons |= dict.fromkeys(range(count), reasons[k])
 
 
-def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column, ...]:
+def _signals(system: CompiledSystem, inputs: Any, arguments: _Arguments) -> tuple[Column, ...]:
     names, defaults = system.compiled.inputs, system.compiled.input_defaults
     if inputs is None:
         return tuple(defaults.tolist())
@@ -203,7 +203,7 @@ def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column
             f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values), Signal or Sampled"
         )
     named = by_name(by_input(inputs), names, "input")
-    columns = tuple(_column(named[name], name, found) if name in named else float(default)
+    columns = tuple(_column(named[name], name, arguments) if name in named else float(default)
                     for name, default in zip(names, defaults, strict=True))  # fmt: skip
     for k, column in enumerate(columns if any(system.compiled.declared) else ()):
         for one in column if isinstance(column, list | np.ndarray) else (column,):
@@ -211,17 +211,17 @@ def _signals(system: CompiledSystem, inputs: Any, found: _Given) -> tuple[Column
     return columns
 
 
-def _column(given: Any, name: str, found: _Given) -> Column:
+def _column(given: Any, name: str, arguments: _Arguments) -> Column:
     """Return one input: a number, a pair, a Signal or a controller for all; a list or an array, one for each member."""
     what = f"input {name!r}"
     if isinstance(given, Controlled):
         return given
     if isinstance(given, list) and any(isinstance(one, tuple | Signal | Controlled) for one in given):
-        found.note(what, len(given))
+        arguments.note(what, len(given))
         signals: list[Any] = [one if isinstance(one, Controlled) else as_signal(one, name) for one in given]
         return signals if len(signals) > 1 else signals[0]
     if isinstance(given, list | np.ndarray) and np.ndim(given):
-        column = found.numbers(given, what, name)
+        column = arguments.numbers(given, what, name)
         if not np.isfinite(column).all():
             raise ModelError(f"{what} of member {int(np.argmin(np.isfinite(column)))} is not a finite number")
         return column if len(column) > 1 else float(column[0])

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
 from ..arguments.named_values import Vector
 from ..arguments.options import TO_DERIVE, Task
@@ -22,41 +22,41 @@ _TWICE = ("dop853", "rk34")
 """Methods with extra evaluations for dense output. Runs of dop853 in lanes also differ from single ones by rounding."""
 
 
-def in_one_run(asked: Asked) -> bool:
-    """Return whether a run with dense output has bit for bit the rows that a chunk computes for the member."""
-    return asked.differentiated is not None and asked.name not in _TWICE
+def in_one_run(common: EnsembleTask) -> bool:
+    """Return whether a run with dense output computes the rows of a chunk bit for bit, so that one run is enough."""
+    return common.differentiated is not None and common.name not in _TWICE
 
 
-def vary_members(asked: Asked, members: Members, found: BatchArrays, stop: Stop) -> Shifts:
+def vary_members(common: EnsembleTask, members: Members, results: BatchArrays, stop: Stop) -> Shifts:
     """Run members again with dense output, and compute their sensitivities as `vary` does."""
     shifts: Shifts = {}
     for k in range(members.count):
-        if stop or REASONS[found.status[k]] is StopReason.START_REFUSED:
+        if stop or REASONS[results.status[k]] is StopReason.START_REFUSED:
             continue
         try:
-            task = task_of(asked, members, k)._replace(dense=TO_DERIVE)
-            solution = run_task(task, METHODS[asked.name])
+            task = task_of(common, members, k)._replace(dense=TO_DERIVE)
+            solution = run_task(task, METHODS[common.name])
         except (ModelError, EvaluationError) as error:
-            _none(asked, k, found, error)
+            _none(common, k, results, error)
             continue
-        vary(asked, k, task, solution, found, shifts)
+        vary(common, k, task, solution, results, shifts)
     return shifts
 
 
-def vary(asked: Asked, k: int, task: Task, solution: Solution, found: BatchArrays, shifts: Shifts) -> None:
-    """Store `S` and `shifts` of a member; if a successful run has no sensitivities, store the reason in `words`."""
-    by = asked.differentiated
+def vary(common: EnsembleTask, k: int, task: Task, solution: Solution, results: BatchArrays, shifts: Shifts) -> None:
+    """Store `S` and `shifts` of a member; if a successful run has no sensitivities, store the reason in `messages`."""
+    by = common.differentiated
     if by is None:
         return
     try:
-        rows = list(sensitivity(task, solution, directions(by, task), METHODS[asked.name]).values())
+        rows = list(sensitivity(task, solution, directions(by, task), METHODS[common.name]).values())
     except (ModelError, EvaluationError) as error:
-        _none(asked, k, found, error)
+        _none(common, k, results, error)
         return
     if rows:
         S = np.array([_whole(one).T for one in rows]).transpose(1, 2, 0)
-        S = S[-1:] if asked.end_only else S
-        found.S[k, : len(S)] = S
+        S = S[-1:] if common.end_only else S
+        results.S[k, : len(S)] = S
         shifts[k] = np.array([np.concatenate([*(one.dt_events or ()), np.empty(0)]) for one in rows]).T
 
 
@@ -65,15 +65,15 @@ def _whole(one: Sensitivity) -> Vector:
     return np.vstack([one.dx, np.zeros_like(one.dz), one.dv, one.dz])
 
 
-def _none(asked: Asked, k: int, found: BatchArrays, error: Exception) -> None:
-    words = found.words.get(k, explain(REASONS[found.status[k]], asked.model.coordinates))
-    found.words[k] = f"{words} It has no sensitivities: {error}"
+def _none(common: EnsembleTask, k: int, results: BatchArrays, error: Exception) -> None:
+    message = results.messages.get(k, explain(REASONS[results.status[k]], common.model.coordinates))
+    results.messages[k] = f"{message} It has no sensitivities: {error}"
 
 
-def together(found: BatchArrays, shifts: Shifts, names: int) -> Vector:
+def together(results: BatchArrays, shifts: Shifts, names: int) -> Vector:
     """Return the derivatives of all event times of a chunk, (events, names); NaN for members without sensitivities."""
-    made = np.full((len(found.event_times), names), np.nan)
-    ends = np.cumsum(found.event_counts.sum(axis=1))
-    for k, own in shifts.items():
-        made[ends[k] - len(own) : ends[k]] = own
-    return made
+    joined = np.full((len(results.event_times), names), np.nan)
+    ends = np.cumsum(results.event_counts.sum(axis=1))
+    for k, shift in shifts.items():
+        joined[ends[k] - len(shift) : ends[k]] = shift
+    return joined

@@ -1,13 +1,13 @@
-"""The run of one member."""
+"""Task of one member of an ensemble."""
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.options import Task
 from ..codegen.model.normalise import ModelError
 from ..simulation.initial_state.consistency import start_state
 
 
-def task_of(asked: Asked, members: Members, k: int) -> Task:
-    """Return the run of member k.
+def task_of(common: EnsembleTask, members: Members, k: int) -> Task:
+    """Return the task of member k.
 
     Raises
     ------
@@ -15,8 +15,8 @@ def task_of(asked: Asked, members: Members, k: int) -> Task:
         The member cannot start.
     """
     if k in members.reasons:
-        raise ModelError(f"{asked.model.name}: {members.reasons[k]}")
-    prepared = asked.model.prepare(members.row("parameters", k))
+        raise ModelError(f"{common.model.name}: {members.reasons[k]}")
+    prepared = common.model.prepare(members.row("parameters", k))
     start = members.row("x", k), members.row("v", k)
-    y = start_state(asked.model, prepared, asked.t_start, *start, asked.rtol, asked.atol)
-    return asked.task(prepared, members.inputs_of(k), y)
+    y = start_state(common.model, prepared, common.t_start, *start, common.rtol, common.atol)
+    return common.task(prepared, members.inputs_of(k), y)

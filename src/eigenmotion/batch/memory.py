@@ -1,17 +1,17 @@
-"""Memory that the rows of an ensemble need, checked before it is allocated."""
+"""Check of the memory that the rows of an ensemble need, before it is allocated."""
 
 import logging
 import os
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.sampled import Controlled
 from ..codegen.model.normalise import ModelError
 
-_LITTLE = 10**7  # [byte] up to which no check is made
+_LITTLE = 10**7  # [byte] no check below
 _log = logging.getLogger("eigenmotion")
 
 
-def check(asked: Asked, members: Members) -> None:
+def check(common: EnsembleTask, members: Members) -> None:
     """Check that the rows of the runs fit into memory.
 
     Raises
@@ -19,13 +19,13 @@ def check(asked: Asked, members: Members) -> None:
     ModelError
         They need more memory than is available.
     """
-    model = asked.model
-    columns = len(asked.differentiated.names) if asked.differentiated else 0
+    model = common.model
+    columns = len(common.differentiated.names) if common.differentiated else 0
     width = model.n_state + 2 * model.n * columns
-    numbers = len(asked.t_eval) * width + 10 + model.n_events
+    numbers = len(common.t_eval) * width + 10 + model.n_events
     count = members.count
-    needed = 8 * (numbers * count + _held(asked, members))
-    words = f"{model.name}: {count} runs with {len(asked.t_eval)} rows of {width} numbers"
+    needed = 8 * (numbers * count + _recorded(common, members))
+    words = f"{model.name}: {count} runs with {len(common.t_eval)} rows of {width} numbers"
     _log.info("%s take %.3g GB", words, needed / 1e9)
     if short := shortage(needed):
         raise ModelError(
@@ -34,11 +34,11 @@ def check(asked: Asked, members: Members) -> None:
         )
 
 
-def _held(asked: Asked, members: Members) -> float:
-    """Return how many numbers record the values that controllers return, and their times."""
+def _recorded(common: EnsembleTask, members: Members) -> float:
+    """Return the count of numbers that record the values of controllers, and their times."""
     lists = [column for column in members.signals if isinstance(column, list)]
     periods = [one.sampled.period for each in lists for one in each if isinstance(one, Controlled)]
-    return sum(2.0 * (asked.t_end - asked.t_start) / period for period in periods)
+    return sum(2.0 * (common.t_end - common.t_start) / period for period in periods)
 
 
 def shortage(needed: float) -> str:
@@ -53,8 +53,8 @@ def available() -> int | None:
     """Return the number of available bytes; None if the system does not report it."""
     try:
         with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123, no path of a user's
-            found = {name: rest for name, _, rest in (line.partition(":") for line in lines)}
-        return 1024 * int(found["MemAvailable"].split()[0])
+            fields = {name: rest for name, _, rest in (line.partition(":") for line in lines)}
+        return 1024 * int(fields["MemAvailable"].split()[0])
     except (OSError, KeyError, ValueError):
         pass
     try:

@@ -1,4 +1,4 @@
-"""Many runs of one system: their options, who runs them, and their result."""
+"""Simulation of an ensemble: arguments, execution and result of K runs of one system."""
 
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.differentiation import Differentiated, differentiated
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
@@ -58,43 +58,44 @@ def simulate_ensemble(
     sensitivities: Sequence[Any] | None = None,
     **misspelt: Any,
 ) -> Ensemble:
-    """Integrate K motions of one system, each as `simulate` does.
+    """Simulate K motions of one system, each as `simulate` does.
 
     Parameters
     ----------
     x0, v0, parameters
-        As of `simulate`, and each value a number or (K,) numbers; or arrays (K, n), (K, n_parameters), a row a run.
-        Lengths of one fit any other.
+        As in `simulate`; each value is a number or (K,) numbers. Or arrays (K, n), (K, n_parameters) with a row for
+        each run. Arrays of length one are for all runs.
     inputs
-        As of `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs, Signals or Sampled.
-        Each run has controllers of its own (`Sampled` says how); one that raises ends its run, whose `message` has it.
+        As in `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs, Signals or Sampled.
+        Each run has its own controllers (see `Sampled`). A controller that raises ends its run; the `message` of the
+        run contains the exception.
     t_eval
         (nt,) times of the rows; None: the end state only.
     method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
-        As of `simulate`; "auto" chooses once for all, as `Ensemble.method` says.
+        As in `simulate`; "auto" chooses one method for all runs (`Ensemble.method`).
     workers
-        Threads of this process; None: as many as there are cores.
+        Number of threads of this process; None: the number of cores.
     executor
-        Any `concurrent.futures.Executor`, as `dask.distributed.Client.get_executor()`; gets chunks of about a second.
-        A chunk that is lost with its worker is run again.
+        Any `concurrent.futures.Executor`, such as `dask.distributed.Client.get_executor()`. Work is sent in chunks of
+        about one second; a chunk that is lost with its worker is run again.
     sensitivities
-        As of `simulate`: `Ensemble.sensitivity[name]` has `dx`, `dv` (K, n, nt). Where a run has none they are NaN, and
-        `message` says why.
+        As in `simulate`: `Ensemble.sensitivity[name]` has `dx`, `dv` (K, n, nt). They are NaN for a run without
+        sensitivities, and its `message` says why.
     progress
-        Write how many are done, at what rate, and the time left, to standard error.
+        Write the number of finished runs, their rate and the remaining time to standard error.
 
     Returns
     -------
     Ensemble
-        The same bits whatever the number of workers, the executor and the order of the members. A member that cannot
-        start or fails on its way is one of `failed`, with its reason, and costs the others nothing; Ctrl-C returns what
-        is done.
+        The results do not depend, bit for bit, on the number of workers, the executor or the order of the members. A
+        member that cannot start or fails is listed in `failed` and does not affect the others. Ctrl-C returns the
+        results so far.
 
     Raises
     ------
     ModelError
-        Before the runs: an unknown name or option, arrays of different lengths, a value that all members share and
-        that is out of range, or more rows than there is memory for.
+        Before the runs: an unknown name or option, arrays of different lengths, a value of all members that is out of
+        range, or more rows than fit into memory.
 
     Examples
     --------
@@ -114,7 +115,7 @@ def simulate_ensemble(
     least_norm = least_norm_of(dependent_constraints)
     chosen = chosen_method(system, method, relative, least_norm)
     times = rows_at(t_eval, start, end)
-    asked = Asked(
+    common = EnsembleTask(
         system.compiled, chosen.number, chosen.name, chosen.iterates, start, end, relative, absolute,
         np.array([end]) if times is None else times, times is None,
         *step_limits(first_step, max_step, max_steps, abs(end - start)),
@@ -123,17 +124,17 @@ def simulate_ensemble(
     )  # fmt: skip
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
-    _check_constant(system, asked, members)
-    _check_controlled(asked, members)
-    memory.check(asked, members)
+    _check_constant(system, common, members)
+    _check_controlled(common, members)
+    memory.check(common, members)
     with counted(members.count) if truth(progress, "progress") else nullcontext(_silent) as report:
         if executor is None:
-            return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
-        return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
+            return Ensemble(common, members, in_threads(common, members, _threads(workers), report))
+        return Ensemble(common, members, in_executor(common, members, _executor(executor, workers), report))
 
 
 def chosen_method(system: CompiledSystem, method: object, rtol: float, least_norm: int = 0) -> Method:
-    """Return the method of that name; of "auto" the one that ensembles take on this machine."""
+    """Return the method of that name; for "auto" the one that is best for ensembles on this machine."""
     name = method_of(method, NAMES)
     return (
         automatic_of_many(system.compiled, rtol, least_norm == DEPENDENT["least_norm"])
@@ -148,21 +149,21 @@ def _differentiated(system: CompiledSystem, given: Any, v0: Any) -> Differentiat
     return differentiated(system.compiled, given, v0)
 
 
-def _check_constant(system: CompiledSystem, asked: Asked, members: Members) -> None:
-    """Raise ModelError if runs are to be differentiated by an input that is a signal."""
-    names = asked.differentiated.names if asked.differentiated else ()
+def _check_constant(system: CompiledSystem, common: EnsembleTask, members: Members) -> None:
+    """Raise ModelError if `sensitivities` names an input that is a signal."""
+    names = common.differentiated.names if common.differentiated else ()
     for name, column in zip(system.inputs, members.signals, strict=True):
         if name in names and any(isinstance(one, Signal) for one in (column if isinstance(column, list) else [column])):
             raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
 
 
-def _check_controlled(asked: Asked, members: Members) -> None:
-    """Refuse what controllers cannot be asked in."""
+def _check_controlled(common: EnsembleTask, members: Members) -> None:
+    """Raise ModelError if the runs have controllers and also an option that excludes controllers."""
     if not members.controllers:
         return
-    check_forwards(asked.t_start, asked.t_end)
-    if asked.differentiated is not None:
-        raise through_no_controller(asked.model.name)
+    check_forwards(common.t_start, common.t_end)
+    if common.differentiated is not None:
+        raise through_no_controller(common.model.name)
 
 
 def _silent(_: int) -> None:

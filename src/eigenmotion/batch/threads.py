@@ -1,17 +1,17 @@
-"""Execution of an ensemble by threads of this process, each of which takes the next chunk of members."""
+"""Execution of an ensemble by threads of this process; each takes the next chunk of members."""
 
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
 from .chunk import run_chunk
 
 Report = Callable[[int], None]
-_PART = 3  # the next chunk is this part of a thread's share of what is left: the last are short, so all end together
-_LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
-_TICK = 0.05  # [s] between two looks at signals
+_PART = 3  # a chunk is 1/3 of a thread's share of the remaining members: late chunks are short, so threads end together
+_LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, few enough to report progress
+_POLL = 0.05  # [s] between two checks for signals
 
 
 def pieces(count: int, size: int) -> list[tuple[int, int]]:
@@ -20,34 +20,34 @@ def pieces(count: int, size: int) -> list[tuple[int, int]]:
 
 
 def shares(count: int, workers: int) -> list[tuple[int, int]]:
-    """Return (start, stop) of chunks of decreasing length for so many threads; each costs some time in Python."""
+    """Return (start, stop) of chunks of decreasing length. Few, since each costs some time in Python."""
     if workers == 1:
         return pieces(count, _MOST)
-    least, found, start = min(_LEAST, -(-count // workers)), list[tuple[int, int]](), 0
+    least, chunks, start = min(_LEAST, -(-count // workers)), list[tuple[int, int]](), 0
     while start < count:
         size = min(_MOST, max(least, (count - start) // (_PART * workers)), count - start)
-        found.append((start, start + size))
+        chunks.append((start, start + size))
         start += size
-    return found
+    return chunks
 
 
-def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> BatchArrays:
-    """Run all members; Ctrl-C ends the runs, and the results so far are returned."""
+def in_threads(common: EnsembleTask, members: Members, workers: int, report: Report) -> BatchArrays:
+    """Run all members. Ctrl-C ends the runs; the results so far are returned."""
     stop, parts = Stop(), shares(members.count, workers)
-    if len(parts) == 1 or members.controllers:  # which Python asks, so that threads are of use between questions alone
-        only = run_chunk(asked, members, stop, workers)
+    if len(parts) == 1 or members.controllers:  # Python calls controllers, so threads help only between sample times
+        only = run_chunk(common, members, stop, workers)
         report(members.count)
         return only
-    found = Collection(asked, members.count)
+    results = Collection(common, members.count)
 
     def work(start: int, end: int) -> None:
-        found.put(start, run_chunk(asked, members.part(start, end), stop))
+        results.put(start, run_chunk(common, members.part(start, end), stop))
         report(end - start)
 
     if workers == 1:
         for part in parts:
             work(*part)
-        return found.whole
+        return results.whole
     with ThreadPoolExecutor(min(workers, len(parts))) as pool:
         try:
             _await([pool.submit(work, *part) for part in parts], stop)
@@ -55,7 +55,7 @@ def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> 
             stop.set()
             if not isinstance(error, KeyboardInterrupt):
                 raise
-    return found.whole
+    return results.whole
 
 
 def _await(futures: list[Future[None]], stop: Stop) -> None:
@@ -63,7 +63,7 @@ def _await(futures: list[Future[None]], stop: Stop) -> None:
     waiting = set(futures)
     while waiting:
         try:
-            done, waiting = wait(waiting, _TICK)
+            done, waiting = wait(waiting, _POLL)
             for future in done:
                 future.result()
         except KeyboardInterrupt:

@@ -103,7 +103,8 @@ def load_part(requested: Request, tools: Toolchain, part: str) -> "CompiledModel
     except BuildError as error:
         raise type(error)(
             f"{error}\n\nIt is {WORDS[part]} of {requested.model.name} that cannot be compiled: parts of a model are "
-            "as something first asks for them. `eigenmotion build` makes a module that has all, where there is a compiler"
+            "as something first asks for them. `eigenmotion build` makes a module that has all, where there is a "
+            "compiler"
         ) from error
 
 

@@ -1,1 +1,1 @@
-"""The functions of one compiled model, in Python's terms."""
+"""Python interface of one compiled model: its functions at one state."""

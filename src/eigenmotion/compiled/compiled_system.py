@@ -1,4 +1,4 @@
-"""The functions of one compiled model at a state: what runs, results and analyses are made from."""
+"""Compiled system: the functions of one compiled model at a state, with checked arguments."""
 
 from collections.abc import Mapping
 from typing import Any, TypeAlias
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import SHARED_FROM_START, least_norm_of
 from ..arguments.signals import Inputs, Signal, bind, check_samples
-from ..arguments.states import apart, whole_v, whole_x
+from ..arguments.states import split_states, whole_v, whole_x
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, number, real
 from ..presentation.notebook import table
@@ -25,7 +25,7 @@ Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
 
 
 class CompiledSystem(Description):
-    """What a compiled model computes at one place, without runs: see `System`, which has these too."""
+    """The functions of a compiled model at one state, without runs. Base of `System`."""
 
     __slots__ = ("_defaults", "_inputs")
 
@@ -48,18 +48,18 @@ class CompiledSystem(Description):
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle as the model and its options: built, or found in the cache, where it is loaded."""
-        self._compiled.__reduce__()  # says why where there is no way
+        """Pickle the model and its options; it is built, or taken from the cache, where it is loaded."""
+        self._compiled.__reduce__()  # raises if the model cannot be pickled
         return self._compiled.recipe, ()
 
     def prepare(self, parameters: Parameters = None) -> Prepared:
-        """Return the constants of a parameter set, to be passed as `parameters` in its place.
+        """Return the constants of a parameter set, which can be passed as `parameters` instead of the values.
 
         Raises
         ------
         EvaluationError
-            A block of M that no state changes is not positive definite; or a value is none of those that its symbol was
-            declared to have (positive, integer, ...), names both.
+            A constant block of M is not positive definite; or a value contradicts the assumptions of its symbol
+            (positive, integer, ...); names both.
         """
         if parameters is None:
             return self._defaults
@@ -87,10 +87,10 @@ class CompiledSystem(Description):
     def start(
         self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
     ) -> tuple[Vector, Vector]:
-        """Return x (n,), v (n,): what is given, over the model's `initial`.
+        """Return x (n,), v (n,): x0 and v0 over the model's `initial`.
 
-        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0. x0 may name
-        states, too, or have them behind the coordinates.
+        v0 may name quasi-velocities instead of rates. Quasi-velocities in `initial` apply at any x0. x0 may also name
+        states, or have them behind the coordinates.
         """
         x, v = self.begin(x0, v0, t, parameters)
         return x[: self.n], v[: self.n]
@@ -98,17 +98,17 @@ class CompiledSystem(Description):
     def begin(
         self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
     ) -> tuple[Vector, Vector]:
-        """Return x, v of compiled functions, as `start`: with states among the velocities, and their integrals."""
+        """Return x, v (n + p,) of compiled functions; as `start`, with states in v and their integrals in x."""
         c, t = self._compiled, number(t, "t")
         if x0 is None and v0 is None and c.initial_y is None:
             return c.initial_x.copy(), c.initial_v.copy()
-        x0, z = apart(c, x0)
+        x0, z = split_states(c, x0)
         x = whole_x(c, x0)
         v = initial_rates(c, self.prepare(parameters), t, x, v0)
         return x, whole_v(c, v, z) if c.n_states else v
 
     def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
-        """Return the inputs of a run: what is given, over the defaults."""
+        """Return the inputs of a run: `inputs` over the defaults."""
         if inputs is None:
             return self._inputs
         bound = bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
@@ -130,9 +130,9 @@ class CompiledSystem(Description):
         y
             (n_state,) any stride; never written.
         inputs
-            As everywhere, or an array in the order of `System.inputs`.
+            By name, or an array in the order of `System.inputs`.
         out
-            Where to write; returned.
+            The array to write to, which is returned.
 
         Raises
         ------
@@ -143,12 +143,12 @@ class CompiledSystem(Description):
         u = None if inputs is None else self.signals(inputs, t)
         try:
             return self._compiled.rhs(t, y, c, u, out)
-        except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
+        except (TypeError, ValueError, OverflowError) as error:  # check arguments only now: solvers call this in a loop
             self._place(t, y)
-            raise _ours(error) from error
+            raise _as_our_error(error) from error
 
     def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
-        """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
+        """Return u (n_inputs,) at t, from a mapping over the defaults, or an array in the order of `System.inputs`."""
         if is_named(inputs) and any(isinstance(u, tuple | list | Signal) for _, u in inputs.items()):
             return self.bind(inputs).at(t)
         u = overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
@@ -157,8 +157,8 @@ class CompiledSystem(Description):
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
-        if (found := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
-            return found
+        if (result := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
+            return result
         n = self.n
         return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))[:n, :n]
 
@@ -168,7 +168,7 @@ class CompiledSystem(Description):
         return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))[:n, :n, :n]
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
-        """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
+        """Return C, s of M(x) and their derivatives with respect to the coordinates, as in (24).
 
         Raises
         ------
@@ -207,12 +207,12 @@ class CompiledSystem(Description):
         Raises
         ------
         EvaluationError
-            M is singular, or constraint rows depend on each other, here only or with "refuse".
+            M is singular, or constraint rows depend on each other: at this state only, or anywhere with "refuse".
         """
         least_norm = least_norm_of(dependent_constraints)
-        found = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
-        if found is not None:
-            return found
+        result = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
+        if result is not None:
+            return result
         c, t = self.prepare(parameters), number(t, "t")
         position, rates = self.begin(x, v, t, c)
         least_norm = self._compiled.shares(t, position, c, least_norm)
@@ -228,9 +228,9 @@ class CompiledSystem(Description):
         *,
         dependent_constraints: str = "auto",
     ) -> ConsistentState:
-        """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
+        """Return the state x (n,), v (n,) nearest in the mass metric with phi(x, t) = 0 and A v + b = 0.
 
-        The pair carries how far it moved: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
+        The pair has the changes as attributes: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
 
         Raises
         ------
@@ -248,24 +248,24 @@ class CompiledSystem(Description):
         return T2 + T1 + T0 + V
 
     def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
-        """Return T2 - T0 + V [J], conserved where nothing depends on time and no force does work."""
+        """Return T2 - T0 + V [J], conserved if nothing depends on time and no force does work."""
         T2, _, T0, V = self._energies(x, v, t, parameters)
         return T2 - T0 + V
 
     def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> tuple[float, ...]:
-        found = plain.energies(self._compiled, self._defaults, x, v, t, parameters)
-        if found is not None:
-            return found
+        result = plain.energies(self._compiled, self._defaults, x, v, t, parameters)
+        if result is not None:
+            return result
         c, t = self.prepare(parameters), number(t, "t")
         x, v = self.begin(x, v, t, c)
         return tuple(self._compiled.energy_rows(np.array([t]), x[None], v[None], c)[0].tolist())
 
     def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
-        """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""
+        """Return t and y (n_state,) as numbers. Infinity and NaN, which solvers try, are allowed."""
         return real(t, "t"), vector(y, "y")
 
     def _x(self, x: Coordinates) -> Vector:
-        return whole_x(self._compiled, apart(self._compiled, x)[0], "coordinate of x")
+        return whole_x(self._compiled, split_states(self._compiled, x)[0], "coordinate of x")
 
     def jacobian(
         self,
@@ -276,27 +276,27 @@ class CompiledSystem(Description):
     ) -> Vector:
         """Return d rhs / d y, (n_state, n_state), row i the derivatives of dy_i: `jac` of SciPy's implicit methods.
 
-        Exact to rounding, in every formulation; where the right-hand side has a kink, that of one of its sides. What
-        carries eta in place of xdot is compiled once more, for that, at the first call, and kept in the cache.
+        Exact to rounding in every formulation; at a kink of the right-hand side, the derivative of one side. A model
+        whose state has eta instead of xdot is compiled once more at the first call, and cached.
 
         Raises
         ------
         EvaluationError
             As `rhs`.
         BuildError
-            There is no compiler for what is to be compiled, or it refused.
+            There is no compiler for that, or the compilation failed.
         ModelError
-            This model carries eta, and its module was not made by `build`, which keeps what it is compiled from.
+            The state has eta, and the module was not made by `build`, so its sources are unknown.
         """
         c = self.compiled
-        if c.formulation in ("eigenfactor", "cholesky") and c.later is None and not c.differentiates:
+        if c.formulation in ("eigenfactor", "cholesky") and c.load_part is None and not c.differentiates:
             raise ModelError(f"{c.name}: the Jacobian of formulation {c.formulation!r} is compiled from its sources, "
                              "which only systems of eigenmotion.build know; or build with 'lagrange'")  # fmt: skip
         t, y = real(t, "t"), vector(y, "y")
         try:
             return c.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
         except (TypeError, ValueError, OverflowError) as error:
-            raise _ours(error) from error
+            raise _as_our_error(error) from error
 
     def rhs_parameter_jacobian(
         self,
@@ -305,12 +305,12 @@ class CompiledSystem(Description):
         parameters: Any = None,
         inputs: Mapping[Any, Any] | ArrayLike | None = None,
     ) -> Vector:
-        """Return d rhs / d parameters, (n_state, n_parameters), exact: for users of SciPy who integrate sensitivities.
+        """Return d rhs / d parameters, (n_state, n_parameters), exact: to integrate sensitivities with SciPy.
 
         Raises
         ------
         ModelError
-            The formulation carries eta in place of xdot: "lagrange" and "inverse" have this.
+            The formulation is not "lagrange" or "inverse": its state has eta instead of xdot.
         EvaluationError
             As `rhs`.
         """
@@ -328,6 +328,6 @@ class CompiledSystem(Description):
         return np.vstack([np.zeros((n, len(c.parameters))), da[:, first : first + len(c.parameters)]])
 
 
-def _ours(error: Exception) -> Exception:
-    """Return what the compiled functions raised, as an error of ours: they know none but their own."""
+def _as_our_error(error: Exception) -> Exception:
+    """Return an exception of a compiled function as an EvaluationError or ModelError."""
     return error if isinstance(error, EvaluationError | ModelError) else ModelError(str(error))

@@ -20,22 +20,22 @@ class Description:
 
     @property
     def n(self) -> int:
-        """How many coordinates."""
+        """The number of coordinates."""
         return self._compiled.n_coordinates
 
     @property
     def m(self) -> int:
-        """How many constraint rows."""
+        """The number of constraint rows."""
         return self._compiled.m
 
     @property
     def h(self) -> int:
-        """How many of the rows, the first ones, are holonomic."""
+        """The number of holonomic rows, which are the first."""
         return self._compiled.h
 
     @property
     def n_state(self) -> int:
-        """How many numbers y has."""
+        """The length of the state y."""
         return self._compiled.n_state
 
     @property
@@ -50,7 +50,7 @@ class Description:
 
     @property
     def schur(self) -> str:
-        """How Delta is factored."""
+        """The factorisation of Delta."""
         return self._compiled.schur
 
     @property
@@ -65,12 +65,12 @@ class Description:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """Names and defaults, in order. A copy: defaults do not change."""
+        """Names and defaults, in order (a copy)."""
         return dict(zip(self._compiled.parameters, self._compiled.parameter_defaults.tolist(), strict=True))
 
     @property
     def inputs(self) -> dict[str, float]:
-        """Names and defaults, in order. A copy."""
+        """Names and defaults, in order (a copy)."""
         return dict(zip(self._compiled.inputs, self._compiled.input_defaults.tolist(), strict=True))
 
     @property
@@ -85,17 +85,17 @@ class Description:
 
     @property
     def row_names(self) -> tuple[str, ...]:
-        """How messages call the constraint rows: "guide[1]" where they have names, else "row 1"."""
+        """Labels of the constraint rows in messages: "guide[1]" if they have names, else "row 1"."""
         return self._compiled.row_names
 
     @property
     def quasi_velocities(self) -> tuple[str, ...]:
-        """Names of the quasi-velocities y = P(x, t) xdot (3), where the model states any."""
+        """Names of the quasi-velocities y = P(x, t) xdot (3); () if the model states none."""
         return self._compiled.quasi_velocities
 
     @property
     def initial(self) -> tuple[Vector, Vector]:
-        """The model's x (n,), v (n,) at the start. Copies."""
+        """The model's initial x (n,), v (n,) (copies)."""
         return self._compiled.initial_x[: self.n].copy(), self._compiled.initial_v[: self.n].copy()
 
     @property
@@ -105,7 +105,7 @@ class Description:
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """What this model's program does without, and why."""
+        """Terms that this model's program leaves out, with the reason."""
         return self._compiled.left_out
 
     @property
@@ -115,7 +115,7 @@ class Description:
 
     @property
     def scales(self) -> Vector:
-        """(n,) units of the coordinates inside the eigenproblem. A copy."""
+        """(n,) units of the coordinates inside the eigenproblem (a copy)."""
         return self._compiled.scales[: self.n].copy()
 
     @property
@@ -130,6 +130,6 @@ class Description:
 
 
 def blocks_of(c: CompiledModel, n: int) -> tuple[tuple[int, ...], ...]:
-    """Return which of the first n coordinates each diagonal block of M has."""
+    """Return the coordinates, among the first n, of each diagonal block of M."""
     block = c.block[:n]
     return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))

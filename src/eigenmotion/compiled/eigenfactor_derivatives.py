@@ -1,4 +1,4 @@
-"""Derivatives of the eigenfactors and eta by the coordinates: (23), (24), the route of the paper's reference 5."""
+"""Derivatives of the eigenfactors and of eta with respect to the coordinates: (23), (24), the paper's reference 5."""
 
 from dataclasses import dataclass
 
@@ -32,7 +32,7 @@ def eigenfactor_gradient(
     M_gradient
         (n, n, n), [k, i, j] = dM_ij / dx_k.
     blocks
-        Coordinates that M couples; across blocks nothing turns.
+        Coordinates that M couples; eigenvectors turn only within a block.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The consistent state nearest to a given one."""
+"""Projection of a state onto the constraints in the mass metric."""
 
 from dataclasses import dataclass
 from math import sqrt
@@ -10,9 +10,9 @@ from ..codegen.model import ModelError
 from ..runtime import CompiledModel, Prepared
 
 RESOLVED = 1e-6
-"""How much rows and slopes may change, relative to themselves, from one number to the next that a double can be."""
+"""Largest relative change of rows and slopes from one double to the next."""
 _ENOUGH = 100
-"""Sweeps along the constraints; each reduces what is left by about (distance x curvature)."""
+"""Largest number of steps along the constraints; each reduces the rest by a factor of about (distance x curvature)."""
 
 
 class ConsistentState(tuple[Vector, Vector]):
@@ -21,8 +21,8 @@ class ConsistentState(tuple[Vector, Vector]):
     Attributes
     ----------
     x, v : (n,)
-    dx, dv : (n,), how far each coordinate [u_k] and each velocity [u_k / s] moved
-    distance : sqrt(dx^T M dx) [sqrt(J) s], with M at the x0 given: the mass metric
+    dx, dv : (n,), change of each coordinate [u_k] and each velocity [u_k / s]
+    distance : sqrt(dx^T M dx) [sqrt(J) s], with M at the original x0 (the mass metric)
     velocity_distance : sqrt(dv^T M dv) [sqrt(J)], with M at x: half its square is the kinetic energy of dv
     """
 
@@ -35,12 +35,12 @@ class ConsistentState(tuple[Vector, Vector]):
 
     def __new__(cls, x: Vector, v: Vector, **moved: object) -> "ConsistentState":
         """Make the pair; see the attributes."""
-        made = super().__new__(cls, (x, v))
-        made.__dict__.update(moved, x=x, v=v)
-        return made
+        pair = super().__new__(cls, (x, v))
+        pair.__dict__.update(moved, x=x, v=v)
+        return pair
 
     def of_coordinates(self, n: int) -> "ConsistentState":
-        """Return it of the first n numbers: behind them are first-order states, which no constraint moves."""
+        """Return the state of the first n numbers: the others are first-order states, which no constraint changes."""
         if len(self.x) == n:
             return self
         parts = {name: getattr(self, name)[:n] for name in ("x", "v", "dx", "dv")}
@@ -59,9 +59,9 @@ def _remade(fields: dict[str, Vector]) -> ConsistentState:
 
 @dataclass(frozen=True, slots=True)
 class Projection:
-    """The mass metric at one time and parameter set.
+    """Projection in the mass metric at one time and parameter set.
 
-    least_norm : whether constraint rows may depend on each other
+    least_norm : the treatment of dependent constraint rows
     """
 
     model: CompiledModel
@@ -72,18 +72,17 @@ class Projection:
     def __call__(self, x0: Vector, v0: Vector) -> ConsistentState:
         """Return the state with phi(x, t) = 0 and A v + b = 0 nearest to x0, v0.
 
-        First (x - x0)^T M(x0) (x - x0) is least, then (v - v0)^T M(x) (v - v0). Newton's method in the mass metric
-        reaches phi = 0; steps along the constraints, each followed by Newton's method, take away what of x - x0 is
-        tangential to them.
+        Minimises (x - x0)^T M(x0) (x - x0), then (v - v0)^T M(x) (v - v0). Newton's method in the mass metric reaches
+        phi = 0. Steps along the constraints, each followed by Newton's method, remove the tangential part of x - x0.
 
         Raises
         ------
         EvaluationError
             phi = 0 is not reached, constraint rows depend on each other, or M is singular; names the row.
         ModelError
-            What is nearest is not finite, or so large that nobody can tell whether it is on the constraints.
+            The nearest state is not finite, or so large that rounding hides whether it is on the constraints.
         """
-        with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        with np.errstate(all="ignore"):  # `_checked` reports numbers that are not finite
             return self._checked(self._nearest(x0, v0))
 
     def _nearest(self, x0: Vector, v0: Vector) -> ConsistentState:
@@ -102,14 +101,14 @@ class Projection:
         moved = {"dx": dx, "dv": dv, "distance": length(M, dx), "velocity_distance": length(self._mass(x), dv)}
         return ConsistentState(x, v, **moved)
 
-    def _checked(self, found: ConsistentState) -> ConsistentState:
+    def _checked(self, nearest: ConsistentState) -> ConsistentState:
         names = self.model.coordinates
-        if not np.isfinite(found).all():
-            k = int(np.argmin(np.isfinite(found).all(axis=0)))
+        if not np.isfinite(nearest).all():
+            k = int(np.argmin(np.isfinite(nearest).all(axis=0)))
             raise ModelError(f"{self.model.name}: what is nearest to x0, v0 on the constraints is not finite at "
                              f"{names[k]!r}. Give smaller numbers")  # fmt: skip
-        check_resolved(self.model, self.prepared, self.t, found.x)
-        return found
+        check_resolved(self.model, self.prepared, self.t, nearest.x)
+        return nearest
 
     def _reached(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
         return self.model.project(self.t, x, v, self.prepared, self.least_norm)
@@ -122,15 +121,15 @@ class Projection:
         A = self.model.pfaffian(self.t, x, self.prepared)[0][: self.model.h]
         W = np.linalg.solve(M, A.T)
         lengths = np.sqrt(np.einsum("ij,ji->i", A, W))
-        units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # rows of length one: which depend is no matter of units
+        units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # unit rows, so that dependence does not depend on units
         A, W = units[:, None] * A, W * units
         return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
 
 
 def check_resolved(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
-    """Refuse positions next to which, one number on, the holonomic rows are others: angles of 1e16, that nobody knows.
+    """Refuse positions at which the holonomic rows change from one double to the next, as for angles of 1e16.
 
-    phi is nowhere off by more than rounding there, whatever it is.
+    There phi vanishes within rounding for any state, so that it says nothing.
 
     Raises
     ------
@@ -148,7 +147,7 @@ def check_resolved(model: CompiledModel, prepared: Prepared, t: float, x: Vector
 
 
 def next_to(x: Vector, k: int) -> Vector:
-    """Return x with the next number that a double can be in place of x_k."""
+    """Return x with x_k replaced by the next double."""
     beside = x.copy()
     beside[k] += np.spacing(beside[k])
     return beside

@@ -1,4 +1,4 @@
-"""Velocities in rates xdot and in quasi-velocities y = P(x, t) xdot (3)."""
+"""Conversion of velocities: rates xdot and quasi-velocities y = P(x, t) xdot (3)."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -12,12 +12,12 @@ from ..codegen.model import ModelError
 from ..codegen.model.check.elimination import is_singular
 from ..runtime import CompiledModel, Prepared
 
-_SINGULAR = 1e-14  # the part of its terms below which a pivot of P leaves no digit of xdot = P^-1 y right
-_NEARBY = 2.0**-26  # relative change of a coordinate, for what the rounding of x makes of P
+_SINGULAR = 1e-14  # pivots of P below this part of their terms leave no correct digit of xdot = P^-1 y
+_NEARBY = 2.0**-26  # relative change of a coordinate, for the effect of its rounding on P
 
 
 def transformation(model: CompiledModel, c: Prepared, t: float, x: Vector) -> Vector:
-    """Return P (n, n) of y = P(x, t) xdot (3): what the compiled P xdot makes of unit velocities."""
+    """Return P (n, n) of y = P(x, t) xdot (3): the compiled P xdot for unit velocities."""
     rows = np.full(model.n, t), np.tile(x, (model.n, 1))
     return np.ascontiguousarray(model.quasi_rows(*rows, np.eye(model.n), c).T)
 
@@ -28,7 +28,7 @@ def rates_from(model: CompiledModel, c: Prepared, t: float, x: Vector, y: Vector
     Raises
     ------
     ModelError
-        P is singular or not finite at x, as that of body rates in Euler angles in gimbal lock.
+        P is singular or not finite at x, such as P of body rates with Euler angles in gimbal lock.
     """
     P = transformation(model, c, t, x)
     if not np.isfinite(P).all() or is_singular(P.tolist(), _terms(model, c, t, x, P).tolist(), _SINGULAR):
@@ -40,7 +40,7 @@ def rates_from(model: CompiledModel, c: Prepared, t: float, x: Vector, y: Vector
 
 
 def _terms(model: CompiledModel, c: Prepared, t: float, x: Vector, P: Vector) -> Vector:
-    """(n, n) about |P_ij| + sum_k |x_k dP_ij / dx_k|: what the rounding of P and of x is in proportion to."""
+    """Return about |P_ij| + sum_k |x_k dP_ij / dx_k| (n, n), to which the rounding of P and x is proportional."""
     moved = [transformation(model, c, t, place) for place in x * (1.0 + _NEARBY * np.eye(model.n))]
     return np.asarray(np.abs(P) + sum(np.abs(at - P) for at in moved) / _NEARBY)
 
@@ -48,9 +48,9 @@ def _terms(model: CompiledModel, c: Prepared, t: float, x: Vector, P: Vector) ->
 def initial_rates(
     model: CompiledModel, c: Prepared, t: float, x: Vector, v0: Mapping[Any, float] | ArrayLike | None
 ) -> Vector:
-    """Return v (n,) at x: an array of rates, or a mapping of rates or of quasi-velocities over the model's `initial`.
+    """Return v (n,) at x: v0 (an array of rates, or rates or quasi-velocities by name) over the model's `initial`.
 
-    Where the model starts from given quasi-velocities, these hold, also at another x, t or parameters.
+    If `initial` has quasi-velocities, these apply at any x, t and parameters.
 
     Raises
     ------

@@ -1,1 +1,1 @@
-"""Results of a run: the solution, and quantities that follow from its rows."""
+"""Results of runs: the solution, and quantities computed from its rows."""

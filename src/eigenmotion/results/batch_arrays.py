@@ -1,4 +1,4 @@
-"""Results of the members of an ensemble, as arrays; and the memory that parts of it fill."""
+"""Arrays of results of the members of an ensemble."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
 from ..arguments.signals import Inputs
 from ..arguments.states import names_of_states
@@ -20,13 +20,13 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 
 @dataclass(eq=False)
 class BatchArrays:
-    """Results of some members: the arrays of `Chunk`, and results that are no arrays.
+    """Results of some members: the arrays of `Chunk`, and results that are not arrays.
 
     counts : (K, 7), the COUNTS of a Solution
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
-    words : member -> message, for members that ran or were refused one by one
-    segments : member -> its modes, as of `Trajectory`, of models with contacts
-    held : member -> its inputs, of members with controllers: the values that these returned, as Signals
+    messages : member -> message, of members that ran or were refused one by one
+    segments : member -> segments as in `Trajectory`, for models with contacts
+    recorded_inputs : member -> inputs, of members with controllers: the values that these returned, as Signals
     """
 
     y: Vector
@@ -41,18 +41,18 @@ class BatchArrays:
     event_counts: NDArray[Any]
     S: Vector
     dt_events: Vector
-    words: dict[int, str] = field(default_factory=dict)
+    messages: dict[int, str] = field(default_factory=dict)
     segments: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
-    held: dict[int, Inputs] = field(default_factory=dict)
+    recorded_inputs: dict[int, Inputs] = field(default_factory=dict)
 
     @classmethod
-    def none(cls, asked: Asked, count: int) -> "BatchArrays":
+    def unrun(cls, common: EnsembleTask, count: int) -> "BatchArrays":
         """Return the arrays of members that have not run."""
-        model, columns = asked.model, len(asked.differentiated.names) if asked.differentiated else 0
+        model, columns = common.model, len(common.differentiated.names) if common.differentiated else 0
         interrupted = REASONS.index(StopReason.INTERRUPTED)
         return cls(
-            y=np.full((count, len(asked.t_eval), model.n_state), np.nan),
-            t_end=np.full(count, asked.t_start),
+            y=np.full((count, len(common.t_eval), model.n_state), np.nan),
+            t_end=np.full(count, common.t_start),
             status=np.full(count, interrupted, dtype=np.intc),
             first=np.full(count, -1, dtype=np.intc),
             second=np.full(count, -1, dtype=np.intc),
@@ -61,42 +61,42 @@ class BatchArrays:
             event_times=np.empty(0),
             events=np.empty((0, model.n_state)),
             event_counts=np.zeros((count, model.n_events), dtype=np.int_),
-            S=np.full((count, len(asked.t_eval), 2 * model.n, columns), np.nan),
+            S=np.full((count, len(common.t_eval), 2 * model.n, columns), np.nan),
             dt_events=np.empty((0, columns)),
         )
 
     def inputs_of(self, k: int, members: Members) -> Inputs:
-        """Return the inputs of a member as they were in its run."""
-        return self.held[k] if k in self.held else members.inputs_of(k)
+        """Return the inputs of a member in its run."""
+        return self.recorded_inputs[k] if k in self.recorded_inputs else members.inputs_of(k)
 
     def by_mode(
         self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: int
     ) -> tuple[Vector, ...]:
-        """Return a function of rows (t, y, v, u), each evaluated with the parameters of its mode."""
+        """Return the values of a function of rows (t, y, v, u), with the parameters of the mode of each row."""
         t, *others = rows
         parts = []
         for k, columns in enumerate(zip(*others, strict=True)):
             parameters = np.tile(members.row("parameters", k), (t.shape[1], 1))
             for first, _, of_mode in self.segments.get(k, ()):
                 parameters[first:] = of_mode
-            alone = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
-            parts.append(function(*alone, parameters, least_norm))
+            single = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
+            parts.append(function(*single, parameters, least_norm))
         return tuple(np.stack([part[:, 0] for part in each]) for each in zip(*parts, strict=True))
 
 
 class Collection:
-    """Results that arrive part by part, in any order; the memory for all is allocated at once."""
+    """Collected results of chunks, which arrive in any order; the memory for all is allocated at once."""
 
-    def __init__(self, asked: Asked, count: int) -> None:
-        self._whole, self._events = BatchArrays.none(asked, count), dict[int, tuple[Vector, ...]]()
+    def __init__(self, common: EnsembleTask, count: int) -> None:
+        self._whole, self._events = BatchArrays.unrun(common, count), dict[int, tuple[Vector, ...]]()
 
     def put(self, start: int, part: BatchArrays) -> None:
         """Store the results of the members from `start` on."""
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
-        self._whole.words |= {start + k: text for k, text in part.words.items()}
+        self._whole.messages |= {start + k: text for k, text in part.messages.items()}
         self._whole.segments |= {start + k: segments for k, segments in part.segments.items()}
-        self._whole.held |= {start + k: inputs for k, inputs in part.held.items()}
+        self._whole.recorded_inputs |= {start + k: inputs for k, inputs in part.recorded_inputs.items()}
         self._events[start] = part.event_times, part.events, part.dt_events
 
     @property
@@ -109,8 +109,8 @@ class Collection:
         return self._whole
 
 
-def nothing(model: CompiledModel) -> dict[str, Any]:
-    """Return what follows from the rows of a run that has none."""
+def empty_fields(model: CompiledModel) -> dict[str, Any]:
+    """Return the fields of a `Solution` without rows."""
     n, m, h, empty = model.n_coordinates, model.m, model.h, np.empty(0)
     shapes = {
         "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),

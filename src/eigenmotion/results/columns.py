@@ -1,17 +1,17 @@
-"""Names of columns: ours, and the user's beside them, no two alike."""
+"""Unique names of the columns of a table: ours and the user's."""
 
 from collections import Counter
 from collections.abc import Collection, Sequence
 
 
 def columns(ours: Collection[str], users: Sequence[tuple[str, str]]) -> list[str]:
-    """Return the name of a column for each (kind, name) of the user's.
+    """Return a column name for each (kind, name) of the user's.
 
-    It is the name itself, but where that is one of ours, or two things have it: those are written with what they are,
-    as `swept_run`, and once more where that is taken.
+    It is the name itself. If the name is one of ours, or occurs twice, the kind is put before it, as in `swept_run`;
+    again if that name is taken too.
     """
     counts = Counter(name for _, name in users)
-    taken, found = {*ours, *counts}, []
+    taken, named = {*ours, *counts}, []
     for kind, name in users:
         column = name
         if name in ours or counts[name] > 1:
@@ -19,12 +19,12 @@ def columns(ours: Collection[str], users: Sequence[tuple[str, str]]) -> list[str
             while column in taken:
                 column = f"{kind}_{column}"
         taken.add(column)
-        found.append(column)
-    return found
+        named.append(column)
+    return named
 
 
 def moving(ours: Collection[str], coordinates: Sequence[str]) -> list[str]:
-    """Return the columns of n coordinates, and then of their rates, each the coordinate's with a mark."""
+    """Return the columns of n coordinates, then of their rates, which are marked with '."""
     return columns(
         ours, [*(("coordinate", name) for name in coordinates), *(("rate", f"{name}'") for name in coordinates)]
     )

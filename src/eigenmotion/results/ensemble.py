@@ -1,4 +1,4 @@
-"""The result of many runs: arrays over runs, coordinates and time, and each run as a Solution."""
+"""Result of an ensemble: arrays over runs, coordinates and time, and each run as a Solution."""
 
 from collections.abc import Iterator
 from functools import cached_property, partial
@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import Asked, Members
+from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
-from .batch_arrays import REASONS, BatchArrays, nothing
+from .batch_arrays import REASONS, BatchArrays, empty_fields
 from .columns import columns
 from .multiplier_uniqueness import shared
 from .sensitivity import Sensitivity, parts_of
@@ -28,15 +28,15 @@ _ENDS_WELL = sum(reason.success for reason in REASONS)
 class Ensemble:
     """K runs of one system, run first and time last; n coordinates, m constraint rows, nt rows of time.
 
-    t : (nt,); where only ends were asked for, the end of the span
+    t : (nt,); without t_eval, the end of the span
     x, v : (K, n, nt); y (K, n_state, nt), published meaning
     multipliers : (K, m, nt); energy, jacobi_integral : (K, nt); outputs, states : name -> (K, nt)
-    t_end : (K,) where each run came to: a terminal event or a failure ends it earlier, and later rows are NaN. Where
-        only ends were asked for, the row of a run that a terminal event ended is the state at the event
+    t_end : (K,) the time that each run reached: a terminal event or a failure ends a run early, and later rows are NaN.
+        Without t_eval, the row of a run that a terminal event ended is the state at the event
     success : (K,); stop : (K,) of StopReason; failed : indices of runs that failed; message(k) : how run k ended
-    nfev, nsteps : (K,); method : the name of the one that ran
-    swept : name -> (K,): what differs from run to run
-    sensitivity : name -> (dx, dv), each (K, n, nt), and dz (K, p, nt), of what `sensitivities` asked for
+    nfev, nsteps : (K,); method : the name of the method that ran
+    swept : name -> (K,) values of the arguments that differ between runs
+    sensitivity : name -> (dx, dv), each (K, n, nt), and dz (K, p, nt), for each name in `sensitivities`
 
     ensemble[k] is run k as a Solution, without dense output.
 
@@ -51,9 +51,9 @@ class Ensemble:
     ((3, 1, 1), array([0.5, 1. , 2. ]), 1)
     """
 
-    def __init__(self, asked: Asked, members: Members, found: BatchArrays) -> None:
-        self._asked, self._members, self._found = asked, members, found
-        self._model = asked.model
+    def __init__(self, common: EnsembleTask, members: Members, results: BatchArrays) -> None:
+        self._common, self._members, self._results = common, members, results
+        self._model = common.model
 
     def __len__(self) -> int:
         return self._members.count
@@ -71,9 +71,9 @@ class Ensemble:
 
     @property
     def summary(self) -> str:
-        """How many runs, and how those ended that failed."""
+        """The number of runs, and the stop reasons of those that failed, as text."""
         failures = [reason for reason in REASONS if not reason.success]
-        counts = {reason: int((self._found.status == REASONS.index(reason)).sum()) for reason in failures}
+        counts = {reason: int((self._results.status == REASONS.index(reason)).sum()) for reason in failures}
         listed = ", ".join(f"{count} {reason}" for reason, count in counts.items() if count)
         return f"{len(self)} runs, {len(self.failed)} failed{f' ({listed})' if listed else ''}"
 
@@ -82,17 +82,17 @@ class Ensemble:
     @property
     def t(self) -> Vector:
         """(nt,)."""
-        return self._asked.t_eval
+        return self._common.t_eval
 
     @property
     def t_end(self) -> Vector:
         """(K,)."""
-        return self._found.t_end
+        return self._results.t_end
 
     @property
     def success(self) -> NDArray[np.bool_]:
         """(K,)."""
-        return self._found.status < _ENDS_WELL
+        return self._results.status < _ENDS_WELL
 
     @property
     def failed(self) -> NDArray[np.intp]:
@@ -102,30 +102,30 @@ class Ensemble:
     @cached_property
     def stop(self) -> NDArray[Any]:
         """(K,) of StopReason."""
-        return np.asarray(np.array(REASONS, dtype=object)[self._found.status])
+        return np.asarray(np.array(REASONS, dtype=object)[self._results.status])
 
     def message(self, k: int) -> str:
-        """Return how run k ended, where, and what to do."""
-        found, k = self._found, self._number(k)
-        if k in found.words:
-            return found.words[k]
-        stop, model = REASONS[found.status[k]], self._model
+        """Return a message about how and where run k ended, and what to do."""
+        results, k = self._results, self._number(k)
+        if k in results.messages:
+            return results.messages[k]
+        stop, model = REASONS[results.status[k]], self._model
         words = explain(
             stop,
             model.coordinates,
-            int(found.first[k]),
-            int(found.second[k]),
-            float(found.size[k]),
+            int(results.first[k]),
+            int(results.second[k]),
+            float(results.size[k]),
             model.events,
             model.row_names,
             tuple(model.tables),
         )
-        stiff = stiffness(int(self._count("n_stiff")[k]), int(self.nsteps[k]), self._asked.iterates)
-        return f"{words if stop is StopReason.FINISHED else f'At t = {found.t_end[k]:.9g}: {words}'}{stiff}"
+        stiff = stiffness(int(self._count("n_stiff")[k]), int(self.nsteps[k]), self._common.iterates)
+        return f"{words if stop is StopReason.FINISHED else f'At t = {results.t_end[k]:.9g}: {words}'}{stiff}"
 
     @property
     def nfev(self) -> NDArray[np.int_]:
-        """(K,): right-hand sides."""
+        """(K,): evaluations of the right-hand side."""
         return self._count("nfev")
 
     @property
@@ -134,12 +134,12 @@ class Ensemble:
         return self._count("nsteps")
 
     def _count(self, name: str) -> NDArray[np.int_]:
-        return self._found.counts[:, COUNTS.index(name)]
+        return self._results.counts[:, COUNTS.index(name)]
 
     @property
     def method(self) -> str:
-        """The name of the one that ran."""
-        return self._asked.name
+        """The name of the method that ran."""
+        return self._common.name
 
     # --- their rows ---
 
@@ -151,7 +151,7 @@ class Ensemble:
     @property
     def y(self) -> Vector:
         """(K, n_state, nt)."""
-        return np.moveaxis(self._found.y, 1, 2)
+        return np.moveaxis(self._results.y, 1, 2)
 
     @property
     def x(self) -> Vector:
@@ -165,7 +165,7 @@ class Ensemble:
 
     @property
     def _n(self) -> int:
-        """The number of coordinates; states come behind (`arguments.states`)."""
+        """The number of coordinates; in compiled arrays, states follow them (`arguments.states`)."""
         return self._model.n_coordinates
 
     @property
@@ -195,8 +195,8 @@ class Ensemble:
 
     @property
     def sensitivity(self) -> dict[str, Sensitivity]:
-        """Name -> dx, dv (K, n, nt); NaN where a run did not come, or has none."""
-        S = np.moveaxis(self._found.S, (2, 1, 0), (0, 1, 2))  # (2 n, nt, K, columns)
+        """Name -> dx, dv (K, n, nt); NaN at rows that a run did not reach, and for runs without sensitivities."""
+        S = np.moveaxis(self._results.S, (2, 1, 0), (0, 1, 2))  # (2 n, nt, K, columns)
         dx, dv, dz = (np.moveaxis(part, 2, 0) for part in parts_of(self._model, S))
         return {
             name: Sensitivity.of(dx[..., k], dv[..., k], dz[..., k], None)
@@ -205,41 +205,41 @@ class Ensemble:
 
     @property
     def _differentiated(self) -> tuple[str, ...]:
-        return self._asked.differentiated.names if self._asked.differentiated else ()
+        return self._common.differentiated.names if self._common.differentiated else ()
 
     @property
     def _times(self) -> Vector:
-        """(K or 1, nt): of the rows."""
-        return self._found.t_end[:, None] if self._asked.end_only else self._asked.t_eval[None]
+        """(K or 1, nt): times of the rows."""
+        return self._results.t_end[:, None] if self._common.end_only else self._common.t_eval[None]
 
     @cached_property
     def _v(self) -> Vector:
-        return velocities(self._model, self._times, self._found.y, self._members.parameters)
+        return velocities(self._model, self._times, self._results.y, self._members.parameters)
 
     @cached_property
     def _energies(self) -> Vector:
-        return energies(self._model, self._times, self._found.y, self._v, self._members.parameters)
+        return energies(self._model, self._times, self._results.y, self._v, self._members.parameters)
 
     @cached_property
     def _reactions(self) -> tuple[Vector, ...]:
-        rows = self._times, self._found.y, self._v, self._inputs
+        rows = self._times, self._results.y, self._v, self._inputs
         if self._model.switches:
-            return self._found.by_mode(partial(reactions, self._model), rows, self._members, self._asked.least_norm)
-        return reactions(self._model, *rows, self._members.parameters, self._asked.least_norm)
+            return self._results.by_mode(partial(reactions, self._model), rows, self._members, self._common.least_norm)
+        return reactions(self._model, *rows, self._members.parameters, self._common.least_norm)
 
     @property
     def _inputs(self) -> Vector:
         """(K, nt, n_inputs)."""
-        count, rows = self._found.y.shape[:2]
+        count, rows = self._results.y.shape[:2]
         at = np.empty((count, rows, self._model.n_inputs))
         for k in range(count if self._model.n_inputs else 0):
-            at[k] = self._found.inputs_of(k, self._members).at(self._times[k if self._asked.end_only else 0])
+            at[k] = self._results.inputs_of(k, self._members).at(self._times[k if self._common.end_only else 0])
         return at
 
     # --- one of them ---
 
     def _number(self, k: int) -> int:
-        """Return which run k is, counted from the first; -1 is the last."""
+        """Return k as an index from 0; -1 is the last run."""
         if not isinstance(k, (int, np.integer)):
             raise ModelError(f"run {k!r} of an ensemble: runs are numbered, from 0 to {len(self) - 1}")
         if not -len(self) <= k < len(self):
@@ -255,26 +255,26 @@ class Ensemble:
             There is no such run.
         """
         k = self._number(k)
-        found, members, asked = self._found, self._members, self._asked
-        there = ~np.isnan(found.y[k]).any(axis=1)
-        t = self._times[k if asked.end_only else 0][there]
-        rows, stop = np.ascontiguousarray(found.y[k][there]), REASONS[found.status[k]]
+        results, members, common = self._results, self._members, self._common
+        there = ~np.isnan(results.y[k]).any(axis=1)
+        t = self._times[k if common.end_only else 0][there]
+        rows, stop = np.ascontiguousarray(results.y[k][there]), REASONS[results.status[k]]
         t_events, y_events = self._events(k)
-        segments = found.segments.get(k, ())
-        ended = stop, self.message(k), asked.name, tuple(found.counts[k].tolist())
+        segments = results.segments.get(k, ())
+        ended = stop, self.message(k), common.name, tuple(results.counts[k].tolist())
         fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, segments))
-        if asked.differentiated is not None:
+        if common.differentiated is not None:
             fields["sensitivity"] = self._sensitivity(k, there)
         if stop is StopReason.START_REFUSED:
-            return Solution(None, fields | nothing(self._model))
+            return Solution(None, fields | empty_fields(self._model))
         prepared = self._model.prepare(members.row("parameters", k))
-        task = asked.task(prepared, found.inputs_of(k, members), members.row("x", k))
+        task = common.task(prepared, results.inputs_of(k, members), members.row("x", k))
         fields |= shared(task, fields["message"])
         return Solution(Trajectory(task, t, rows, segments), fields)
 
     def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:
-        S, pieces = self._found.S[k][there].T, self._event_pieces(k)
-        shifts = [self._found.dt_events[piece].T for piece in pieces]
+        S, pieces = self._results.S[k][there].T, self._event_pieces(k)
+        shifts = [self._results.dt_events[piece].T for piece in pieces]
         return {
             name: Sensitivity.of(*parts_of(self._model, S[i]), [shift[i] for shift in shifts] if pieces else None)
             for i, name in enumerate(self._differentiated)
@@ -282,27 +282,27 @@ class Ensemble:
 
     def _events(self, k: int) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:
         """Return t (e,) and y (e, n_state) of each event of run k."""
-        found = self._found
+        results = self._results
         if self._model.n_events == 0:
             return None, None
         pieces = self._event_pieces(k)
-        return [found.event_times[piece] for piece in pieces], [found.events[piece] for piece in pieces]
+        return [results.event_times[piece] for piece in pieces], [results.events[piece] for piece in pieces]
 
     def _event_pieces(self, k: int) -> list[slice]:
-        """Where each event of run k is in the table of all."""
-        ends, counts = self._event_ends[k].tolist(), self._found.event_counts[k].tolist()
+        """Return the rows of each event of run k in the table of all events."""
+        ends, counts = self._event_ends[k].tolist(), self._results.event_counts[k].tolist()
         return [slice(end - count, end) for end, count in zip(ends, counts, strict=True)]
 
     @cached_property
     def _event_ends(self) -> NDArray[Any]:
-        """(K, n_events): where the rows of each end in the table of all."""
-        counts = self._found.event_counts
+        """(K, n_events): the end of the rows of each run and event in the table of all events."""
+        counts = self._results.event_counts
         return np.cumsum(counts.ravel()).reshape(counts.shape)
 
     # --- for other tools ---
 
     def to_xarray(self) -> Any:
-        """Return an `xarray.Dataset`: dimensions run, coordinate, time; what was swept are coordinates of run.
+        """Return an `xarray.Dataset` with dimensions run, coordinate, time; swept arguments are coordinates of run.
 
         Raises
         ------
@@ -319,7 +319,7 @@ class Ensemble:
 
 
 def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return what xarray takes: data variables and coordinates, each (dimensions, values)."""
+    """Return the data variables and coordinates for xarray, each as (dimensions, values)."""
     along = ("run", "coordinate", "time")
     data: dict[str, Any] = {
         "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy),

@@ -1,4 +1,4 @@
-"""Constraint rows that depend on each other: what a result says of their multipliers."""
+"""Messages about multipliers that are not unique, since constraint rows depend on each other."""
 
 from collections.abc import Sequence
 
@@ -7,12 +7,12 @@ from ..runtime import CompiledModel
 
 
 def in_words(model: CompiledModel, rows: Sequence[int]) -> str:
-    """Name constraint rows whose multipliers are not unique; by number where they have no names."""
+    """Return the labels of constraint rows as text."""
     return ", ".join(model.row_names[row] for row in rows)
 
 
 def with_shared(message: str, model: CompiledModel, rows: Sequence[int]) -> str:
-    """Add to a message what the multipliers of such rows are."""
+    """Return the message with a note about multipliers of these rows, which are not unique."""
     return (
         f"{message} The multipliers of constraints {in_words(model, rows)} are not unique, since these rows depend on "
         "each other: they are those of least norm. The motion is unique."
@@ -20,7 +20,7 @@ def with_shared(message: str, model: CompiledModel, rows: Sequence[int]) -> str:
 
 
 def shared(task: Task, message: str) -> dict[str, object]:
-    """Return what a run from this start says of its rows, message too: nothing where all multipliers are unique."""
+    """Return the fields `not_unique` and `message` of a run from this start; {} if all multipliers are unique."""
     if not task.least_norm:
         return {}
     rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)[1]

@@ -12,13 +12,13 @@ class _Rows(NamedTuple):
 
 
 class Sensitivity(_Rows):
-    """How a run changes with one number p; an ensemble has these with the K runs first, and no dt_events.
+    """Derivatives of a run with respect to one number p. In an ensemble, the K runs are the first axis.
 
-    dx, dv : (n, k), d x / d p and d xdot / d p at its rows, at fixed time: of rows at an event that acts, those of the
-        motion before it and of the motion after it; at a terminal event, of the motion up to there
+    dx, dv : (n, k), dx/dp and dxdot/dp at the rows, at fixed time. The two rows at an event action have the derivatives
+        of the motion before and after it; the row at a terminal event those of the motion before it
     dz : (p, k) of first-order states
-    dt_events : for each event of the model (e,), d t_events / d p; None where it has none. With it, dx + v dt is how
-        the place of an event changes
+    dt_events : for each event (e,), d t_events / dp; None for a model without events, and in an ensemble. The
+        position of an event changes by dx + v dt
     """
 
     dt_events: list[Vector] | None = None
@@ -26,13 +26,13 @@ class Sensitivity(_Rows):
 
     @classmethod
     def of(cls, dx: Vector, dv: Vector, dz: Vector, dt_events: list[Vector] | None) -> "Sensitivity":
-        """Return one; unpacked, it is dx and dv."""
-        made = cls(dx, dv)
-        made.dz, made.dt_events = dz, dt_events
-        return made
+        """Return a Sensitivity, which unpacks as dx, dv."""
+        sensitivity = cls(dx, dv)
+        sensitivity.dz, sensitivity.dt_events = dz, dt_events
+        return sensitivity
 
 
 def parts_of(model: CompiledModel, S: Vector) -> tuple[Vector, Vector, Vector]:
-    """Return dx, dv, dz of derivatives (2 n, ...) of x, v of compiled functions, of which states are the last v."""
+    """Return dx, dv, dz from derivatives (2 n, ...) of x, v of compiled functions, where states are the last of v."""
     n, every = model.n_coordinates, model.n
     return S[:n], S[every : every + n], S[every + n :]

@@ -1,4 +1,4 @@
-"""The result of a run: SciPy's fields, and the mechanism's own, computed when asked for."""
+"""Result of a run: the fields of SciPy's solutions, and those of the mechanism, which are computed on first access."""
 
 import sys
 from collections.abc import Callable, ItemsView, Iterator, KeysView, ValuesView
@@ -42,7 +42,7 @@ _DEFAULTS: dict[str, Any] = {
     "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
     "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
-"""What a run that says nothing of it says: most do not, and a table of twice as many fields takes twice the time."""
+"""Values of fields that a run does not set. Most runs set none, and a dict of half the size takes half the time."""
 
 
 class DenseOutput:
@@ -51,12 +51,12 @@ class DenseOutput:
     Parameters
     ----------
     rows_at
-        Gives y (k, n_state) at times (k,) within the run.
+        Function that returns y (k, n_state) at times (k,) within the run.
 
     Attributes
     ----------
     t_min, t_max
-        Where it is defined.
+        The interval of the run.
     ts
         (k + 1,) the ends of the steps.
     """
@@ -71,7 +71,7 @@ class DenseOutput:
         Raises
         ------
         ModelError
-            A t outside [t_min, t_max]: a run says nothing about times it did not reach.
+            A t outside [t_min, t_max].
         """
         times = vector(t, "t")
         if times.ndim > 1:
@@ -82,42 +82,42 @@ class DenseOutput:
         return rows.T if times.ndim else rows[0]
 
     def rows(self, t: Vector) -> Vector:
-        """Return y (k, n_state) at times (k,) that are known to be within."""
+        """Return y (k, n_state) at times (k,) within the run, without a check."""
         return self._rows_at(t)
 
 
 class Solution(dict[str, Any]):
-    """The motion, by attribute or by item, time last. k rows; n coordinates; m constraint rows, h of them holonomic.
+    """A motion; fields by attribute or by item. k rows (time is the last axis); n coordinates; m constraint rows.
 
     t : (k,)
-    y : (n_state, k), published meaning: any column is a state to restart from
+    y : (n_state, k), published meaning; a run can restart from any column
     sol : y(t) as a function, with dense_output
-    t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
-    y_after_events : the states after those that act, as y_events; of the others y_events itself
-    modes : since when, and a parameter name -> value of each mode that a model with contacts went through; else ()
-    nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (of implicit methods)
-    nsteps, nrejected : steps accepted, and rejected
-    n_bounded : steps accepted that did not run the published equations
-    n_stiff : about how many stability kept short, and not their error; where most were, `message` says so
-    not_unique : the constraint rows whose multipliers are one choice of many, of least norm; () where all are unique
+    t_events, y_events : for each event (e,) and (e, n_state); None if the model has no events
+    y_after_events : as y_events, but after the event action, for events that act
+    modes : for a model with contacts, the start time and parameter name -> value of each mode of the run; else ()
+    nfev, njev, nlu : evaluations of the right-hand side and its Jacobian, factorisations (of implicit methods)
+    nsteps, nrejected : accepted and rejected steps
+    n_bounded : accepted steps that did not run the published equations
+    n_stiff : approximate number of steps that stability limited, not their error; if most, `message` says so
+    not_unique : the constraint rows whose multipliers are not unique (those of least norm are returned)
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
-    sensitivity : name -> dx, dv (n, k) and dt_events, of what `sensitivities` asked for
-    method : the name of the one that ran
-    stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
+    sensitivity : name -> dx, dv (n, k) and dt_events, for each name in `sensitivities`
+    method : the name of the method that ran
+    stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; how it ended, what to do
 
-    Computed when asked for, and found by `in` and `keys()`:
+    Computed on first access, and included in `in` and `keys()`:
 
-    x, v, eta : (n, k); eta is what y carries, else S C v
-    C : (n, n, k), s : (n, k): what y carries, else eigenfactors of M(x), continuous in sign and order
+    x, v, eta : (n, k); eta as in y, or S C v if y does not have it
+    C : (n, n, k), s : (n, k): as in y, or eigenfactors of M(x), continuous in sign and order
     multipliers : (m, k); the constraints push with -A^T lambda (7)
     energy, jacobi_integral : (k,), T + V and T2 - T0 + V
     constraint_residual : (m, k), A v + b
-    position_residual : (h, k), phi
-    factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
+    position_residual : (h, k), phi of the h holonomic rows
+    factor_residual : (k,), max|M - C^T S^2 C| / max|M|, with M the factored matrix (docs/theory.md)
     outputs, states, quasi_velocities : name -> (k,)
-    drawing : a Drawing, its numbers (k, ...), None where the model has none
+    drawing : a Drawing with numbers (k, ...); None if the model has no drawing
 
-    Where a row has no such value (singular M, dependent constraint rows) it is NaN.
+    Rows without a value (singular M, dependent constraint rows) are NaN.
 
     Examples
     --------
@@ -138,13 +138,13 @@ class Solution(dict[str, Any]):
     _source: Trajectory | tuple[Task, tuple[Segment, ...]] | None
 
     def __init__(self, rows: Trajectory | tuple[Task, tuple[Segment, ...]] | None, fields: dict[str, Any]) -> None:
-        """A run's task and segments say enough of its rows: many a run is asked for t and y alone."""
+        """`rows` may be the task and segments of the run: the Trajectory is then made when a field needs it."""
         dict.update(self, fields)
         _keep(self, rows)
 
     @property  # type: ignore[misc]
     def __class__(self) -> Any:
-        """SciPy's OptimizeResult as well, to whoever has imported that: it takes much longer than most runs."""
+        """Also an OptimizeResult of SciPy, if that is imported already (the import takes longer than most runs)."""
         of_scipy = getattr(sys.modules.get("scipy.optimize"), "OptimizeResult", None)
         return _one_of(type(self), of_scipy) if isinstance(of_scipy, type) else type(self)
 
@@ -159,11 +159,11 @@ class Solution(dict[str, Any]):
 
     @property
     def motion(self) -> tuple[Vector, Vector]:
-        """x, v as compiled functions take them, (n + p, k) each: the last of v are states, of x their integrals."""
+        """x, v of compiled functions, (n + p, k) each: the last p of v are the states, of x their integrals."""
         rows = self._rows
         if rows is not None:
             return rows.x.T, rows.v.T
-        states = list(self["states"].values())  # of a copy from another process, whose integrals nobody needs
+        states = list(self["states"].values())  # in a copy from another process; the integrals are not needed
         return np.vstack([self.x, *(0.0 * z for z in states)]), np.vstack([self.v, *states])
 
     @property
@@ -186,7 +186,7 @@ class Solution(dict[str, Any]):
             raise AttributeError(*error.args) from error
 
     def _hint(self, name: str) -> str:
-        """Say where to find a name that is no field: a coordinate's, or an output's."""
+        """Return a hint for a name that is not a field but a coordinate or an output."""
         if self._rows is None:
             return name
         model = self._rows.model
@@ -211,27 +211,27 @@ class Solution(dict[str, Any]):
         return KeysView(self)
 
     def values(self) -> ValuesView[Any]:  # type: ignore[override]
-        """All fields; computes what was not asked for before."""
+        """All fields, which are computed if necessary."""
         return ValuesView(self)
 
     def items(self) -> ItemsView[str, Any]:  # type: ignore[override]
-        """Names and fields; computes what was not asked for before."""
+        """Names and fields, which are computed if necessary."""
         return ItemsView(self)
 
     def get(self, name: str, default: Any = None) -> Any:
-        """Return a field, or the default where there is none of that name."""
+        """Return a field, or the default if there is no field of that name."""
         try:
             return self[name]
         except KeyError:
             return default
 
     def drawn(self, t: Vector) -> Drawing:
-        """Return what the mechanism looks like at t (k,): by `sol` where there is one, else between the rows.
+        """Return the drawing of the mechanism at t (k,), from `sol`, or else interpolated between the rows.
 
         Raises
         ------
         ModelError
-            The model has no drawing, or this is a copy from another process, which has its rows alone.
+            The model has no drawing, or this is a copy from another process, which has only its rows.
         """
         rows = self._rows
         if rows is None:
@@ -248,14 +248,14 @@ class Solution(dict[str, Any]):
         Parameters
         ----------
         speed
-            Seconds of motion in a second.
+            Seconds of motion per second.
         fps
-            Frames a second.
+            Frames per second.
 
         Raises
         ------
         ModelError
-            The model has no drawing, there are no rows, or matplotlib is not there.
+            The model has no drawing, there are no rows, or matplotlib is not installed.
         """
         if not len(self["t"]):
             raise ModelError("the run has no rows, so there is nothing to animate")
@@ -263,7 +263,7 @@ class Solution(dict[str, Any]):
 
     @property
     def cost(self) -> str:
-        """What the run took, in words."""
+        """Counts of steps and right-hand sides, as text."""
         return f"{self['nsteps']} steps, {self['nrejected']} rejected, {self['nfev']} right-hand sides"
 
     def __dir__(self) -> list[str]:
@@ -287,7 +287,7 @@ class Solution(dict[str, Any]):
         return table(self._rows.model.name if self._rows is not None else "Solution", rows) + picture
 
     def __reduce__(self) -> tuple[Callable[[dict[str, Any]], "Solution"], tuple[dict[str, Any]]]:
-        """Give copies in other processes every field; `sol` where they can make the model, which it needs."""
+        """Pickle all fields; `sol` only if another process can make the model, which it needs."""
         fields = dict(self.items())
         if self._rows is not None and self._rows.model.recipe is None:
             fields["sol"] = None
@@ -299,7 +299,7 @@ def _one_of(ours: type, of_scipy: type) -> type:
     return type(ours.__name__, (ours, of_scipy), {"__doc__": ours.__doc__, "__module__": ours.__module__})
 
 
-_keep = Solution.__dict__["_source"].__set__  # attributes of a Solution are its fields, but for this one
+_keep = Solution.__dict__["_source"].__set__  # the only attribute of a Solution that is not a field
 
 
 def _restored(fields: dict[str, Any]) -> Solution:

@@ -1,4 +1,4 @@
-"""Quantities that follow from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
+"""Quantities computed from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -17,13 +17,13 @@ Segment = tuple[int, float, tuple[float, ...]]
 
 
 class Trajectory:
-    """Rows of a run, time first, and what is derived from them (all arrays here have the time first).
+    """Rows of a run, and quantities computed from them; time is the first axis of all arrays.
 
     Parameters
     ----------
     t : (k,) [s]
     rows : (k, n_state), published meaning
-    segments : where modes change: first row, time and parameters of each mode; () where there is one
+    segments : first row, start time and parameters of each mode; () if the mode does not change
     """
 
     def __init__(self, task: Task, t: Vector, rows: Vector, segments: tuple[Segment, ...] = ()) -> None:
@@ -31,11 +31,11 @@ class Trajectory:
 
     @cached_property
     def _segments(self) -> list[tuple[slice, Prepared]]:
-        """Which rows each segment has, and its prepared parameters."""
+        """The rows of each segment, and its prepared parameters."""
         return _segment_rows(self.task, len(self.t), self.segments)
 
     def _by_segment(self, function: Callable[..., Any], *columns: Vector) -> Any:
-        """Return the rows of a function of (columns, prepared parameters), each in its own mode."""
+        """Return the rows of function(*columns, prepared), with the prepared parameters of the mode of each row."""
         if len(self._segments) == 1:
             return function(*columns, self._segments[0][1])
         parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self._segments]
@@ -45,7 +45,7 @@ class Trajectory:
 
     @property
     def n(self) -> int:
-        """The number of coordinates; of all arrays here these come first, states and their integrals behind."""
+        """The number of coordinates; in all arrays here they come first, then states or their integrals."""
         return self.model.n_coordinates
 
     @cached_property
@@ -70,7 +70,7 @@ class Trajectory:
 
     @cached_property
     def eta(self) -> Vector:
-        """(k, n): the quasi-velocities the state carries (S C xdot (17), or L^T xdot), else S C xdot of M(x)."""
+        """(k, n): the quasi-velocities in y (S C xdot (17), or L^T xdot), or S C xdot of M(x) if y has none."""
         for name, start, length in self.model.layout:
             if name == "eta":
                 return self.rows[:, start : start + length + self.model.n_states]
@@ -79,12 +79,12 @@ class Trajectory:
 
     @cached_property
     def factors(self) -> tuple[Vector, Vector]:
-        """C (k, n, n), s (k, n): those the state carries, the others (and all, where it has none) those of M(x)."""
-        found = self.model.eigenfactor_rows(self.t, self.x, self.task.prepared)
+        """C (k, n, n), s (k, n): those in y for the blocks that y has, those of M(x) for the others."""
+        computed = self.model.eigenfactor_rows(self.t, self.x, self.task.prepared)
         parts = {name: self.rows[:, start : start + length] for name, start, length in self.model.layout}
         if "s" not in parts:
-            return found
-        return _filled(found, parts["C"], parts["s"], _carried_blocks(self.model))
+            return computed
+        return _filled(computed, parts["C"], parts["s"], _carried_blocks(self.model))
 
     @cached_property
     def factor_residual(self) -> Vector:
@@ -125,28 +125,28 @@ class Trajectory:
 
     @cached_property
     def drawing(self) -> Drawing | None:
-        """What the mechanism looks like in every row; None where the model has no drawing."""
+        """The drawing of the mechanism at every row; None if the model has no drawing."""
         return self.drawn(self.t, self.x)
 
     def drawn(self, t: Vector, x: Vector) -> Drawing | None:
-        """What the mechanism looks like at t (k,), x (k, n)."""
+        """The drawing of the mechanism at t (k,), x (k, n); None if the model has no drawing."""
         if not self.model.shapes:
             return None
         numbers = self.model.drawn_rows(t, x, self.task.prepared)
         return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
 
     def between(self, t: Vector) -> Vector:
-        """x (k, n) at t (k,) between the rows, for the eye: cubics that have the velocities of both ends."""
+        """x (k, n) at t (k,) between the rows, accurate enough for pictures: cubic Hermite interpolation."""
         sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
-        turns = np.flatnonzero(np.diff(self.t) == 0) + 1  # what acts leaves a row before and one after
-        segments = [rows for rows in np.split(np.arange(len(self.t)), turns) if len(rows) > 1]
-        found, last = np.repeat(self.x[:1], len(t), axis=0), np.full(len(t), -1)
+        jumps = np.flatnonzero(np.diff(self.t) == 0) + 1  # an event action has a row before and a row after it
+        segments = [rows for rows in np.split(np.arange(len(self.t)), jumps) if len(rows) > 1]
+        x, last = np.repeat(self.x[:1], len(t), axis=0), np.full(len(t), -1)
         for number, rows in enumerate(segments):
             last[sign * t >= sign * self.t[rows[0]]] = number
         for number, rows in enumerate(segments):
             cubics = scipy.interpolate.CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
-            found[last == number] = cubics(sign * t[last == number])
-        return found
+            x[last == number] = cubics(sign * t[last == number])
+        return x
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:
@@ -159,23 +159,24 @@ class Trajectory:
 
 
 def _segment_rows(task: Task, count: int, segments: tuple[Segment, ...]) -> list[tuple[slice, Prepared]]:
-    """Return which rows each segment has, and its prepared parameters."""
+    """Return the rows of each segment, and its prepared parameters."""
     if not segments:
         return [(slice(0, count), task.prepared)]
     ends = [first for first, _, _ in segments[1:]] + [count]
-    made = {parameters: task.model.prepare(np.array(parameters)) for _, _, parameters in segments}
-    return [(slice(first, end), made[parameters]) for (first, _, parameters), end in zip(segments, ends, strict=True)]
+    prepared = {parameters: task.model.prepare(np.array(parameters)) for _, _, parameters in segments}
+    starts = [(first, prepared[parameters]) for first, _, parameters in segments]
+    return [(slice(first, end), c) for (first, c), end in zip(starts, ends, strict=True)]
 
 
 def _carried_blocks(model: CompiledModel) -> list[list[int]]:
-    """Return the coordinates of each block of M whose C and s the state carries."""
+    """Return the coordinates of each block of M whose C and s are in y."""
     numbers = sorted({model.block[k] for k in model.carried})
     return [[k for k, number in enumerate(model.block) if number == which] for which in numbers]
 
 
-def _filled(found: tuple[Vector, Vector], C: Vector, s: Vector, blocks: list[list[int]]) -> tuple[Vector, Vector]:
-    """Return the eigenfactors found, with those of the given blocks replaced by the ones carried, block by block."""
-    full, roots = found[0].copy(), found[1].copy()
+def _filled(computed: tuple[Vector, Vector], C: Vector, s: Vector, blocks: list[list[int]]) -> tuple[Vector, Vector]:
+    """Return the computed eigenfactors, with those of some blocks replaced by C and s of the state."""
+    full, roots = computed[0].copy(), computed[1].copy()
     at, root = 0, 0
     for block in blocks:
         size = len(block)

@@ -2,9 +2,9 @@
 
 from . import plain as plain
 from . import variations as variations
+from .incremental_run import IncrementalRun as IncrementalRun
+from .incremental_run import IncrementalRuns as IncrementalRuns
 from .model import CompiledModel as CompiledModel
-from .parts import RunInParts as RunInParts
-from .parts import RunsInParts as RunsInParts
 from .point import Prepared as Prepared
 from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of

@@ -1,4 +1,4 @@
-# The ABI of include/eigenmotion.h and the two headers it includes.
+# Declarations of the ABI: eigenmotion.h and the two headers it includes.
 
 cdef extern from "eigenmotion.h" nogil:
     const int EM_ABI

@@ -1,4 +1,4 @@
-# Arrays in the layout of the ABI, for the other modules of the runtime.
+# Declarations of arrays.pyx for the other modules of the runtime.
 
 cimport cython
 from libc.math cimport NAN
@@ -17,12 +17,12 @@ cdef class Numbers:
     cdef bint overlaps(self, Numbers other) noexcept
 
     cdef inline double *row(self, Py_ssize_t i) noexcept nogil:
-        """Those at index i of the first axis."""
+        """The numbers at index i of the first axis."""
         return self.data + i * self.width
 
 
-cdef Numbers given(object a, tuple shape, str name)
-cdef bint takes(object out, tuple shape) except -1
+cdef Numbers floats(object a, tuple shape, str name)
+cdef bint is_float_output(object out, tuple shape) except -1
 cdef Numbers unset(tuple shape)
 cdef Numbers zeros(tuple shape)
 cdef object constants(const double *values, int count)

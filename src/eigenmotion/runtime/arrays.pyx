@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Arrays in the layout of the ABI: float64, C-contiguous, of the shape that a model has."""
+"""Arrays in the layout of the ABI: float64, C-contiguous, with the shape that a model needs."""
 
 cimport cython
 from cpython.buffer cimport PyBUF_FULL_RO
@@ -10,7 +10,7 @@ import numpy as np
 
 cdef extern from *:
     """
-    /* What NumPy's headers compile into every extension as PyArrayObject_fields, which is therefore part of its ABI. */
+    /* PyArrayObject_fields of NumPy's headers, which every extension compiles in: part of NumPy's ABI. */
     typedef struct {
         PyObject_HEAD
         char *data;
@@ -40,7 +40,7 @@ cdef object _array = np.ndarray, _double = np.dtype(np.float64), _empty = np.emp
 @cython.final
 @cython.freelist(16)
 cdef class Numbers:
-    """The numbers of an array in the layout of the ABI, float64 and C-contiguous, valid as long as this object lives."""
+    """The numbers of a float64, C-contiguous array, valid as long as this object lives."""
 
     def __dealloc__(self):
         PyBuffer_Release(&self.view)
@@ -54,7 +54,7 @@ cdef class Numbers:
         return 0
 
     cdef bint read(self, object array) noexcept:
-        """As `hold`, for NumPy arrays of float64 in C order. A request for their buffer would take longer than its use."""
+        """As `hold`, but only for NumPy arrays of float64 in C order, and without the buffer protocol, which is slower."""
         cdef em_ndarray *fields = <em_ndarray *> array
         cdef int axis
         if not _LAYOUT_IS_KNOWN or type(array) is not _array or fields.descr != <void *> _double:
@@ -71,7 +71,7 @@ cdef class Numbers:
         return True
 
     cdef bint borrow(self, object a, tuple shape) except -1:
-        """Hold a, if it is such an array, and of that shape."""
+        """Hold a if it is a float64, C-contiguous array of that shape; return whether it is."""
         cdef int axis
         cdef bint fits
         if self.read(a):
@@ -96,52 +96,52 @@ cdef class Numbers:
         return mine < theirs + other.view.len and theirs < mine + self.view.len
 
 
-cdef Numbers given(object a, tuple shape, str name):
-    """The numbers of a, of any stride and type; a must have that shape."""
-    cdef Numbers made = Numbers.__new__(Numbers)
-    if made.borrow(a, shape):
-        return made
+cdef Numbers floats(object a, tuple shape, str name):
+    """The numbers of a as float64; a may have any strides and type, but must have that shape."""
+    cdef Numbers numbers = Numbers.__new__(Numbers)
+    if numbers.borrow(a, shape):
+        return numbers
     if np.iscomplexobj(a):
         raise ValueError(f"{name} is complex; give real numbers")
     # aligned, which an array received over a network may not be
-    if not made.borrow(np.require(a, np.float64, ("C", "A")), shape):
+    if not numbers.borrow(np.require(a, np.float64, ("C", "A")), shape):
         raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
-    return made
+    return numbers
 
 
-cdef bint takes(object out, tuple shape) except -1:
-    """Whether it is an array that floating point numbers can be written to: integers would lose the fraction."""
+cdef bint is_float_output(object out, tuple shape) except -1:
+    """Whether `out` is a writable array of floating point numbers (integers would lose the fraction)."""
     return isinstance(out, np.ndarray) and out.dtype.kind == "f" and out.shape == shape and out.flags.writeable
 
 
 cdef Numbers unset(tuple shape):
     """A new, uninitialised array."""
-    cdef Numbers made = Numbers.__new__(Numbers)
+    cdef Numbers numbers = Numbers.__new__(Numbers)
     array = _empty(shape)
-    if not made.read(array):
-        made.hold(array, PyBUF_FULL_RO)
-    return made
+    if not numbers.read(array):
+        numbers.hold(array, PyBUF_FULL_RO)
+    return numbers
 
 
 cdef Numbers zeros(tuple shape):
     """A new array of zeros."""
-    cdef Numbers made = unset(shape)
-    memset(made.data, 0, made.view.len)
-    return made
+    cdef Numbers numbers = unset(shape)
+    memset(numbers.data, 0, numbers.view.len)
+    return numbers
 
 
 cdef object constants(const double *values, int count):
-    """Numbers of a model as an array (count,)."""
+    """A copy of `count` numbers of a model as an array."""
     return np.array([values[k] for k in range(count)], dtype=np.float64)
 
 
 cdef tuple texts(const char *const *names, int count):
-    """Its strings as a tuple."""
+    """C strings of a model as a tuple."""
     return tuple([names[k].decode("utf-8") for k in range(count)])
 
 
 cdef bint layout_is_known() except -1:
-    """Whether the fields of an array are where this module reads them, compared with their buffers."""
+    """Whether NumPy's arrays have the fields of em_ndarray: compares them with what the buffer protocol returns."""
     cdef Py_buffer view
     cdef em_ndarray *fields
     cdef bint known = True

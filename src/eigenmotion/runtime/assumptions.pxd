@@ -1,4 +1,4 @@
-# em_assumptions.h: check of numbers against the assumptions of their symbols.
+# Declarations of em_assumptions.h: the check of numbers against the assumptions of their symbols.
 
 from .abi cimport em_declared, em_fault
 

@@ -1,4 +1,4 @@
-# The steppers of include/em_control.h.
+# Declarations of em_control.h: the C stepper.
 
 from .abi cimport em_fault, em_method, em_model, em_run, em_signal
 

@@ -1,4 +1,4 @@
-# Many runs of one model (em_lane_scheduler.h).
+# Declarations of em_lane_scheduler.h: runs of one model in a batch.
 
 from .abi cimport em_fault, em_model, em_rows, em_run, em_signal
 

@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Many compiled runs of one model, with the interpreter's lock released once; and quantities computed from their rows."""
+"""Compiled runs of one model in a batch, without the interpreter's lock; quantities computed from their rows."""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN
@@ -7,7 +7,7 @@ from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy, memset
 
 from .abi cimport EM_DOP853, em_fault, em_method, em_model, em_signal, em_signal_kind
-from .arrays cimport Numbers, blank, given, zeros
+from .arrays cimport Numbers, blank, floats, zeros
 from .ensemble cimport EM_COUNTS, em_ensemble, em_ensemble_run
 from .point cimport PointModel
 
@@ -15,48 +15,49 @@ import numpy as np
 
 
 cdef class Stop:
-    """A request for an end, shared by threads."""
+    """A stop flag, shared by threads."""
 
-    cdef volatile int wanted
+    cdef volatile int requested
 
     def __cinit__(self):
-        self.wanted = 0
+        self.requested = 0
 
     def set(self):
         """Ask all runs that share this to end, within a tenth of a second."""
-        self.wanted = 1
+        self.requested = 1
 
     def __bool__(self):
-        return self.wanted != 0
+        return self.requested != 0
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero if an end is requested, by the caller or by a signal (which only the main thread sees)."""
+    """Non-zero if the caller or a signal requests the end (only the main thread sees signals)."""
     cdef Chunk chunk = <Chunk> argument
     try:
         PyErr_CheckSignals()
     except KeyboardInterrupt:
-        chunk.stop.wanted = 1
+        chunk.stop.requested = 1
     except BaseException as error:
         chunk.pending = error
-        chunk.stop.wanted = 1
-    return chunk.stop.wanted
+        chunk.stop.requested = 1
+    return chunk.stop.requested
 
 
 cdef class Chunk:
-    """Some members, and their results; task, members: `Asked` and `Members` of eigenmotion.arguments.members.
+    """Runs of some members of an ensemble, with their results.
 
-    y : (count, n_rows, n_state), published meaning; NaN where a run did not come to
-    t_end, status, first, second, size : (count,) where and how it ended: `em_fault`
-    counts : (count, 7): `COUNTS`
-    events, event_times, event_counts : (k, n_state), (k,), (count, n_events): member by member, event by event
+    task, members : `EnsembleTask` and `Members` of eigenmotion.arguments.members
+    y : (count, n_rows, n_state), published meaning; NaN at rows that a run did not reach
+    t_end, status, first, second, size : (count,) when and how each run ended, as in `em_fault`
+    counts : (count, 7), as in `COUNTS`
+    events, event_times, event_counts : (k, n_state), (k,), (count, n_events), sorted by member, then by event
     """
 
     cdef em_ensemble e
     cdef em_signal *signals
     cdef PointModel model
     cdef Stop stop
-    cdef list held
+    cdef list keep_alive
     cdef object pending
     cdef object event_starts
     cdef readonly object y, t_end, status, first, second, size, counts, event_times, events, event_counts
@@ -67,12 +68,12 @@ cdef class Chunk:
         model.need_method(task.method)
         if task.method == EM_DOP853:
             model.need_members()
-        self.model, self.stop, self.held = model, stop, []
-        e.model, e.count, e.stop = model.model, members.count, &stop.wanted
-        self.ask(task)
-        self.give(members)
-        self.take()
-        self.go()
+        self.model, self.stop, self.keep_alive = model, stop, []
+        e.model, e.count, e.stop = model.model, members.count, &stop.requested
+        self.set_task(task)
+        self.set_members(members)
+        self.allocate_results()
+        self.run()
 
     def __dealloc__(self):
         free(self.signals)
@@ -81,11 +82,11 @@ cdef class Chunk:
         free(self.e.events.y)
 
     cdef const double *hold(self, array, tuple shape, str name) except NULL:
-        cdef Numbers kept = given(array, shape, name)
-        self.held.append(kept)
+        cdef Numbers kept = floats(array, shape, name)
+        self.keep_alive.append(kept)
         return kept.data
 
-    cdef ask(self, task):
+    cdef set_task(self, task):
         cdef em_ensemble *e = &self.e
         cdef const em_model *model = self.model.model
         e.task.model, e.task.method = model, <em_method> (<int> task.method)
@@ -99,7 +100,7 @@ cdef class Chunk:
         e.task.t_eval = self.hold(task.t_eval, (len(task.t_eval),), "t_eval")
         e.end_only = task.end_only
 
-    cdef give(self, members):
+    cdef set_members(self, members):
         cdef em_ensemble *e = &self.e
         cdef const em_model *model = self.model.model
         rows = {name: len(getattr(members, name)) for name in ("parameters", "x", "v")}
@@ -110,13 +111,13 @@ cdef class Chunk:
         e.x_stride, e.v_stride = model.n if rows["x"] > 1 else 0, model.n if rows["v"] > 1 else 0
         skip = np.ascontiguousarray(members.refused, dtype=np.uint8)
         cdef const unsigned char[::1] flags = skip
-        self.held.append(skip)
+        self.keep_alive.append(skip)
         e.skip = &flags[0]
         if model.n_inputs > 0:
-            self.give_inputs(members.inputs, members.count)
+            self.set_inputs(members.inputs, members.count)
 
-    cdef give_inputs(self, tuple inputs, size_t count):
-        """For each input one `em_signal` for all, or an array (count,) of numbers, or a list of `em_signal`."""
+    cdef set_inputs(self, tuple inputs, size_t count):
+        """Fill `signals`. Each input is one signal for all members, an array (count,) of constants, or a list of signals."""
         cdef size_t n = len(inputs), rows = 1, k, member
         cdef Numbers column
         for one in inputs:
@@ -128,8 +129,8 @@ cdef class Chunk:
         for k in range(n):
             one = inputs[k]
             if isinstance(one, np.ndarray):
-                column = given(one, (count,), "inputs")
-                self.held.append(column)
+                column = floats(one, (count,), "inputs")
+                self.keep_alive.append(column)
                 for member in range(rows):
                     self.signals[member * n + k].values = column.data + member
                 continue
@@ -139,13 +140,13 @@ cdef class Chunk:
                 self.signals[member * n + k] = self.signals[k]
         self.e.inputs, self.e.inputs_stride = self.signals, n if rows > 1 else 0
 
-    cdef set_signal(self, em_signal *signal, tuple given_as):
-        kind, times, values = given_as
+    cdef set_signal(self, em_signal *signal, tuple samples):
+        kind, times, values = samples
         signal.kind, signal.count = <em_signal_kind> (<int> kind), len(times)
         signal.times = self.hold(times, (len(times),), "times")
         signal.values = self.hold(values, (len(values),), "values")
 
-    cdef take(self):
+    cdef allocate_results(self):
         cdef em_ensemble *e = &self.e
         cdef Numbers y, t_end
         cdef long[:, ::1] counts, event_counts, event_starts
@@ -154,8 +155,8 @@ cdef class Chunk:
         self.counts = np.zeros((e.count, EM_COUNTS), dtype=np.int_)
         self.event_counts = np.zeros((e.count, self.model.n_events), dtype=np.int_)
         self.event_starts = np.zeros_like(self.event_counts)
-        y, t_end = given(self.y, self.y.shape, "y"), given(self.t_end, self.t_end.shape, "t_end")
-        self.held += [y, t_end]
+        y, t_end = floats(self.y, self.y.shape, "y"), floats(self.t_end, self.t_end.shape, "t_end")
+        self.keep_alive += [y, t_end]
         counts, event_counts, event_starts = self.counts, self.event_counts, self.event_starts
         e.y, e.t_end, e.counts = y.data, t_end.data, &counts[0, 0]
         if self.model.n_events > 0:
@@ -165,7 +166,7 @@ cdef class Chunk:
         if e.fault == NULL:
             raise MemoryError
 
-    cdef go(self):
+    cdef run(self):
         cdef int failed
         with nogil:
             failed = em_ensemble_run(&self.e)
@@ -175,7 +176,7 @@ cdef class Chunk:
             raise MemoryError
         self.read_faults()
         self.read_events()
-        self.held = []
+        self.keep_alive = []
 
     cdef read_faults(self):
         cdef size_t k, count = self.e.count
@@ -194,14 +195,14 @@ cdef class Chunk:
         if k > 0:
             memcpy(t.data, self.e.events.t, t.view.len)
             memcpy(y.data, self.e.events.y, y.view.len)
-        # runs end in any order: sort by member and event
+        # runs end in any order: sort by member, then by event
         counts, starts = self.event_counts.ravel(), self.event_starts.ravel()
         order = np.repeat(starts - np.cumsum(counts) + counts, counts) + np.arange(k)
         self.event_times, self.events = t.array[order], y.array[order]
 
 
 cdef class _Rows:
-    """The rows of all members, and room for one parameter set."""
+    """The rows of all members, and memory for the constants of one parameter set."""
 
     cdef const em_model *model
     cdef Numbers T, Y, P
@@ -211,9 +212,9 @@ cdef class _Rows:
     def __cinit__(self, PointModel model not None, t, y, parameters):
         cdef Py_ssize_t shared = len(t)
         self.model, self.count, self.rows = model.model, y.shape[0], y.shape[1]
-        self.T = given(t, (shared, self.rows), "t")
-        self.Y = given(y, (self.count, self.rows, model.n_state), "y")
-        self.P = given(parameters, (len(parameters), self.model.n_parameters), "parameters")
+        self.T = floats(t, (shared, self.rows), "t")
+        self.Y = floats(y, (self.count, self.rows, model.n_state), "y")
+        self.P = floats(parameters, (len(parameters), self.model.n_parameters), "parameters")
         self.t_stride = self.rows if shared > 1 else 0
         self.p_stride = self.model.n_parameters if len(parameters) > 1 else 0
         self.c = <double *> malloc((self.model.n_prepared + 1) * sizeof(double))
@@ -253,9 +254,9 @@ def velocities(PointModel model not None, t, y, parameters):
 
 
 def energies(PointModel model not None, t, y, v, parameters):
-    """T2, T1, T0, V (count, n_rows, 4) of the same and their velocities v (count, n_rows, n)."""
+    """T2, T1, T0, V (count, n_rows, 4) at the same rows with velocities v (count, n_rows, n)."""
     cdef _Rows rows = _Rows(model, t, y, parameters)
-    cdef Numbers w = given(v, (rows.count, rows.rows, model.n), "v"), e = zeros((rows.count * rows.rows, 4))
+    cdef Numbers w = floats(v, (rows.count, rows.rows, model.n), "v"), e = zeros((rows.count * rows.rows, 4))
     cdef Py_ssize_t i, j, k = 0
     with nogil:
         for i in range(rows.count):
@@ -272,8 +273,8 @@ def reactions(PointModel model not None, t, y, v, u, parameters, int least_norm)
     """a (count, n_rows, n), lambda (count, n_rows, m), outputs (count, n_rows, n_outputs); u (count, n_rows, n_inputs)."""
     cdef _Rows rows = _Rows(model, t, y, parameters)
     cdef Py_ssize_t i, j, k = 0, total = rows.count * rows.rows
-    cdef Numbers w = given(v, (rows.count, rows.rows, model.n), "v")
-    cdef Numbers s = given(u, (rows.count, rows.rows, model.n_inputs), "inputs")
+    cdef Numbers w = floats(v, (rows.count, rows.rows, model.n), "v")
+    cdef Numbers s = floats(u, (rows.count, rows.rows, model.n_inputs), "inputs")
     cdef Numbers a = zeros((total, model.n)), L = zeros((total, model.m)), z = zeros((total, model.n_outputs))
     cdef em_fault fault
     cdef const double *x

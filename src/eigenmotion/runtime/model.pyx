@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled model, evaluated at k states: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs), one row a time.
+"""Functions of one compiled model, evaluated at k states: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs).
 
 Rows at which a function has no value are NaN.
 """
@@ -9,19 +9,19 @@ from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
 from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
-from .arrays cimport Numbers, blank, given, zeros
+from .arrays cimport Numbers, blank, floats, zeros
 from .assumptions cimport em_refuse
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
 
-cdef double ROUNDED = 1e-8  # about the root of a number's rounding
+cdef double ROUNDED = 1e-8  # about the square root of the rounding of doubles
 
 cdef class CompiledModel(PointModel):
-    """One `em_model`: its functions at one state, and here at many."""
+    """One `em_model`: adds evaluation at many states to `PointModel`."""
 
     @property
     def declared(self):
-        """The assumptions of parameters, coordinates and inputs, in words; "" for none; () if there are none at all."""
+        """The declared assumptions of parameters, coordinates and inputs as text, "" for none; () if no symbol has any."""
         cdef int count = 0 if self.model.declared == NULL else self.model.n_parameters + self.n + self.n_inputs
         return tuple([self.model.declared[k].words.decode("utf-8") for k in range(count)])
 
@@ -29,7 +29,7 @@ cdef class CompiledModel(PointModel):
         cdef em_fault fault
         cdef Numbers numbers
         if self.model.declared != NULL and count > 0:
-            numbers = given(values, (count,), what)
+            numbers = floats(values, (count,), what)
             if em_refuse(self.model.declared, first, count, numbers.data, &fault) != 0:
                 raise self.failure(&fault)
         return 0
@@ -39,18 +39,18 @@ cdef class CompiledModel(PointModel):
         self.refuse(0, self.model.n_parameters, values, "parameters")
 
     def check_start(self, x):
-        """As `check_parameters`, x (n) of a start."""
+        """As `check_parameters`, for the x (n) of a start."""
         self.refuse(self.model.n_parameters, self.n, x, "x")
 
     def check_inputs(self, u):
-        """As `check_parameters`, u (n_inputs)."""
+        """As `check_parameters`, for u (n_inputs)."""
         self.refuse(self.model.n_parameters + self.n, self.n_inputs, u, "inputs")
 
     def state_rows(self, t, x, v, Prepared c not None):
-        """y (k, n_state), published meaning, eigenfactors continuous from row to row."""
+        """y (k, n_state), published meaning; eigenfactors are continuous from row to row."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
         cdef Numbers y = zeros((k, self.n_state))
         with nogil:
             for i in range(k):
@@ -64,7 +64,7 @@ cdef class CompiledModel(PointModel):
         """v (k, n)."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), Y = given(y, (k, self.n_state), "y"), v = zeros((k, self.n))
+        cdef Numbers T = floats(t, (k,), "t"), Y = floats(y, (k, self.n_state), "y"), v = zeros((k, self.n))
         with nogil:
             for i in range(k):
                 if self.model.velocity(T.data[i], Y.row(i), c.c, v.row(i), &fault) != 0:
@@ -74,7 +74,7 @@ cdef class CompiledModel(PointModel):
     def energy_rows(self, t, x, v, Prepared c not None):
         """T2, T1, T0, V as (k, 4)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
         cdef Numbers e = zeros((k, 4))
         with nogil:
             for i in range(k):
@@ -82,8 +82,11 @@ cdef class CompiledModel(PointModel):
         return e.array
 
     def redundant(self, double t, x, Prepared c not None):
-        """The number of rows that hold in every mode and depend on others near x, and the rows whose multipliers are not unique."""
-        cdef Numbers q = given(x, (self.n,), "x")
+        """Redundant constraint rows near x.
+
+        Returns the number of rows that hold in every mode and depend on others, and the rows whose multipliers are not unique.
+        """
+        cdef Numbers q = floats(x, (self.n,), "x")
         cdef int *rows
         cdef int depend
         if self.m == 0 or self.model.redundant == NULL:
@@ -97,18 +100,18 @@ cdef class CompiledModel(PointModel):
         finally:
             free(rows)
 
-    def shares(self, double t, x, Prepared c not None, int asked):
-        """The treatment of dependent rows at one state, em_dependent: this state is the start."""
-        if asked != EM_SHARED_FROM_START or self.m == 0 or self.has_cones: # of which some modes share
-            return asked
+    def shares(self, double t, x, Prepared c not None, int option):
+        """The treatment of dependent rows (em_dependent); EM_SHARED_FROM_START is resolved as if x were the start."""
+        if option != EM_SHARED_FROM_START or self.m == 0 or self.has_cones: # some modes of cones share forces
+            return option
         return EM_SHARED if self.redundant(t, x, c)[0] else EM_REFUSED
 
     def acceleration_rows(self, t, x, v, u, Prepared c not None, int least_norm):
         """a (k, n), lambda (k, m)."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
-        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), a = zeros((k, self.n)), L = zeros((k, self.m))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers s = floats(u, (k, self.n_inputs), "inputs"), a = zeros((k, self.n)), L = zeros((k, self.m))
         with nogil:
             for i in range(k):
                 if self.model.acceleration(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, a.row(i), L.row(i),
@@ -120,7 +123,7 @@ cdef class CompiledModel(PointModel):
     def constraint_rows(self, t, x, v, Prepared c not None):
         """A v + b as (k, m)."""
         cdef Py_ssize_t i, r, j, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
         cdef Numbers A = zeros((self.m, self.n)), residual = zeros((k, self.m))
         with nogil:
             for i in range(k if self.m > 0 else 0):
@@ -133,7 +136,7 @@ cdef class CompiledModel(PointModel):
     def position_rows(self, t, x, Prepared c not None):
         """phi as (k, h)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), phi = zeros((k, self.h))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), phi = zeros((k, self.h))
         cdef Numbers terms = zeros((self.h,))
         with nogil:
             for i in range(k if self.h > 0 else 0):
@@ -143,7 +146,7 @@ cdef class CompiledModel(PointModel):
     def quasi_rows(self, t, x, v, Prepared c not None):
         """y = P(x, t) v as (k, n_quasi)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
         cdef Numbers y = zeros((k, self.model.n_quasi))
         with nogil:
             for i in range(k if self.model.n_quasi > 0 else 0):
@@ -153,17 +156,17 @@ cdef class CompiledModel(PointModel):
     def event_rows(self, t, x, v, u, Prepared c not None):
         """The event functions, as (k, n_events)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
-        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), g = zeros((k, self.n_events))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers s = floats(u, (k, self.n_inputs), "inputs"), g = zeros((k, self.n_events))
         with nogil:
             for i in range(k if self.n_events > 0 else 0):
                 self.model.event(T.data[i], q.row(i), w.row(i), c.c, s.row(i), g.row(i))
         return g.array
 
     def drawn_rows(self, t, x, Prepared c not None):
-        """The numbers of the drawing as (k, n_drawn)."""
+        """The coordinates and sizes of the drawing as (k, n_drawn)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), p = zeros((k, self.n_drawn))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), p = zeros((k, self.n_drawn))
         with nogil:
             for i in range(k if self.n_drawn > 0 else 0):
                 self.model.draw(T.data[i], q.row(i), c.c, p.row(i))
@@ -173,8 +176,8 @@ cdef class CompiledModel(PointModel):
         """The outputs as (k, n_outputs)."""
         cdef em_fault fault
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
-        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), z = zeros((k, self.n_outputs))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers s = floats(u, (k, self.n_inputs), "inputs"), z = zeros((k, self.n_outputs))
         with nogil:
             for i in range(k if self.n_outputs > 0 else 0):
                 if self.model.output(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, z.row(i), &fault) != 0:
@@ -182,10 +185,10 @@ cdef class CompiledModel(PointModel):
         return z.array
 
     def eigenfactor_rows(self, t, x, Prepared c not None):
-        """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last good one."""
+        """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last row that has a value."""
         cdef em_fault fault
         cdef Py_ssize_t i, last = -1, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x")
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x")
         cdef Numbers C = zeros((k, self.n, self.n)), s = zeros((k, self.n))
         with nogil:
             for i in range(k):
@@ -200,10 +203,10 @@ cdef class CompiledModel(PointModel):
         return C.array, s.array
 
     def factor_rows(self, t, x, C, s, Prepared c not None):
-        """max|M - C^T S^2 C| / max|M| as (k,), M the matrix that is factored, in the units of the eigenproblem."""
+        """max|M - C^T S^2 C| / max|M| as (k,), where M is the factored matrix in the units of the eigenproblem."""
         cdef Py_ssize_t i, k = len(t), n = self.n
-        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, n), "x"), R = given(C, (k, n, n), "C")
-        cdef Numbers root = given(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, n), "x"), R = floats(C, (k, n, n), "C")
+        cdef Numbers root = floats(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
         with nogil:
             for i in range(k):
                 em_factored_matrix(self.model, T.data[i], q.row(i), c.c, M.data)
@@ -218,18 +221,18 @@ cdef class CompiledModel(PointModel):
                 entry, product = M.row(i)[j] * self.model.scales[i] * self.model.scales[j], 0.0
                 for r in range(n):
                     product += C[r * n + i] * s[r] * s[r] * C[r * n + j]
-                # NaN must be kept, and no comparison with it is true
+                # keep NaN: every comparison with it is false
                 if fabs(entry - product) > error or isnan(entry - product):
                     error = fabs(entry - product)
                 largest = max(largest, fabs(entry))
         return error / largest
 
-    # --- derivatives, at one state ---
+    # --- derivatives at one state ---
 
     def jacobian(self, double t, y, Prepared c not None, u):
         """(n_state, n_state): d rhs / d y."""
         cdef em_fault fault
-        cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers q = floats(y, (self.n_state,), "y"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers J = zeros((self.n_state, self.n_state)), dy = zeros((self.n_state,))
         if self.formulation == "lagrange" or self.formulation == "inverse":
             self.need_derivatives()
@@ -239,28 +242,32 @@ cdef class CompiledModel(PointModel):
             if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
                 raise self.failure(&fault)
             return J.array
-        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # names the fault, where the derivative does not exist either
+        # where the right-hand side has no value, its derivative has none: report the fault
+        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:
             raise self.failure(&fault)
         with nogil:
             self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
         return J.array
 
     def slopes_size(self, double t, y, Prepared c not None, u, int least_norm, atol):
-        """The approximate Frobenius norm of (da/dx, da/dv) at a state y, by differences over atol (n), the scale of both x and
-        v, and their rounding; 0 if nothing moves, infinite if a neighbouring state cannot be evaluated."""
+        """The approximate Frobenius norm of (da/dx, da/dv) at a state y, by finite differences.
+
+        The difference of x_k and v_k is atol_k plus their rounding. 0 if a cannot be evaluated at y; infinite if it cannot at
+        a neighbouring state.
+        """
         cdef em_fault fault
         cdef int i, k, n = self.n
         cdef double size = 0.0, was
-        cdef Numbers state = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers state = floats(y, (self.n_state,), "y"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers z = zeros((2 * n,)), here = zeros((n,)), a = zeros((n,)), multipliers = zeros((self.m,))
-        cdef Numbers apart = given(atol, self.vector, "atol")
+        cdef Numbers difference = floats(atol, self.vector, "atol")
         memcpy(z.data, state.data, n * sizeof(double))
         if self.model.velocity(t, state.data, c.c, z.data + n, &fault) != 0 or self.model.acceleration(
                 t, z.data, z.data + n, c.c, s.data, least_norm, here.data, multipliers.data, &fault) != 0:
             return 0.0
         for k in range(2 * n):
             was = z.data[k]
-            z.data[k] += apart.data[k % n] + ROUNDED * fabs(was)
+            z.data[k] += difference.data[k % n] + ROUNDED * fabs(was)
             if z.data[k] == was or self.model.acceleration(t, z.data, z.data + n, c.c, s.data, least_norm, a.data,
                                                            multipliers.data, &fault) != 0:
                 return INFINITY
@@ -272,7 +279,7 @@ cdef class CompiledModel(PointModel):
     def motion_jacobian(self, double t, z, Prepared c not None, u, int least_norm):
         """(2 n, 2 n): d (v, a) / d (x, v)."""
         cdef em_fault fault
-        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers q = floats(z, (2 * self.n,), "z"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers J = zeros((2 * self.n, 2 * self.n))
         self.need_derivatives()
         if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:

@@ -1,9 +1,9 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Calls with plain arguments, which compiled code accepts without conversion: from Python to C and back at once.
+"""Fast path for calls with plain arguments, which need no conversion or checks in Python.
 
-Arrays are NumPy's own, float64, C-contiguous, of the right shape and finite; numbers are Python's and finite; parameters
-are the defaults or prepared; the model has no states; keywords are spelt as in their table. For all others a call returns None. The
-checks in Python then convert or reject them, and call again with the result.
+Plain: NumPy arrays of float64, C-contiguous, of the right shape and finite; finite Python numbers; default or prepared
+parameters; a model without states; options spelt as documented. For other arguments a function returns None; the caller
+then converts or rejects them in Python.
 """
 
 from cpython.exc cimport PyErr_Clear, PyErr_Occurred
@@ -27,27 +27,27 @@ cdef extern from *:
     object PyType_GenericAlloc(type, Py_ssize_t)
 
 MOST_STEPS = 10**15
-"""Each of them counted exactly as a double; at a nanosecond a step, twelve days."""
+"""Exactly representable as a double; at one nanosecond a step, twelve days."""
 cdef object _array = np.ndarray, _double = np.dtype(np.float64)
 cdef double _MOST_STEPS = MOST_STEPS
 
 
-cdef bint is_number(object given, double *value) noexcept:
+cdef bint is_number(object argument, double *value) noexcept:
     """Whether it is a real number (also infinite or NaN), not a bool."""
-    if PyFloat_Check(given):
-        value[0] = PyFloat_AS_DOUBLE(given)
+    if PyFloat_Check(argument):
+        value[0] = PyFloat_AS_DOUBLE(argument)
         return True
-    if not PyLong_CheckExact(given):
+    if not PyLong_CheckExact(argument):
         return False
-    value[0] = PyLong_AsDouble(given)
+    value[0] = PyLong_AsDouble(argument)
     if value[0] == -1.0 and PyErr_Occurred() != NULL:
         PyErr_Clear()
         return False
     return True
 
 
-cdef bint is_finite(object given, double *value) noexcept:
-    return is_number(given, value) and isfinite(value[0])
+cdef bint is_finite(object argument, double *value) noexcept:
+    return is_number(argument, value) and isfinite(value[0])
 
 
 cdef bint are_finite(const double *numbers, Py_ssize_t count) noexcept nogil:
@@ -58,16 +58,16 @@ cdef bint are_finite(const double *numbers, Py_ssize_t count) noexcept nogil:
     return sum == 0.0
 
 
-cdef Numbers vector(object given, tuple shape):
-    """Its numbers, or None."""
-    if type(given) is not _array or given.dtype is not _double:
+cdef Numbers vector(object argument, tuple shape):
+    """The numbers of a plain array, or None."""
+    if type(argument) is not _array or argument.dtype is not _double:
         return None
     cdef Numbers numbers = Numbers.__new__(Numbers)
-    return numbers if numbers.borrow(given, shape) and are_finite(numbers.data, numbers.view.shape[0]) else None
+    return numbers if numbers.borrow(argument, shape) and are_finite(numbers.data, numbers.view.shape[0]) else None
 
 
 cdef const double *constants(PointModel model, Prepared defaults, object parameters) noexcept:
-    """c (n_prepared), or NULL."""
+    """The constants c (n_prepared) of plain parameters, or NULL."""
     if parameters is None:
         return defaults.c
     if type(parameters) is not Prepared or (<Prepared> parameters).model is not model:
@@ -129,14 +129,14 @@ def acceleration(PointModel model not None, Prepared defaults not None, x, v, t,
             return None
         u = signals.data
     a, multipliers = zeros(model.vector), zeros((model.m,))
-    if least_norm == EM_SHARED_FROM_START and model.m > 0 and not model.has_cones: # from the start is there
+    if least_norm == EM_SHARED_FROM_START and model.m > 0 and not model.has_cones: # this state is the start
         least_norm = EM_SHARED if redundant_at(model, at, q.data, c) else EM_REFUSED
     if model.model.acceleration(at, q.data, w.data, c, u, least_norm, a.data, multipliers.data, &fault) != 0:
         raise model.failure(&fault)
     return a.array, multipliers.array
 
 
-# --- runs: each function below says whether its options are plain, and reads them (arguments/options.py has the rules) ---
+# --- runs: each function below checks whether its options are plain, and reads them (rules: arguments/options.py) ---
 
 cdef object meaning(object word, dict known):
     """The value of a keyword, or None."""
@@ -172,7 +172,7 @@ cdef Numbers read_tolerances(PointModel model, object rtol, object atol, double 
 
 
 cdef Numbers everywhere(PointModel model, double one):
-    """(n,) of one number: the same array as long as it is the same number, and never written to."""
+    """One number as an array (n,). It is read-only and reused by the next call with the same number."""
     cdef Numbers numbers = model.everywhere
     cdef Py_ssize_t k
     if numbers is not None and numbers.data[0] == one:
@@ -186,7 +186,7 @@ cdef Numbers everywhere(PointModel model, double one):
 
 
 cdef Numbers copied(Numbers numbers):
-    """Of one axis: what belongs to the user may change later."""
+    """A copy (one axis), since the user may change the original."""
     cdef Numbers made = zeros((numbers.view.shape[0],))
     memcpy(made.data, numbers.data, numbers.view.len)
     return made
@@ -233,7 +233,7 @@ cdef Numbers read_start(PointModel model, object x0, object v0, double t, const 
 
 
 cdef object named(type kind, tuple fields):
-    """tuple.__new__(kind, fields), of a kind of named tuples."""
+    """tuple.__new__(kind, fields) for a named tuple type."""
     cdef Py_ssize_t k
     made = PyType_GenericAlloc(kind, len(fields))
     for k in range(len(fields)):
@@ -246,7 +246,7 @@ cdef object named(type kind, tuple fields):
 def task(type Task not None, PointModel model not None, Prepared defaults not None, inputs, t_span, x0, v0, parameters,
          rtol, atol, t_eval, dense, first_step, max_step, max_steps, stabilisation, dict stabilisations not None,
          dependent, dict dependents not None):
-    """A Task (arguments/options.py) of a run that can start, of plain options; or None."""
+    """A Task (arguments/options.py) from plain options, if a run can start from it; or None."""
     cdef double start, end, relative, first, longest, most
     cdef const double *c = constants(model, defaults, parameters)
     cdef Numbers absolute, times = None, y

@@ -1,4 +1,4 @@
-# A model at one state, for the modules of the runtime.
+# Declarations of point.pyx for the other modules of the runtime.
 
 from .abi cimport em_fault, em_model
 from .arrays cimport Numbers
@@ -8,39 +8,39 @@ cdef class Prepared
 
 
 cdef class PointModel:
-    cdef const em_model *model  # a copy that is never freed: its address may be in use
-    cdef em_model *taken        # the same, writable, for parts that are loaded later
-    cdef list others            # owners of its functions
+    cdef const em_model *model   # a copy that is never freed: its address may be in use
+    cdef em_model *writable      # the same memory, to add functions of parts that are loaded later
+    cdef list loaded_parts       # models whose functions were added, kept alive
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_states, n_coordinates, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly dict tables  # name -> (place among the parameters, number of arguments)
     cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
-    cdef readonly bint acts  # events change the state, or the mode
+    cdef readonly bint acts  # events change the state or the mode
     cdef readonly bint has_cones  # friction cones, which share forces in some modes
     cdef readonly bint augmented
-    cdef readonly bint lane_groups  # runs of an ensemble go in lanes
+    cdef readonly bint lane_groups  # ensembles run on lanes
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
-    # whether Omega is continued by extrapolation (32), which cannot start everywhere
+    # Omega is extrapolated (32), which not every start allows
     cdef readonly bint extrapolates
     cdef tuple vector, square  # shapes (n,), (n, n)
-    cdef Numbers everywhere    # the last array that plain.pyx made of one number
-    # returns, in any process, the System of this model; None if only the capsule leads to it
+    cdef Numbers everywhere    # cache of plain.pyx: the last array that repeats one number
+    # function that returns the System of this model in any process; None for a model made from a capsule alone
     cdef public object recipe
-    # part -> a CompiledModel with the functions that this one lacks, compiled on demand (building/lazy_units.py); None:
-    # there is no more
-    cdef public object later
+    # function that compiles a part by name and returns a CompiledModel with its functions (building/lazy_units.py);
+    # None: no parts can be loaded
+    cdef public object load_part
 
-    cdef take(self, PointModel other)
+    cdef add_functions(self, PointModel other)
     cdef int need(self, str part) except -1
     cdef int need_derivatives(self) except -1
     cdef int need_gradient(self) except -1
     cdef int need_method(self, int method) except -1
     cdef int need_members(self) except -1
     cdef int check_tables(self, const double *parameters) except -1
-    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers found) except -1
-    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers found) except -1
+    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers values) except -1
+    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers values) except -1
     cdef read_names(self)
     cdef read_defaults(self)
     cdef failure(self, em_fault *fault)

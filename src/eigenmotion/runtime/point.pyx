@@ -1,7 +1,7 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled model at one state: its description, and its functions on float64 arrays.
+"""One compiled model: its description, and its functions at one state.
 
-Nothing is shared between calls, so threads need no locks. Where a function has no value, EvaluationError is raised.
+Calls share no memory, so threads need no locks. EvaluationError is raised where a function has no value.
 """
 
 from cpython.pycapsule cimport PyCapsule_GetPointer
@@ -10,21 +10,21 @@ from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, em_fault, em_model
-from .arrays cimport Numbers, constants, given, takes, texts, zeros
+from .arrays cimport Numbers, constants, floats, is_float_output, texts, zeros
 from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start
 
 import numpy as np
 
 from .status.stop_reasons import EvaluationError, StopReason, named_rows
 from .status.refusals import refusal
-from .tables import arguments_at, is_kept, packed, unpacked
+from .tables import arguments_at, is_table_address, packed, unpacked
 
 _REASONS = tuple(StopReason)
 _OUTSIDE = ("refuse", "hold", "extend", "periodic")  # as em_outside of em_table.h
 
 
 cdef class Prepared:
-    """The constants of one parameter set: constant blocks of M are factored here, once."""
+    """The constants of one parameter set, with constant blocks of M already factored."""
 
     def __dealloc__(self):
         free(self.c)
@@ -34,7 +34,7 @@ cdef class Prepared:
         return f"<parameters of {self.model.name}: {pairs}>"
 
     def __reduce__(self):
-        """Prepared anew where it is loaded."""
+        """Pickle the parameters; they are prepared again when loaded."""
         return _prepared, (self.model, self.parameters, packed(self.parameters) if self.model.tables else {})
 
 
@@ -44,18 +44,18 @@ def _prepared(PointModel model not None, parameters, tables={}):
 
 
 cdef class PointModel:
-    """One `em_model`. The capsule must be named "eigenmotion.em_model" and point at a constant that outlives it."""
+    """One `em_model`. The capsule must be named "eigenmotion.em_model" and point to a constant that outlives it."""
 
     def __cinit__(self, capsule):
         cdef const em_model *c = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
         if c.abi != EM_ABI:
             raise ImportError(f"the compiled model has interface version {c.abi}, this eigenmotion has {EM_ABI}: "
                               "generate and build the model again (`eigenmotion build MODEL.py`)")
-        self.taken = <em_model *> malloc(sizeof(em_model))
-        if self.taken == NULL:
+        self.writable = <em_model *> malloc(sizeof(em_model))
+        if self.writable == NULL:
             raise MemoryError
-        memcpy(self.taken, c, sizeof(em_model))
-        self.model, self.others = self.taken, []
+        memcpy(self.writable, c, sizeof(em_model))
+        self.model, self.loaded_parts = self.writable, []
         self.name, self.formulation = c.name.decode("utf-8"), c.formulation.decode("utf-8")
         self.close_eigenvalues, self.schur = c.close_eigenvalues.decode("utf-8"), c.schur.decode("utf-8")
         self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
@@ -72,16 +72,16 @@ cdef class PointModel:
     # --- parts that are compiled on demand ---
 
     cdef int need(self, str part) except -1:
-        """Add a part to this model, if there is one. Threads that request it at once get the same one."""
-        if self.later is not None:
-            self.take(self.later(part))
+        """Load a part, if this model has a loader. Threads that request it at the same time get the same part."""
+        if self.load_part is not None:
+            self.add_functions(self.load_part(part))
         return 0
 
-    cdef take(self, PointModel other):
-        """Take the functions of the same model that another object has and this one lacks."""
-        cdef em_model *mine = self.taken
+    cdef add_functions(self, PointModel other):
+        """Copy the functions that this object lacks from another object of the same model."""
+        cdef em_model *mine = self.writable
         cdef const em_model *found = other.model
-        self.others.append(other)
+        self.loaded_parts.append(other)
         if mine.rate_jacobian == NULL:
             mine.rate_jacobian = found.rate_jacobian
         if found.lanes != NULL and found.lanes.run != NULL:
@@ -103,16 +103,16 @@ cdef class PointModel:
             raise RuntimeError(f"{self.name} has been compiled without derivatives, and nothing is there to add them")
 
     cdef int need_method(self, int method) except -1:
-        """Load the parts that a run by em_method calls."""
+        """Load the parts that a run with this em_method needs."""
         return self.need_derivatives() if method == EM_RADAU5 or method == EM_RADAU9 else 0
 
     @property
     def differentiates(self):
-        """Whether the right-hand side carries eta and its derivatives by dual numbers are loaded."""
+        """Whether the Jacobian by dual numbers of a right-hand side with eta is loaded."""
         return self.model.rate_jacobian != NULL
 
     cdef int need_members(self) except -1:
-        """Load the part that runs on lanes call, if there is one."""
+        """Load the part for runs on lanes, if there is one."""
         return self.need("members") if self.lane_groups and self.model.lanes.run == NULL else 0
 
     cdef read_names(self):
@@ -147,7 +147,7 @@ cdef class PointModel:
         self.augmented = c.factored_matrix != NULL
 
     def __reduce__(self):
-        """As the way to make it."""
+        """Pickle the recipe that builds or loads the model again."""
         if self.recipe is None:
             raise TypeError(f"{self.name} was made from a capsule alone, so another process cannot make it; "
                             "what eigenmotion.build returns can be pickled")
@@ -160,31 +160,31 @@ cdef class PointModel:
     # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 
     cdef int check_tables(self, const double *parameters) except -1:
-        """Raise where a table is given a number that stands for none, or for one of another number of arguments."""
+        """Raise if the number of a table parameter is not the address of a table with the right number of arguments."""
         cdef int k, place
         cdef double number
         for k in range(self.model.n_tables):
             place = self.model.tables[k].parameter
             number = parameters[place]
-            if number != 0.0 and not (is_kept(number) and arguments_at(number) == <int> self.model.tables[k].numbers[0]):
+            if number != 0.0 and not (is_table_address(number) and arguments_at(number) == <int> self.model.tables[k].numbers[0]):
                 raise EvaluationError(f"{self.name}: '{self.parameters[place]}' is a table and was given the number "
                                       f"{number:g}: give it a Table, an interpolant of SciPy or points with values",
                                       StopReason.VALUE_REFUSED)
         return 0
 
-    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers found) except -1:
+    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers values) except -1:
         """As `refuse_outside`, at a state y."""
         cdef em_fault fault
         cdef Numbers v = zeros((self.n,))
         if self.model.velocity(t, y.data, c.c, v.data, &fault) == 0:
-            self.refuse_outside(t, y, v, c, u, found)
+            self.refuse_outside(t, y, v, c, u, values)
         return 0
 
-    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers found) except -1:
-        """Raise where numbers that were found are none because a table is looked up beyond its range."""
+    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers values) except -1:
+        """Raise if computed values are not finite because a table was evaluated outside its range."""
         cdef em_fault fault
         cdef Numbers at
-        if self.model.n_tables == 0 or np.isfinite(found.array).all():
+        if self.model.n_tables == 0 or np.isfinite(values.array).all():
             return 0
         at = zeros((self.model.n_table_uses,))
         self.model.table_arguments(t, x.data, v.data, c.c, u, at.data)
@@ -193,14 +193,14 @@ cdef class PointModel:
         return 0
 
     def check_tables_of(self, rows):
-        """As `prepare` does, of rows (K, n_parameters)."""
+        """Check the table parameters in rows (K, n_parameters), as `prepare` does."""
         cdef Numbers P
         for row in rows if self.tables else ():
-            P = given(np.ascontiguousarray(row), (self.model.n_parameters,), "parameters")
+            P = floats(np.ascontiguousarray(row), (self.model.n_parameters,), "parameters")
             self.check_tables(P.data)
 
     def outside_of(self, name):
-        """What the table of this name is beyond its range."""
+        """The option `outside` of the table of this name."""
         cdef int k
         for k in range(self.model.n_tables):
             if self.parameters[self.model.tables[k].parameter] == name:
@@ -208,32 +208,32 @@ cdef class PointModel:
         raise KeyError(name)
 
     def prepare(self, values):
-        """values (n_parameters) -> Prepared."""
+        """Return the `Prepared` constants of parameter values (n_parameters)."""
         cdef em_fault fault
-        cdef Prepared made = Prepared.__new__(Prepared)
-        cdef Numbers p = given(values, (self.model.n_parameters,), "parameters")
+        cdef Prepared prepared = Prepared.__new__(Prepared)
+        cdef Numbers p = floats(values, (self.model.n_parameters,), "parameters")
         self.check_tables(p.data)
-        made.model = self
-        made.parameters = tuple([p.data[k] for k in range(self.model.n_parameters)])
-        made.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
-        if made.c == NULL:
+        prepared.model = self
+        prepared.parameters = tuple([p.data[k] for k in range(self.model.n_parameters)])
+        prepared.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
+        if prepared.c == NULL:
             raise MemoryError
-        if self.model.prepare(p.data, made.c, &fault) != 0:
+        if self.model.prepare(p.data, prepared.c, &fault) != 0:
             raise self.failure(&fault)
-        return made
+        return prepared
 
     def rhs(self, double t, y, Prepared c not None, u=None, out=None):
-        """dy at t, y, u (None: defaults); into `out` unless None."""
+        """dy at t, y, u (None: defaults), written into `out` unless None."""
         cdef em_fault fault
         cdef tuple shape = (self.n_state,)
-        cdef Numbers state = given(y, shape, "y"), inputs, dy = Numbers.__new__(Numbers)
+        cdef Numbers state = floats(y, shape, "y"), inputs, dy = Numbers.__new__(Numbers)
         cdef const double *signals = self.model.input_defaults
         if u is not None:
-            inputs = given(u, (self.n_inputs,), "inputs")
+            inputs = floats(u, (self.n_inputs,), "inputs")
             signals = inputs.data
         # the compiled code reads y after writing dy
         if out is None or not dy.borrow(out, shape) or dy.view.readonly or dy.overlaps(state):
-            if out is not None and not takes(out, shape):
+            if out is not None and not is_float_output(out, shape):
                 raise ValueError(f"out must be a writable array of floating point numbers of shape {shape}")
             dy = zeros(shape)
         if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
@@ -248,23 +248,23 @@ cdef class PointModel:
     def state(self, double t, x, v, Prepared c not None):
         """y, published meaning."""
         cdef em_fault fault
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
+        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), y = zeros((self.n_state,))
         if self.model.state(t, q.data, w.data, c.c, y.data, &fault) != 0:
             raise self.failure(&fault)
         return y.array
 
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """em_refusal; y (n_state), the coordinate without inertia, the residuals of constraint rows (em_start_check.h)."""
+        """em_refusal, y (n_state), the coordinate without inertia, the residuals of constraint rows (em_start_check.h)."""
         cdef int at
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
-        cdef Numbers absolute = given(atol, (self.n,), "atol"), off = zeros((self.m,))
+        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), y = zeros((self.n_state,))
+        cdef Numbers absolute = floats(atol, (self.n,), "atol"), off = zeros((self.m,))
         refusal = em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, &at, off.data)
         return refusal, y.array, at, off.array
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """(name, gap) of the contact or impact that x is inside of by more than its tolerance; or None (em_start_check.h)."""
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
-        cdef Numbers absolute = given(atol, (self.n,), "atol")
+        """(name, gap) of a contact or impact whose gap is negative at x by more than its tolerance; or None (em_start_check.h)."""
+        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), g = zeros((self.n_events,))
+        cdef Numbers absolute = floats(atol, (self.n,), "atol")
         cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
         if event < 0:
             return None
@@ -272,14 +272,15 @@ cdef class PointModel:
         return self.events[event], g.data[event] * self.model.event_actions[event].keeps_apart
 
     def identity(self, Prepared c not None):
-        """Identification of a model whose runs are saved as bytes: names, and constants at these parameters."""
+        """The names and constants that must agree for one model to restore a run that another saved as bytes."""
         cdef bytes numbers = (<char *> c.c)[:self.model.n_prepared * sizeof(double)]
         return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
                 self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
 
-    def piece(self, double t, double direction, Prepared c not None):
-        """(end, low, high) after t: the next time event, and the times between which the model is evaluated (em_time_events.h)."""
+    def smooth_interval(self, double t, double direction, Prepared c not None):
+        """(end, low, high): the next time event after t, and the times within which the model is evaluated before it
+        (em_time_events.h)."""
         cdef int n = self.model.n_time_events
         cdef double inside[2]
         cdef Numbers at
@@ -293,40 +294,40 @@ cdef class PointModel:
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""
-        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        cdef Numbers q = floats(x, (self.n,), "x"), M = zeros((self.n, self.n))
         self.model.mass_matrix(t, q.data, c.c, M.data)
         return M.array
 
     def mass_matrix_gradient(self, double t, x, Prepared c not None):
         """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        cdef Numbers q = floats(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
         self.need_gradient()
         self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
         return dM.array
 
     def factored_matrix(self, double t, x, Prepared c not None):
-        """The matrix that is factored (n, n): M, or M + A^T W A if M is singular."""
-        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        """The factored matrix (n, n): M, or M + A^T W A if M is singular."""
+        cdef Numbers q = floats(x, (self.n,), "x"), M = zeros((self.n, self.n))
         em_factored_matrix(self.model, t, q.data, c.c, M.data)
         return M.array
 
     def factored_gradient(self, double t, x, Prepared c not None):
-        """Its gradient (n, n, n), as mass_matrix_gradient."""
-        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        """The gradient of `factored_matrix` (n, n, n), indexed as `mass_matrix_gradient`."""
+        cdef Numbers q = floats(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
         self.need_gradient()
         em_factored_gradient(self.model, t, q.data, c.c, dM.data)
         return dM.array
 
     def pfaffian(self, double t, x, Prepared c not None):
         """A (m, n), b (m) of A v + b = 0 (8)."""
-        cdef Numbers q = given(x, (self.n,), "x"), A = zeros((self.m, self.n)), b = zeros((self.m,))
+        cdef Numbers q = floats(x, (self.n,), "x"), A = zeros((self.m, self.n)), b = zeros((self.m,))
         if self.m > 0:
             self.model.pfaffian(t, q.data, c.c, A.data, b.data)
         return A.array, b.array
 
     def position(self, double t, x, Prepared c not None):
-        """phi (h), the residuals of the holonomic constraints; (h) the magnitudes of the terms that cancel in them."""
-        cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,)), terms = zeros((self.h,))
+        """phi (h), the residuals of the holonomic constraints, and (h) the magnitudes of the terms that cancel in them."""
+        cdef Numbers q = floats(x, (self.n,), "x"), phi = zeros((self.h,)), terms = zeros((self.h,))
         if self.h > 0:
             self.model.position(t, q.data, c.c, phi.data, terms.data)
         return phi.array, terms.array
@@ -334,7 +335,7 @@ cdef class PointModel:
     def acceleration(self, double t, x, v, Prepared c not None, u, int least_norm):
         """a, lambda."""
         cdef em_fault fault
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
         if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
             raise self.failure(&fault)
@@ -344,8 +345,8 @@ cdef class PointModel:
     def project(self, double t, x, v, Prepared c not None, int least_norm):
         """x, v: the nearest consistent state in the mass metric."""
         cdef em_fault fault
-        cdef Numbers q = given(np.array(x, dtype=np.float64), (self.n,), "x")
-        cdef Numbers w = given(np.array(v, dtype=np.float64), (self.n,), "v")
+        cdef Numbers q = floats(np.array(x, dtype=np.float64), (self.n,), "x")
+        cdef Numbers w = floats(np.array(v, dtype=np.float64), (self.n,), "v")
         if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
             raise self.failure(&fault)
         return q.array, w.array

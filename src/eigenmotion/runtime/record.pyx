@@ -1,5 +1,5 @@
 # cython: language_level=3
-"""The record of every run, by any method: the fields of a Solution (results/solution.py)."""
+"""Fields of a Solution (results/solution.py), for runs by any method."""
 
 from .status.stop_reasons import StopReason
 
@@ -10,7 +10,7 @@ cdef object _FINISHED = StopReason.FINISHED, _TERMINAL_EVENT = StopReason.TERMIN
 
 cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None,
                   y_after_events=None, tuple modes=()):
-    """The fields, without empty ones; counts as in COUNTS."""
+    """The fields of a Solution as a dict, without empty ones; counts in the order of COUNTS."""
     nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
     cdef int status = 0 if stop is _FINISHED else 1 if stop is _TERMINAL_EVENT else -1
     cdef dict fields = {
@@ -36,7 +36,10 @@ cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple cou
 
 
 cdef dict _mode_of(model, parameters):
-    """The contacts that hold, the frictions that stick or slide, and the idle ones, which others keep at rest."""
+    """Parameter name -> value of a mode: which contacts hold, and which frictions stick or slide.
+
+    An idle contact counts as holding: others keep it at rest.
+    """
     cdef dict mode = {}
     for _, holds, slides, _, idles in model.switches:
         idle = parameters[idles] > 0.0
@@ -47,9 +50,9 @@ cdef dict _mode_of(model, parameters):
 
 
 cpdef tuple modes_of(model, segments):
-    """For each segment, as of `Run.segments`, its start, and the parameters of its mode by name."""
+    """For each of `Run.segments` its start time and its mode as a dict; only changes of the mode are listed."""
     if not segments:
         return ()
-    found = [(t, _mode_of(model, parameters)) for _, t, parameters in segments]
-    last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
+    modes = [(t, _mode_of(model, parameters)) for _, t, parameters in segments]
+    last = [mode for k, mode in enumerate(modes) if k + 1 == len(modes) or mode[0] != modes[k + 1][0]]
     return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])

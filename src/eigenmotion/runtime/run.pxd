@@ -1,4 +1,4 @@
-# A run, for runs in parts.
+# Declarations of run.pyx for the other modules of the runtime.
 
 from .abi cimport em_rows, em_run, em_signal
 from .point cimport PointModel
@@ -9,8 +9,8 @@ cdef class Run:
     cdef em_signal *signals
     cdef readonly PointModel model
     cdef readonly object stop
-    cdef list held     # arrays kept as long as the run
-    cdef object pending  # exception raised by a signal's handler
+    cdef list keep_alive  # arrays that the run uses
+    cdef object pending   # exception raised by a signal handler
 
     cdef begin(self, task, int method)
     cdef const double *hold(self, array, tuple shape, str name) except NULL

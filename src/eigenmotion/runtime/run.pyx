@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""One compiled run: em_model.simulate, and its results."""
+"""One compiled run: a call of em_model.simulate, and its results."""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
@@ -7,7 +7,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_RADAU9
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
-from .arrays cimport Numbers, blank, given, unset, zeros
+from .arrays cimport Numbers, blank, floats, unset, zeros
 from .point cimport PointModel, Prepared
 from .record cimport modes_of, record
 
@@ -18,11 +18,11 @@ from .status.stiffness import stiffness
 
 cdef tuple _REASONS = tuple(StopReason)
 cdef object _FINISHED = StopReason.FINISHED
-cdef str _CAME_TO_ITS_END = explain(StopReason.FINISHED, ())
+cdef str _FINISHED_MESSAGE = explain(StopReason.FINISHED, ())
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero if a signal requests the end of the run. Other exceptions of a handler are raised after it."""
+    """Non-zero if a signal handler raised an exception. Other exceptions than KeyboardInterrupt are raised after the run."""
     cdef Run run = <Run> argument
     try:
         PyErr_CheckSignals()
@@ -35,7 +35,7 @@ cdef int poll(void *argument) noexcept with gil:
 
 
 cdef class Run:
-    """One compiled simulation, with its results as long as the object lives.
+    """One compiled run; its results live as long as this object.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ cdef class Run:
         (model, prepared, inputs, run.t_start, run.t_end, y, run.rtol, atol, t_eval, run.dense, run.first_step,
          run.max_step, run.max_steps, run.stabilise, run.least_norm) = <tuple> task
         model.need_method(method)
-        self.model, self.held = model, [prepared]
+        self.model, self.keep_alive = model, [prepared]
         run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
         run.y_start, run.atol = self.hold(y, (model.n_state,), "y"), self.hold(atol, model.vector, "atol")
         run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
@@ -86,9 +86,9 @@ cdef class Run:
         free(self.signals)
 
     cdef const double *hold(self, array, tuple shape, str name) except NULL:
-        """The numbers of an array, which is kept as long as the run."""
-        cdef Numbers kept = given(array, shape, name)
-        self.held.append(kept)
+        """The numbers of an array, which this object keeps alive."""
+        cdef Numbers kept = floats(array, shape, name)
+        self.keep_alive.append(kept)
         return kept.data
 
     cdef hold_inputs(self, tuple inputs):
@@ -104,7 +104,7 @@ cdef class Run:
         self.run.inputs = self.signals
 
     cdef table(self, em_rows *rows):
-        """t (k,), y (k, n_state): copies, so that they outlive the run."""
+        """t (k,), y (k, n_state), copied so that they outlive the run."""
         cdef Py_ssize_t k = rows.count
         cdef Numbers t = unset((k,)), y = unset((k, self.model.n_state))
         if k > 0:
@@ -113,28 +113,28 @@ cdef class Run:
         return t.array, y.array
 
     cdef events(self, em_rows *tables):
-        """For each event t (k,), and for each y (k, n_state); None where the model has none."""
+        """A list of t (k,) and a list of y (k, n_state), one per event; None, None if the model has no events."""
         if tables == NULL:
             return None, None
         return tuple(map(list, zip(*[self.table(&tables[k]) for k in range(self.model.n_events)])))
 
     @property
     def segments(self):
-        """The segments between changes of the mode: for each its first row, its start, its parameters; () without modes."""
+        """First row, start time and parameters of each segment (between changes of the mode); () without modes."""
         cdef em_rows *segments = &self.run.segments
         cdef const double *c
         cdef Py_ssize_t k, i
         if segments.count == 0:
             return ()
-        found = []
+        listed = []
         for k in range(segments.count):
             c = segments.y + k * segments.width
             parameters = tuple([c[i] for i in range(self.model.model.n_parameters)])
-            found.append((int(c[segments.width - 1]), segments.t[k], parameters))
-        return tuple(found)
+            listed.append((int(c[segments.width - 1]), segments.t[k], parameters))
+        return tuple(listed)
 
     def fields(self, str method):
-        """The results, as `record` has them, without `sol`."""
+        """The results as the dict of `record`, without `sol`."""
         t, y = self.table(&self.run.rows)
         t_events, y_events = self.events(self.run.events)
         after = None
@@ -148,14 +148,14 @@ cdef class Run:
 
     @property
     def n_dense(self):
-        """How many steps are kept for dense output."""
+        """The number of steps stored for dense output."""
         return self.run.n_dense
 
     cdef message(self):
-        """How and where the run ended, and what to do."""
+        """The message about how and where the run ended, and what to do."""
         stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15) if self.run.n_stiff > 0 else ""
         if self.stop is _FINISHED:
-            return _CAME_TO_ITS_END + stiff
+            return _FINISHED_MESSAGE + stiff
         fault = self.run.fault
         words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
                         self.model.row_names, tuple(self.model.tables))
@@ -163,24 +163,24 @@ cdef class Run:
 
     @property
     def step_times(self):
-        """(n_dense + 1,) ends of the steps kept for dense output."""
+        """(n_dense + 1,) ends of the steps stored for dense output."""
         return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
 
     def __reduce__(self):
-        """Pickled as its interpolants, which a run keeps for dense output."""
+        """Pickle the interpolants of dense output."""
         cdef em_run *run = &self.run
         cdef Py_ssize_t width = EM_DENSE_COEFFICIENTS * self.model.n_state * sizeof(double)
         steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
         table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
         times = run.t_start, run.t_end, run.t_reached
         segments = (<char *> run.segments.y)[:run.segments.count * run.segments.width * sizeof(double)] if run.segments.count else b""
-        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table,
+        return _kept, (self.keep_alive[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table,
                        segments)
 
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = given(t, (k,), "t"), y = zeros((k, self.model.n_state))
+        cdef Numbers T = floats(t, (k,), "t"), y = zeros((k, self.model.n_state))
         with nogil:
             for i in range(k):
                 if self.run.model.interpolate(&self.run, self.step_at(T.data[i]), T.data[i], y.row(i)) != 0:
@@ -188,7 +188,7 @@ cdef class Run:
         return y.array
 
     cdef size_t step_at(self, double t) noexcept nogil:
-        """The last kept step that starts at or before t, in the direction of time."""
+        """The last stored step that starts at or before t, in the direction of time."""
         cdef size_t low = 0, high = self.run.n_dense, middle
         cdef double sign = -1.0 if self.run.t_end < self.run.t_start else 1.0
         while high - low > 1:
@@ -202,13 +202,13 @@ cdef class Run:
 
 def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
           bytes steps, bytes table, bytes segments=b""):
-    """A run that is over, restored from its interpolants."""
+    """A finished run, restored from its interpolants."""
     if not 0 <= method <= EM_RADAU9:
         raise ValueError(f"{prepared.model.name}: a run of another version, by a method (number {method}) that is no more")
     cdef Run made = Run.__new__(Run, None, method)
     cdef em_run *run = &made.run
     prepared.model.need_method(method)
-    made.model, made.held = prepared.model, [prepared]
+    made.model, made.keep_alive = prepared.model, [prepared]
     run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
     run.stabilise, run.least_norm = stabilise, least_norm
     run.t_start, run.t_end, run.t_reached = times

@@ -1,4 +1,4 @@
-# em_start_check.h: the check of a start, for any em_model.
+# Declarations of em_start_check.h: the check of a start.
 
 from .abi cimport em_fault, em_model
 

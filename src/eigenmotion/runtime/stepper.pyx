@@ -1,5 +1,5 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""A run that advances to times of the caller's choice: em_control.h for Python."""
+"""Stepper: a run that the caller advances to chosen times (em_control.h for Python)."""
 
 from hashlib import blake2b
 
@@ -10,7 +10,7 @@ from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy, memset
 
 from .abi cimport em_fault, em_method, em_run, em_signal, em_signal_kind
-from .arrays cimport Numbers, given, zeros
+from .arrays cimport Numbers, floats, zeros
 from .control cimport em_stepper, em_stepper_advance, em_stepper_close, em_stepper_open, em_stepper_restore
 from .control cimport em_stepper_save, em_stepper_size
 from .point cimport PointModel, Prepared
@@ -24,7 +24,7 @@ cdef enum:
 
 
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero if a signal requests an end; the exception of its handler is raised after the advance."""
+    """Non-zero if a signal handler raised an exception, which is raised again after the advance."""
     try:
         PyErr_CheckSignals()
     except BaseException as error:
@@ -39,9 +39,9 @@ cdef class Steps:
     Parameters
     ----------
     task
-        An `eigenmotion.arguments.options.Task`: its start, inputs, tolerances and limits of steps.
+        An `eigenmotion.arguments.options.Task`, of which the start, inputs, tolerances and step limits are used.
     method
-        em_method; those of fixed step have their step as the task's first.
+        em_method; for methods of fixed step, the step is the task's first step.
     """
 
     cdef em_stepper *steps
@@ -51,7 +51,7 @@ cdef class Steps:
     cdef readonly object task
     cdef readonly int number
     cdef dict places
-    cdef list held
+    cdef list keep_alive
     cdef object pending
     cdef bytes tag
     cdef bint busy
@@ -63,9 +63,9 @@ cdef class Steps:
         cdef Numbers y, atol
         (model, prepared, inputs, start, _, state, rtol, absolute, _, _, first, longest, most, stabilise, least) = task
         model.need_method(method)
-        self.model, self.task, self.number, self.held = model, task, method, [prepared]
+        self.model, self.task, self.number, self.keep_alive = model, task, method, [prepared]
         self.places = {name: k for k, name in enumerate(model.inputs)}
-        y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")
+        y, atol = floats(state, (model.n_state,), "y"), floats(absolute, (model.n,), "atol")
         self.hold_inputs(inputs.compiled)
         memset(&run, 0, sizeof(run))  # em_run(...) would leave other fields unset
         run.model, run.prepared, run.inputs, run.method = model.model, prepared.c, self.signals, <em_method> method
@@ -90,9 +90,9 @@ cdef class Steps:
         self.u = <double *> calloc(len(inputs) + 1, sizeof(double))
         if self.signals == NULL or self.u == NULL:
             raise MemoryError
-        for k, (kind, at, taken) in enumerate(inputs):
-            times, values = given(at, (len(at),), "times"), given(taken, (len(taken),), "values")
-            self.held += times, values
+        for k, (kind, at, samples) in enumerate(inputs):
+            times, values = floats(at, (len(at),), "times"), floats(samples, (len(samples),), "values")
+            self.keep_alive += times, values
             self.signals[k] = em_signal(kind=<em_signal_kind> (<int> kind), count=len(at), times=times.data,
                                         values=values.data)
 
@@ -104,7 +104,7 @@ cdef class Steps:
         return EvaluationError(f"{self.model.name}: at t = {self.steps.t:.9g}: {words}", stop)
 
     cdef int set_inputs(self, inputs) except -1:
-        """u <- inputs by name, the others unchanged; or all of them in order."""
+        """Set u from a dict of inputs by name (others keep their values), or from an array of all inputs."""
         cdef Py_ssize_t k
         cdef Numbers numbers
         memcpy(self.u, self.steps.u, self.model.n_inputs * sizeof(double))
@@ -117,7 +117,7 @@ cdef class Steps:
                     raise TypeError(f"input {self.model.inputs[k]!r} is {value!r}, not a real number") from None
                 self.check(k)
             return 0
-        numbers = given(inputs, (self.model.n_inputs,), "inputs")
+        numbers = floats(inputs, (self.model.n_inputs,), "inputs")
         for k in range(self.model.n_inputs):
             self.u[k] = numbers.data[k]
             self.check(k)
@@ -141,7 +141,7 @@ cdef class Steps:
 
     @property
     def prepared(self):
-        """The constants of the current mode of contacts and frictions, which is among the parameters."""
+        """The constants of the current mode of contacts and frictions (modes are among the parameters)."""
         cdef Py_ssize_t n = self.model.model.n_parameters
         cdef Numbers parameters
         if not self.model.switches:
@@ -157,7 +157,7 @@ cdef class Steps:
         return 0
 
     def advance(self, t, inputs=None):
-        """Advance exactly to t, forwards or back, with these inputs from here on."""
+        """Advance exactly to t, forwards or backwards, with these inputs from the current time on."""
         cdef const double *u = NULL
         cdef double there
         cdef int failed
@@ -207,32 +207,32 @@ cdef class Steps:
 
     @property
     def motion(self):
-        """x, v there as compiled functions take them: states are the last of v."""
+        """x, v there in the form of compiled functions, in which the states are the last entries of v."""
         return self.copy(self.steps.x, self.model.n), self.copy(self.steps.v, self.model.n)
 
     @property
     def u(self):
-        """(n_inputs,) inputs that hold there; NaN for those that are signals."""
-        cdef Numbers made = self.numbers(self.steps.u, self.model.n_inputs)
+        """(n_inputs,) current inputs; NaN for inputs that are signals."""
+        cdef Numbers u = self.numbers(self.steps.u, self.model.n_inputs)
         for k in range(self.model.n_inputs):
             if self.signals[k].kind != <em_signal_kind> 0:
-                made.data[k] = float("nan")
-        return made.array
+                u.data[k] = float("nan")
+        return u.array
 
     @property
     def y(self):
         """(n_state,) the state there, published meaning."""
         cdef em_fault fault
-        cdef Numbers made = zeros((self.model.n_state,))
+        cdef Numbers y = zeros((self.model.n_state,))
         self.claim()
-        if self.model.model.publish(self.steps.run_state, made.data, &fault) != 0:
+        if self.model.model.publish(self.steps.run_state, y.data, &fault) != 0:
             raise self.model.failure(&fault)
-        return made.array
+        return y.array
 
     cdef Numbers numbers(self, const double *numbers, int count):
-        cdef Numbers made = zeros((count,))
-        memcpy(made.data, numbers, count * sizeof(double))
-        return made
+        cdef Numbers copied = zeros((count,))
+        memcpy(copied.data, numbers, count * sizeof(double))
+        return copied
 
     cdef copy(self, const double *numbers, int count):
         return self.numbers(numbers, count).array
@@ -254,49 +254,49 @@ cdef class Steps:
 
     @property
     def events(self):
-        """Name of each event -> times (k,) at which it passed zero in the last advance; of more than 64 the last."""
+        """Event name -> times (k,) of its zero crossings in the last advance; the last 64 if there are more."""
         return {name: self.copy(self.steps.run.events[k].t, <int> self.steps.run.events[k].count)
                 for k, name in enumerate(self.model.events)}
 
     def save(self):
-        """The whole motion as bytes: `restore` reproduces every number to the last bit."""
+        """The complete state of the stepper as bytes; `restore` reproduces every number to the last bit."""
         cdef bytes saved = PyBytes_FromStringAndSize(NULL, TAG + <Py_ssize_t> em_stepper_size(self.steps))
-        cdef bytes tag = self.tagged()
+        cdef bytes tag = self.digest()
         self.claim()
         memcpy(PyBytes_AS_STRING(saved), PyBytes_AS_STRING(tag), TAG)
         em_stepper_save(self.steps, PyBytes_AS_STRING(saved) + TAG)
         return saved
 
     def restore(self, bytes saved not None):
-        """Go back to where `save` was called, here or by another stepper of the same model and options.
+        """Return to the state that `save` returned, here or in another stepper of the same model and options.
 
         Raises
         ------
         ValueError
-            The bytes belong to another model, or to one with other parameters, method or tolerances.
+            The bytes are of a stepper of another model, or with other parameters, method or tolerances.
         """
         self.claim()
-        if len(saved) != TAG + <Py_ssize_t> em_stepper_size(self.steps) or saved[:TAG] != self.tagged():
+        if len(saved) != TAG + <Py_ssize_t> em_stepper_size(self.steps) or saved[:TAG] != self.digest():
             raise ValueError(f"{self.model.name}: what is to be restored was saved by a stepper of another model, "
                              "or with other parameters, method, tolerances or compiled for another processor")
         em_stepper_restore(self.steps, PyBytes_AS_STRING(saved) + TAG)
 
-    cdef bytes tagged(self):
-        """The data that two steppers must share for one to restore the bytes of the other."""
+    cdef bytes digest(self):
+        """A digest of the data that must agree for one stepper to restore the bytes of another."""
         if self.tag is None:
             m, task = self.model, self.task
             signals = [(kind, times.tobytes(), values.tobytes()) for kind, times, values in task.inputs.compiled if kind]
-            said = (m.identity(task.prepared), self.number, task.rtol, task.atol.tobytes(), task.first_step,
-                    task.max_step, task.stabilise, task.least_norm, signals)
-            self.tag = blake2b(repr(said).encode(), digest_size=TAG).digest()
+            shared = (m.identity(task.prepared), self.number, task.rtol, task.atol.tobytes(), task.first_step,
+                      task.max_step, task.stabilise, task.least_norm, signals)
+            self.tag = blake2b(repr(shared).encode(), digest_size=TAG).digest()
         return self.tag
 
     def __reduce__(self):
-        """Pickled as its task and its saved motion."""
+        """Pickle the task and the saved state."""
         return _restored, (type(self), self.task, self.number, self.save())
 
 
 def _restored(kind, task, int number, bytes saved):
-    made = kind(task, number)
-    made.restore(saved)
-    return made
+    stepper = kind(task, number)
+    stepper.restore(saved)
+    return stepper

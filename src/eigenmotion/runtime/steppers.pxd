@@ -1,4 +1,4 @@
-# K steppers of one model (em_steppers.h, em_steppers_saved.h).
+# Declarations of em_steppers.h and em_steppers_saved.h: K steppers of one model.
 
 from .abi cimport em_fault, em_model, em_run, em_rows
 

@@ -1,7 +1,8 @@
-"""Memory of the tables that runs are given: each array once, at an address that stays as long as the process.
+"""Registry of table data: each array is stored once, at an address that is valid as long as the process.
 
-A parameter set knows a table by a number: 0, that of the model itself, or else the address of an array as em_table.h
-has it. Nothing says how long such a number is in use, as in the rows of an ensemble; so what is kept is never freed.
+A parameter set refers to a table by a number: 0 for the model's own table, otherwise the address of an array in the
+layout of em_table.h. Such numbers are copied freely (into the rows of an ensemble, for example), so nothing shows how
+long one is in use. Therefore the arrays are never freed.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -15,8 +16,8 @@ _BY_CONTENT: dict[bytes, Vector] = {}
 _BY_ADDRESS: dict[float, Vector] = {}
 
 
-def kept(numbers: ArrayLike) -> float:
-    """Return the address of an array with these numbers, which stays."""
+def table_address(numbers: ArrayLike) -> float:
+    """Return the address of a stored array with these numbers."""
     own = np.array(numbers, dtype=np.float64)
     array = _BY_CONTENT.setdefault(own.tobytes(), own)
     address = float(array.ctypes.data)
@@ -24,27 +25,27 @@ def kept(numbers: ArrayLike) -> float:
     return address
 
 
-def is_kept(address: float) -> bool:
-    """Whether this is the address of an array that stays."""
+def is_table_address(address: float) -> bool:
+    """Whether this is the address of a stored array."""
     return address in _BY_ADDRESS
 
 
 def arguments_at(address: float) -> int:
-    """Return how many arguments the table there has."""
+    """Return the number of arguments of the table at an address."""
     return int(_BY_ADDRESS[address][0])
 
 
 def packed(numbers: Iterable[float]) -> dict[float, Vector]:
-    """Return the arrays at those of these numbers that are addresses: what has to travel to another process."""
-    return {one: _BY_ADDRESS[one] for one in set(numbers) if one in _BY_ADDRESS}
+    """Return address -> array for those numbers that are addresses: the data that another process needs."""
+    return {number: _BY_ADDRESS[number] for number in set(numbers) if number in _BY_ADDRESS}
 
 
 def unpacked(parameters: Vector, places: Sequence[int], arrays: Mapping[float, Vector]) -> Vector:
-    """Return parameters (..., n_parameters) of another process with the addresses that the arrays have in this one."""
-    made = np.array(parameters, dtype=np.float64)
+    """Return parameters (..., n_parameters) of another process with its addresses replaced by those of this process."""
+    local = np.array(parameters, dtype=np.float64)
     for there, array in arrays.items():
-        here = kept(array)
+        here = table_address(array)
         for place in places:
-            column = made[..., place]
+            column = local[..., place]
             column[np.asarray(parameters)[..., place] == there] = here
-    return made
+    return local

@@ -1,6 +1,8 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""Derivatives of a compiled motion with respect to its start, parameters and inputs: at one state, and along the rows of a
-run (em_variations.h)."""
+"""Variational equations: derivatives of a motion with respect to its start, parameters and inputs.
+
+At one state, and integrated along the rows of a run (em_variations.h).
+"""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN
@@ -8,7 +10,7 @@ from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
 from .abi cimport em_fault, em_model, em_pile, em_run, em_signal, em_signal_kind
-from .arrays cimport Numbers, given, zeros
+from .arrays cimport Numbers, floats, zeros
 from .point cimport PointModel, Prepared
 from .run cimport Run
 
@@ -66,7 +68,7 @@ cdef extern from "sensitivity/em_variations.h" nogil:
 
 
 _REASONS = tuple(StopReason)
-_ENDS = (
+_END_MESSAGES = (
     "", "{} and {} act at once, and which of them is first depends on what is varied",
     "{} only touches zero, so that whether it happens depends on what is varied",
     "the directions went through other events than the run",
@@ -93,7 +95,7 @@ cdef int poll(void *argument) noexcept with gil:
 def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm):
     """a (n), lambda (m), da (n, n_arguments), dlambda (m, n_arguments)."""
     cdef em_fault fault
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
     cdef Numbers a = zeros((model.n,)), multipliers = zeros((model.m,))
     cdef Numbers da = zeros((model.n, model.n_arguments)), dm = zeros((model.m, model.n_arguments))
     model.need_derivatives()
@@ -107,7 +109,7 @@ def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not
 
 def constraint_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(h + m, n_arguments), of phi and of A v + b."""
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")
     cdef Numbers D = zeros((model.h + model.m, model.n_arguments))
     model.need_derivatives()
     if model.model.constraint_partials != NULL:
@@ -117,8 +119,8 @@ def constraint_partials(PointModel model not None, double t, x, v, Prepared c no
 
 def output_partials(PointModel model not None, double t, x, v, a, multipliers, Prepared c not None, u):
     """(n_outputs, n + m + n_arguments), first with respect to a and lambda."""
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
-    cdef Numbers b = given(a, (model.n,), "a"), r = given(multipliers, (model.m,), "multipliers")
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
+    cdef Numbers b = floats(a, (model.n,), "a"), r = floats(multipliers, (model.m,), "multipliers")
     cdef Numbers D = zeros((model.n_outputs, model.n + model.m + model.n_arguments))
     model.need_derivatives()
     if model.model.output_partials != NULL:
@@ -128,7 +130,7 @@ def output_partials(PointModel model not None, double t, x, v, a, multipliers, P
 
 def quasi_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(n_quasi, n_arguments), of P(x, t) v."""
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")
     cdef Numbers D = zeros((len(model.quasi_velocities), model.n_arguments))
     model.need_derivatives()
     if model.model.quasi_partials != NULL:
@@ -140,12 +142,12 @@ def quasi_partials(PointModel model not None, double t, x, v, Prepared c not Non
 
 
 def tangent(PointModel model not None, double t, x, v, Prepared c not None, int least_norm, S, P):
-    """S (2 n, columns): the nearest directions along which the constraints stay satisfied."""
+    """S (2 n, columns), projected onto the directions along which the constraints stay satisfied."""
     cdef em_fault fault
     cdef int columns = S.shape[1]
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
-    cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
-    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")
+    cdef Numbers made = floats(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
+    cdef Numbers rest = floats(P, (model.n_arguments - 2 * model.n, columns), "P")
     model.need_derivatives()
     if model.model.tangent != NULL and model.model.tangent(t, q.data, w.data, c.c, least_norm, columns, made.data,
                                                            rest.data, &fault) != 0:
@@ -154,15 +156,18 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, int 
 
 
 def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, int least_norm, fired, S, P):
-    """x, v, Prepared after the events `fired` (n_events) at t, and S (2 n, columns), the directions S, P mapped across them."""
+    """Event actions with their saltation matrix.
+
+    Returns x, v and Prepared after the events `fired` (n_events) at t, and S (2 n, columns) after them.
+    """
     cdef em_fault fault
     cdef Prepared after
     cdef int columns = S.shape[1]
-    cdef Numbers q = given(np.array(x, dtype=np.float64), (model.n,), "x")
-    cdef Numbers w = given(np.array(v, dtype=np.float64), (model.n,), "v")
-    cdef Numbers s = given(u, (model.n_inputs,), "inputs"), pile = zeros((model.n_events, 2))
-    cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
-    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    cdef Numbers q = floats(np.array(x, dtype=np.float64), (model.n,), "x")
+    cdef Numbers w = floats(np.array(v, dtype=np.float64), (model.n,), "v")
+    cdef Numbers s = floats(u, (model.n_inputs,), "inputs"), pile = zeros((model.n_events, 2))
+    cdef Numbers made = floats(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
+    cdef Numbers rest = floats(P, (model.n_arguments - 2 * model.n, columns), "P")
     cdef int[::1] jumps = np.array(fired, dtype=np.intc)
     model.need_derivatives()
     after = model.prepare(np.array(c.parameters, dtype=np.float64))
@@ -176,30 +181,32 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
 
 def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction, double tolerance,
          double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, int least_norm):
-    """Integrate directions S (2 n, columns) from the first of `stops` along a run that keeps its dense output
-    (em_variations.h); None: there is nothing between its stops.
+    """Integrate directions S (2 n, columns) from the first of `stops` along a run with dense output (em_variations.h).
 
-    tolerance : of their error in a step, relative; together : initial length of a step, in steps of the run
+    run : None if there is nothing to integrate between the stops
+    tolerance : relative error of a step; together : initial length of a step, in steps of the run
     stops : t (stops,), z (stops, 2 n), number of spans after each (stops,); spans : from, to (spans,); marks : stop, event
     (marks,); nodes : place (nodes,), A, A^2, series (nodes, nodes); rows : (k,) times
 
-    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at rows that are within spans; NaN where the pass
-    did not get; the numbers of steps that were made, rejected, and had a motion of their own; the reason of its end, or None.
+    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at the rows within spans, all NaN where the
+    integration did not reach; the numbers of steps accepted, rejected, and integrated with a motion of their own; an
+    EvaluationError if it ended early, or None.
     """
     cdef em_variations pass_
-    cdef Py_ssize_t k = len(stops[0]), made = len(spans[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
+    cdef Py_ssize_t k = len(stops[0]), n_spans = len(spans[0]), n_marks = len(marks[0]), n = model.n
+    cdef Py_ssize_t n_nodes = EM_VARIATION_NODES, j
     cdef int columns = S.shape[1], status
-    cdef Numbers T = given(stops[0], (k,), "t"), Z = given(stops[1], (k, 2 * n), "z")
-    cdef Numbers start = given(spans[0], (made,), "from"), to = given(spans[1], (made,), "to")
-    cdef Numbers place = given(nodes[0], (nodes_of,), "place"), series = given(nodes[3], (nodes_of, nodes_of), "series")
-    cdef Numbers A = given(nodes[1], (nodes_of, nodes_of), "A"), A2 = given(nodes[2], (nodes_of, nodes_of), "A2")
-    cdef Numbers rest = given(P, (model.n_arguments - 2 * n, columns), "P"), t_rows = given(rows, (len(rows),), "rows")
-    cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(happened, columns)
+    cdef Numbers T = floats(stops[0], (k,), "t"), Z = floats(stops[1], (k, 2 * n), "z")
+    cdef Numbers start = floats(spans[0], (n_spans,), "from"), to = floats(spans[1], (n_spans,), "to")
+    cdef Numbers place = floats(nodes[0], (n_nodes,), "place"), series = floats(nodes[3], (n_nodes, n_nodes), "series")
+    cdef Numbers A = floats(nodes[1], (n_nodes, n_nodes), "A"), A2 = floats(nodes[2], (n_nodes, n_nodes), "A2")
+    cdef Numbers rest = floats(P, (model.n_arguments - 2 * n, columns), "P"), t_rows = floats(rows, (len(rows),), "rows")
+    cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(n_marks, columns)
     cdef Numbers at_rows = _unknown(len(rows), 2 * n, columns)
     cdef long[::1] follow = _whole(stops[2], np.int_), at = _whole(marks[0], np.int_)
     cdef int[::1] happens = _whole(marks[1], np.intc)
     cdef em_signal *signals
-    cdef list held = []
+    cdef list keep_alive = []
     model.need_derivatives()
     signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
     if signals == NULL:
@@ -207,17 +214,17 @@ def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, 
     at_stops.array[0] = S
     try:
         for j, (kind, times, values) in enumerate(inputs):
-            held.append((given(times, (len(times),), "times"), given(values, (len(values),), "values")))
+            keep_alive.append((floats(times, (len(times),), "times"), floats(values, (len(values),), "values")))
             signals[j].kind, signals[j].count = <em_signal_kind> (<int> kind), len(times)
-            signals[j].times, signals[j].values = (<Numbers> held[j][0]).data, (<Numbers> held[j][1]).data
+            signals[j].times, signals[j].values = (<Numbers> keep_alive[j][0]).data, (<Numbers> keep_alive[j][1]).data
         pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
         pass_.run = NULL if run is None else &run.run
         pass_.tolerance, pass_.together = tolerance, together
         pass_.least_norm, pass_.stabilise, pass_.direction = least_norm, stabilise, direction
         pass_.n_given = model.n_arguments - 2 * n
         pass_.n_stops, pass_.t, pass_.z, pass_.spans = k, T.data, Z.data, &follow[0]
-        pass_.n_spans, pass_.start, pass_.to = made, start.data, to.data
-        pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = happened, &at[0], &happens[0], shifts.data
+        pass_.n_spans, pass_.start, pass_.to = n_spans, start.data, to.data
+        pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = n_marks, &at[0], &happens[0], shifts.data
         pass_.place, pass_.A, pass_.A2, pass_.series, pass_.P = place.data, A.data, A2.data, series.data, rest.data
         pass_.S, pass_.n_rows, pass_.t_rows, pass_.rows = at_stops.data, len(rows), t_rows.data, at_rows.data
         pass_.n_steps = pass_.n_refused = pass_.n_mended = 0
@@ -228,11 +235,11 @@ def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, 
         free(signals)
     if status != 0 and _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
         raise KeyboardInterrupt
-    said = None if status == 0 else model.failure(&pass_.fault)
+    error = None if status == 0 else model.failure(&pass_.fault)
     if status != 0 and pass_.why:
-        words = _ENDS[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
-        said = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_mended), said
+        words = _END_MESSAGES[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
+        error = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
+    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_mended), error
 
 
 def _unknown(*shape):
@@ -242,7 +249,7 @@ def _unknown(*shape):
 
 
 def _whole(numbers, kind):
-    """The numbers as an array with one more entry, so that it is never empty."""
-    made = np.zeros(len(numbers) + 1, dtype=kind)
-    made[:len(numbers)] = numbers
-    return made
+    """Integers as an array with one extra entry, so that it is never empty."""
+    padded = np.zeros(len(numbers) + 1, dtype=kind)
+    padded[:len(numbers)] = numbers
+    return padded

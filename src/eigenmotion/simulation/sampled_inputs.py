@@ -13,7 +13,7 @@ from ..arguments.options import Task
 from ..arguments.sampled import Controlled, Controller, Sampled
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError
-from ..runtime import RunInParts
+from ..runtime import IncrementalRun
 
 _VALUE, _QUESTION = 0, 1  # actions that may be due at the same time, in this order
 
@@ -108,7 +108,7 @@ class DrivenRun:
 
     def __init__(self, task: Task, method: int) -> None:
         self.task, self.held = opened(task)
-        self.run = RunInParts(self.task, method)
+        self.run = IncrementalRun(self.task, method)
         self._schedule = Schedule(task.t_start, [one.controlled.sampled for one in self.held], self._ask, self._take)
 
     def go(self) -> None:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments.named_values import Vector, overlay, rate_name, spelled, unknown
 from ...arguments.options import is_system, no_system
-from ...arguments.states import apart, whole_v, whole_x
+from ...arguments.states import split_states, whole_v, whole_x
 from ...arguments.tables import refuse_tables, with_tables
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
@@ -131,7 +131,7 @@ def _sought(balance: Balance) -> tuple[Balance, Vector]:
 def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
              ) -> Balance:  # fmt: skip
     c = system.compiled
-    n, (x0, z0) = system.n, apart(c, x0)
+    n, (x0, z0) = system.n, split_states(c, x0)
     x = whole_x(c, x0)
     v = whole_v(c, overlay(v0, c.coordinates[:n], np.zeros(n), "coordinate of v0"), z0)
     u = overlay(inputs, c.inputs, c.input_defaults, "input")

@@ -1,1 +1,1 @@
-"""Many steppers of one system as one."""
+"""Batches of steppers of one system."""

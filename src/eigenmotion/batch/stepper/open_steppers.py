@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import options
-from ...arguments.members import Asked
+from ...arguments.members import EnsembleTask
 from ...arguments.named_values import Vector, is_named, unknown
 from ...arguments.options import OptionError
 from ...codegen.model.normalise import ModelError, number, shown
@@ -16,7 +16,7 @@ from ...cores import cores
 from ...simulation.stepper import METHOD_NUMBERS, fixed_step, method_named
 from ..gather import gather
 from .step_arguments import columns
-from .steppers import Begun, Steppers
+from .steppers import Starts, Steppers
 
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "rtol", "atol", "method", "step", "max_step", "max_steps",
             "stabilisation", "dependent_constraints", "workers")  # fmt: skip
@@ -42,27 +42,27 @@ def steppers(
     workers: int | None = None,
     **misspelt: Any,
 ) -> Steppers:
-    """Open K steppers of this mechanism, which `Steppers.advance` takes on as one.
+    """Open a batch of K steppers of this mechanism, which `Steppers.advance` advances together.
 
-    Methods of fixed step ("rk4", "midpoint") go in lanes, several members side by side in one core, where the model has
-    neither constraints nor events and its formulation carries velocities ("lagrange", "inverse"); others one by one.
+    Methods of fixed step ("rk4", "midpoint") run in lanes (several members at once on one core) if the model has
+    neither constraints nor events and its formulation carries velocities ("lagrange", "inverse"); others run singly.
 
     Parameters
     ----------
     count
-        K; None: as many as the arrays below have.
+        K; None: the length of the arrays below.
     t, x0, v0, parameters, inputs
-        Where they start, as of `stepper`, and each value a number or (K,) numbers; or arrays (K, n), a row a member.
-        Inputs are numbers, which can be changed at every `advance`.
+        The starts, as in `stepper`; each value is a number or (K,) numbers. Or arrays (K, n) with a row for each
+        member. Inputs are numbers, which every `advance` can change.
     method, step, rtol, atol, max_step, max_steps, stabilisation, dependent_constraints
-        As of `stepper`.
+        As in `stepper`.
     workers
-        Threads; None: as many as there are cores, where there are members enough.
+        Number of threads; None: the number of cores, or fewer if there are few members.
 
     Raises
     ------
     ModelError
-        An unknown name or option, arrays of different lengths, or a start that the mechanism cannot have (says whose).
+        An unknown name or option, arrays of different lengths, or an inconsistent start (names the member).
     """
     if positional:
         raise OptionError("steppers: all but their number is given by keyword, as t=0.0, x0={...}")
@@ -77,17 +77,17 @@ def steppers(
     if members.reasons:
         k, words = min(members.reasons.items())
         raise ModelError(f"{system.name}: member {k} of {total}: {words}")
-    begun = Begun(
+    starts = Starts(
         np.full(total, begin), _rows(members.x, total), _rows(members.v, total), _rows(members.parameters, total),
         _columns(system, inputs if by_columns is None else members.signals, total),
     )  # fmt: skip
-    asked = Asked(
+    common = EnsembleTask(
         system.compiled, METHOD_NUMBERS[named], named, False, begin, np.inf, relative, absolute, np.empty(0), False,
         fixed_step(named, step), longest, most,
         options.choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
         options.least_norm_of(dependent_constraints),
     )  # fmt: skip
-    return Steppers(asked, total, _threads(workers), begun)
+    return Steppers(common, total, _threads(workers), starts)
 
 
 def _whole(given: object, what: str) -> int:
@@ -100,12 +100,12 @@ def _threads(workers: int | None) -> int:
     return cores() if workers is None else _whole(workers, "workers")
 
 
-def _count(count: int | None, found: int, inputs: Any) -> int:
+def _count(count: int | None, members: int, inputs: Any) -> int:
     """Return K, from the argument `count` or from the lengths of arrays."""
     rows = 1 if inputs is None or is_named(inputs) or np.ndim(inputs) < 2 else len(inputs)
-    if rows > 1 and found not in (1, rows):
-        raise ModelError(f"inputs has {rows} rows, but other arrays have {found}")
-    total = max(found, rows)
+    if rows > 1 and members not in (1, rows):
+        raise ModelError(f"inputs has {rows} rows, but other arrays have {members}")
+    total = max(members, rows)
     if count is None:
         return total
     if total not in (1, _whole(count, "the number of steppers")):

@@ -1,4 +1,4 @@
-"""Arguments of the calls of open steppers, for K members."""
+"""Arguments of calls of a batch of steppers, for K members."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -22,7 +22,7 @@ def numbers(given: ArrayLike, count: int, what: str) -> Vector:
 
 
 def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
-    """Return inputs (K, n_inputs): the present ones updated by name, or all of them; (K,) is allowed for one input."""
+    """Return inputs (K, n_inputs): the current ones updated by name, or all new; (K,) is allowed for a single input."""
     made = over.copy()
     if is_named(given):
         for name, value in by_name(given, names, "input").items():
@@ -39,7 +39,7 @@ def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], 
 
 
 def rows(given: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.intp], what: str) -> Vector:
-    """Return (K, n): the given values, by name or as rows, over the present ones; rows not chosen are ignored."""
+    """Return (K, n): the current values updated by name, or new rows; rows of members not chosen are ignored."""
     if given is None:
         return over
     made = over.copy()
@@ -69,7 +69,7 @@ def _check_finite(made: Vector, names: tuple[str, ...], chosen: NDArray[np.intp]
 
 
 def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.bool_]) -> None:
-    """Raise ModelError if a member is to go backwards, and the model has events that act."""
+    """Raise ModelError if a member would go backwards in a model with event actions."""
     back = (goals < t) & ~ended if model.acts else ended[:0]
     if back.any():
         raise ModelError(

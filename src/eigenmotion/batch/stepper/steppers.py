@@ -1,4 +1,4 @@
-"""A batch of steppers: K mechanisms of one model, advanced by one call."""
+"""Batch of steppers: K mechanisms of one model, advanced by one call."""
 
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -10,21 +10,21 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...arguments.members import Asked
+from ...arguments.members import EnsembleTask
 from ...arguments.named_values import Vector
-from ...arguments.states import apart, names_of_states
+from ...arguments.states import names_of_states, split_states
 from ...codegen.model.normalise import ModelError, number
 from ...runtime import EvaluationError, ManySteps, StopReason
 from ...simulation.initial_state.consistency import start_state
 from .step_arguments import check_way, chosen_by, columns, numbers, rows
 
-_LEAST = 64  # members from which on a thread pays; in lanes, which are faster,
-_LEAST_IN_LANES = 1024
+_LEAST = 64  # fewest members for which a thread pays
+_LEAST_IN_LANES = 1024  # the same in lanes, which are faster
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Begun:
-    """The start of K members: t (K,), x, v (K, n), parameters (K, n_parameters), inputs (K, n_inputs)."""
+class Starts:
+    """Starts of K members: t (K,), x, v (K, n), parameters (K, n_parameters), inputs (K, n_inputs)."""
 
     t: Vector
     x: Vector
@@ -79,10 +79,10 @@ class Steppers(ManySteps):
     >>> envs.advance(envs.t + 0.1)
     """
 
-    def __init__(self, _asked: Asked, count: int, _workers: int, begun: Begun) -> None:
+    def __init__(self, _task: EnsembleTask, count: int, _workers: int, starts: Starts) -> None:
         """Open the batch with all members at their start."""
-        self._begun, self._busy = begun, False
-        self._begin(np.arange(count), begun)
+        self._starts, self._busy = starts, False
+        self._begin(np.arange(count), starts)
 
     def __len__(self) -> int:
         return self.count
@@ -111,7 +111,7 @@ class Steppers(ManySteps):
             self._go()
         finally:
             self._busy = False
-        self.settle()
+        self.raise_pending()
 
     def _simple(self, inputs: Any) -> bool:
         """Return whether the arguments are arrays that C can use without conversion."""
@@ -176,39 +176,39 @@ class Steppers(ManySteps):
         """
         self._claim()
         try:
-            chosen, begun = chosen_by(mask, self.count), self._begun
-            times = begun.t if t is None else np.full(self.count, number(t, "t"))
+            chosen, starts = chosen_by(mask, self.count), self._starts
+            times = starts.t if t is None else np.full(self.count, number(t, "t"))
             names = self.model.parameters
-            p = rows(parameters, names, begun.parameters, chosen, "parameter")
-            x, v = self._start(x0, v0, begun, chosen)
-            u = begun.inputs if inputs is None else columns(inputs, self.model.inputs, begun.inputs)
-            self._begin(chosen, Begun(times, x, v, p, u))
+            p = rows(parameters, names, starts.parameters, chosen, "parameter")
+            x, v = self._start(x0, v0, starts, chosen)
+            u = starts.inputs if inputs is None else columns(inputs, self.model.inputs, starts.inputs)
+            self._begin(chosen, Starts(times, x, v, p, u))
         finally:
             self._busy = False
 
-    def _start(self, x0: Any, v0: Any, begun: Begun, chosen: NDArray[np.intp]) -> tuple[Vector, Vector]:
-        """Return x, v of compiled functions: what is given over what they begun with."""
+    def _start(self, x0: Any, v0: Any, starts: Starts, chosen: NDArray[np.intp]) -> tuple[Vector, Vector]:
+        """Return x, v of compiled functions: the arguments, over the starts of the batch."""
         c = self.model
-        n, (x0, z) = c.n_coordinates, apart(c, x0)
-        x = rows(x0, c.coordinates[:n], begun.x[:, :n], chosen, "coordinate of x0")
-        v = rows(v0, c.coordinates[:n], begun.v[:, :n], chosen, "coordinate of v0")
+        n, (x0, z) = c.n_coordinates, split_states(c, x0)
+        x = rows(x0, c.coordinates[:n], starts.x[:, :n], chosen, "coordinate of x0")
+        v = rows(v0, c.coordinates[:n], starts.v[:, :n], chosen, "coordinate of v0")
         if not c.n_states:
             return x, v
-        z = rows(z, names_of_states(c), begun.v[:, n:], chosen, "state of x0")
-        return np.hstack([x, begun.x[:, n:]]), np.hstack([v, z])
+        z = rows(z, names_of_states(c), starts.v[:, n:], chosen, "state of x0")
+        return np.hstack([x, starts.x[:, n:]]), np.hstack([v, z])
 
-    def _begin(self, chosen: NDArray[np.intp], begun: Begun) -> None:
+    def _begin(self, chosen: NDArray[np.intp], starts: Starts) -> None:
         """Restart all these members; if one cannot start, restart none and raise."""
-        doubtful = self.stage(chosen, begun.t, begun.x, begun.v, begun.parameters)
+        doubtful = self.stage(chosen, starts.t, starts.x, starts.v, starts.parameters)
         for k in chosen.tolist() if self.model.extrapolates else doubtful.tolist():
             try:
-                prepared = self.model.prepare(begun.parameters[k].copy())
-                start = begun.x[k].copy(), begun.v[k].copy()
-                y = start_state(self.model, prepared, float(begun.t[k]), *start, self.asked.rtol, self.asked.atol)
+                prepared = self.model.prepare(starts.parameters[k].copy())
+                start = starts.x[k].copy(), starts.v[k].copy()
+                y = start_state(self.model, prepared, float(starts.t[k]), *start, self.task.rtol, self.task.atol)
             except (ModelError, EvaluationError) as error:
                 raise ModelError(f"member {k} of {self.count}: {error}") from error
-            self.put(k, y)
-        self.begin(chosen, begun.t, begun.inputs)
+            self.set_start(k, y)
+        self.begin(chosen, starts.t, starts.inputs)
 
     # --- saving ---
 
@@ -227,14 +227,14 @@ class Steppers(ManySteps):
         """
         self._claim()
         try:
-            if not (isinstance(saved, bytes) and self.go_back(saved)):
+            if not (isinstance(saved, bytes) and self.restore_saved(saved)):
                 raise ValueError(f"{self.model.name}: what is to be restored was saved by steppers of another model, "
                                  "method, number, or other tolerances, or compiled for another processor")  # fmt: skip
         finally:
             self._busy = False
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.asked, self.count, self.workers, self._begun, self.save())
+        return _restored, (self.task, self.count, self.workers, self._starts, self.save())
 
     # --- present state ---
 
@@ -263,7 +263,7 @@ class Steppers(ManySteps):
 
     @property
     def acceleration(self) -> Vector:
-        """(K, n) d2x/dt2 with the inputs that hold."""
+        """(K, n) d2x/dt2 with the current inputs."""
         return self.reactions()[0][:, : self.model.n_coordinates]
 
     @property
@@ -290,7 +290,7 @@ class Steppers(ManySteps):
     def stop(self) -> list[StopReason]:
         """Why each member ended; FINISHED if it has not."""
         reasons = [self.reason(k) if ended else None for k, ended in enumerate(self.ended.tolist())]
-        return [StopReason.FINISHED if found is None else found[0] for found in reasons]
+        return [StopReason.FINISHED if reason is None else reason[0] for reason in reasons]
 
     @property
     def failed(self) -> NDArray[np.intp]:
@@ -299,16 +299,16 @@ class Steppers(ManySteps):
 
     def stop_of(self, k: int) -> StopReason:
         """Return why member k ended; FINISHED if it has not."""
-        found = self.reason(k)
-        return StopReason.FINISHED if found is None else found[0]
+        reason = self.reason(k)
+        return StopReason.FINISHED if reason is None else reason[0]
 
     def message(self, k: int) -> str:
         """Return a message: how member k ended, and what to do about it; "" if it has not ended."""
-        found = self.reason(k)
-        return "" if found is None else f"{self.model.name}: member {k} at t = {self.t[k]:.9g}: {found[1]}"
+        reason = self.reason(k)
+        return "" if reason is None else f"{self.model.name}: member {k} at t = {self.t[k]:.9g}: {reason[1]}"
 
 
-def _restored(asked: Asked, count: int, workers: int, begun: Begun, saved: bytes) -> Steppers:
-    made = Steppers(asked, count, workers, begun)
-    made.restore(saved)
-    return made
+def _restored(task: EnsembleTask, count: int, workers: int, starts: Starts, saved: bytes) -> Steppers:
+    batch = Steppers(task, count, workers, starts)
+    batch.restore(saved)
+    return batch

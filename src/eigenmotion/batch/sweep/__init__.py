@@ -1,1 +1,1 @@
-"""Sweeps: the values of their members, and their files."""
+"""Sweeps: the values of the members, and the files of results."""

@@ -1,6 +1,6 @@
-"""Design of a sweep: every point of a grid with every one of n samples.
+"""Design of a sweep: n samples at every point of a grid.
 
-The values of a member follow from its number alone, so any part of a sweep can be computed again, in any order.
+The values of a member depend only on its number, so any part of a sweep can be computed again, in any order.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,7 +21,7 @@ KINDS = {
     "loguniform": "loguniform(low, high)",
     "sobol": "sobol(low, high)",
 }
-_BLOCK = 4096  # samples that are drawn together
+_BLOCK = 4096  # samples of one draw
 
 
 @dataclass(frozen=True, slots=True)

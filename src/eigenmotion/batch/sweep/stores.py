@@ -1,7 +1,7 @@
-"""Stores of sweeps: one file or folder made of all parts of a sweep.
+"""Stores of sweeps: one file or folder with the results of all parts.
 
-The kinds are zarr and netCDF (both by xarray), .npz, and .csv with a line for each run and time. The bytes of a store
-depend on the parts alone.
+The kinds are zarr and netCDF (both through xarray), .npz, and .csv with a line for each run and time. The bytes of a
+store depend only on the parts.
 """
 
 import tempfile
@@ -75,12 +75,12 @@ def _holds(suffix: str, column: str) -> bool:
 
 
 def finish(parts: Parts) -> None:
-    """Make the store from the parts, and delete them."""
+    """Write the store from the parts, and delete the parts."""
     finished = parts.folder / f"store{parts.store.suffix}"
     remove(finished)
     remove(parts.folder / "before")
     STORES[parts.store.suffix](parts, finished)
-    parts.settle(finished)
+    parts.move_into_place(finished)
 
 
 def is_done(parts: Parts) -> bool:
@@ -90,8 +90,8 @@ def is_done(parts: Parts) -> bool:
     if parts.is_begun or not parts.store.exists():
         return False
     try:
-        return _ORDERS[parts.store.suffix](parts.store) == parts.said
-    except Exception:  # of a store that is damaged
+        return _ORDERS[parts.store.suffix](parts.store) == parts.order_text
+    except Exception:  # the store is damaged
         return False
 
 
@@ -101,8 +101,8 @@ def _joined(parts: Parts) -> Arrays:
 
 
 def _save_npz(parts: Parts, path: Path) -> None:
-    shared = {"time": parts.time, "coordinates": np.array(parts.coordinates), "sweep": np.array(parts.said)}
-    # the first space is ours, the others are the user's
+    shared = {"time": parts.time, "coordinates": np.array(parts.coordinates), "sweep": np.array(parts.order_text)}
+    # only the first space is of our prefix; others are in the user's names
     with path.open("wb") as file:
         np.savez(
             file,
@@ -113,7 +113,7 @@ def _save_npz(parts: Parts, path: Path) -> None:
 
 
 def _named(keys: Collection[str], ours: Collection[str]) -> dict[str, str]:
-    """Return the column of each of `keys` that is of the user's names."""
+    """Return key -> column for those keys that contain a user's name."""
     theirs = [key for key in keys if key.startswith((_SWEPT, _OUTPUT))]
     parted = [key.partition(" ") for key in theirs]
     return dict(zip(theirs, columns(ours, [(kind, name) for kind, _, name in parted]), strict=True))
@@ -131,7 +131,7 @@ def _dataset(parts: Parts, arrays: Arrays, first: int) -> Any:
     if not arrays["multipliers"].shape[1]:
         del data["multipliers"]
     shared = {"run": runs, "time": parts.time, "coordinate": np.array(parts.coordinates)}
-    return xarray.Dataset(data, shared | places, {"sweep": parts.said})
+    return xarray.Dataset(data, shared | places, {"sweep": parts.order_text})
 
 
 def _save_netcdf(parts: Parts, path: Path) -> None:
@@ -139,7 +139,7 @@ def _save_netcdf(parts: Parts, path: Path) -> None:
 
 
 def _save_zarr(parts: Parts, path: Path) -> None:
-    """Append the parts one by one: only one is in memory at a time."""
+    """Append the parts one by one, so that only one is in memory at a time."""
     first = 0
     for arrays in parts.arrays():
         _write(_dataset(parts, arrays, first), path, **({"append_dim": "run"} if first else {"mode": "w"}))
@@ -148,7 +148,7 @@ def _save_zarr(parts: Parts, path: Path) -> None:
 
 def _write(some: Any, path: Path, **how: Any) -> None:
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message=".*has a space in its name")  # it is a data variable, then
+        warnings.filterwarnings("ignore", message=".*has a space in its name")  # then it is a data variable
         if path.suffix == ".nc":
             some.to_netcdf(path, engine="scipy")
             return
@@ -174,7 +174,7 @@ def _save_csv(parts: Parts, path: Path) -> None:
 
 
 def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterator[list[Any]]]:
-    """Return names of columns, and a line for each run and time."""
+    """Return the names of the columns, and the lines, one for each run and time."""
     reactions = [f"lambda{k}" for k in range(arrays["multipliers"].shape[1])]
     ours = ["run", "t", *reactions, "energy", "t_end", "stop"]
     motion = moving(ours, parts.coordinates)
@@ -214,4 +214,4 @@ STORES: dict[str, Callable[[Parts, Path], None]] = {
     ".zarr": _save_zarr, ".nc": _save_netcdf, ".npz": _save_npz, ".csv": _save_csv,
 }  # fmt: skip
 JOINED = (".npz", ".nc")
-"""Kinds of stores for which all runs are in memory at the end."""
+"""Kinds of stores that need all runs in memory at the end."""

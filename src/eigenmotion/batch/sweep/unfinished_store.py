@@ -1,14 +1,14 @@
-"""A sweep while it runs: parts in a folder beside its store, which belongs to one process at a time.
+"""Unfinished sweep: the folder of parts beside its store, used by one process at a time.
 
-    .STORE.parts/lock           held by the process that writes here
-    .STORE.parts/sweep.json     what the sweep is: there before any part
-    .STORE.parts/000000.npz     a part: some runs, and of which sweep they are
-    .STORE.parts/store.ENDING   of all parts, on its way to its place
-    .STORE.parts/stored.json    what was sweep.json, once the store is in its place: the last to go
+    .STORE.parts/lock           locked by the process that writes to the folder
+    .STORE.parts/sweep.json     the order (what the sweep is), written before any part
+    .STORE.parts/000000.npz     a part: the results of some runs, with the digest of the order
+    .STORE.parts/store.ENDING   the finished store before it is moved into place
+    .STORE.parts/stored.json    sweep.json after the store is in place; deleted last
 
-A process may be killed between any two steps. So every file is written under another name and renamed; what lies here
-with neither sweep.json nor stored.json is nobody's and goes; what lies beside stored.json only has to go; and a part
-counts where it can be read to its end and says that it is of this sweep, and which part of it.
+A process may be killed between any two steps. So every file is written under another name and renamed. Files without
+sweep.json and stored.json are leftovers and are deleted. If there is stored.json, only deletion remains to be done. A
+part counts only if it can be read completely and names this sweep and its own number.
 """
 
 import fcntl
@@ -35,9 +35,9 @@ _LOCK, _OF = "lock", "of"
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a sweep of a store.
+    """The parts of one sweep.
 
-    order : what the sweep is, as JSON has it; time (nt,), coordinates (n,) : what all runs share
+    order : the description of the sweep, as JSON data; time (nt,), coordinates (n,) : common to all runs
     """
 
     store: Path
@@ -48,34 +48,34 @@ class Parts:
 
     @property
     def folder(self) -> Path:
-        """Where they lie."""
+        """The folder of the parts."""
         return self.store.with_name(f".{self.store.name}.parts")
 
     @property
-    def said(self) -> str:
-        """The order on one line, as stores keep it."""
+    def order_text(self) -> str:
+        """The order as one line of JSON, as stores contain it."""
         return json.dumps(self.order, sort_keys=True)
 
     @property
     def is_begun(self) -> bool:
-        """Whether a sweep is under way here, this one or another."""
+        """Whether there is an unfinished sweep in the folder, this one or another."""
         return self._order.is_file()
 
     @property
     def is_stored(self) -> bool:
-        """Whether this sweep's store came to its place, and only what is left of its parts has to go."""
+        """Whether the store of this sweep is in place, and only leftovers of its parts remain."""
         return self.store.exists() and _content(self._stored) == self._text
 
     @contextmanager
-    def alone(self) -> Iterator[None]:
-        """Be the one who writes here. What is empty at the end goes.
+    def locked(self) -> Iterator[None]:
+        """Lock the folder for this process; at the end, delete it if it is empty.
 
         Raises
         ------
         ModelError
-            Another process writes here now.
+            Another process has the lock.
         """
-        descriptor = self._locked()
+        descriptor = self._open_lock()
         try:
             yield
         finally:
@@ -85,15 +85,15 @@ class Parts:
             os.close(descriptor)
 
     def begin(self, *, resume: bool) -> None:
-        """Begin, or go on with what is there.
+        """Begin the sweep, or resume it with the parts that exist.
 
         Raises
         ------
         ModelError
-            There are parts and nobody said to go on, or they are of another sweep.
+            There are parts and `resume` is false, or they are of another sweep.
         """
         if not self.is_begun:
-            self.forget()
+            self.clear()
         elif not resume:
             raise ModelError(
                 f"{self.store}: a sweep into it was not finished. --resume goes on with it; remove {self.folder} to "
@@ -103,21 +103,21 @@ class Parts:
             raise ModelError(f"{self.store}: what was begun there is another sweep; {self._order} says which")
         write(self._order, self._text)
 
-    def give_up(self) -> None:
-        """Leave nothing behind of a sweep that kept no part."""
+    def clear_if_empty(self) -> None:
+        """Delete all files if there is no part."""
         if not any(self.folder.glob("[0-9]*.npz")):
-            self.forget()
+            self.clear()
 
-    def settle(self, finished: Path) -> None:
-        """Put the store in its place, in one step where it is a file; the parts go."""
+    def move_into_place(self, finished: Path) -> None:
+        """Move the finished store into place (atomically if it is a file), and delete the parts."""
         if self.store.is_dir():
             self.store.replace(self.folder / "before")
         finished.replace(self.store)
         self._order.replace(self._stored)
-        self.forget()
+        self.clear()
 
-    def forget(self) -> None:
-        """Remove all that lies here, and last what says of which sweep it is."""
+    def clear(self) -> None:
+        """Delete all files but the lock; last those that name the sweep."""
         for path in self.folder.iterdir():
             if path not in (self._order, self._stored) and path.name != _LOCK:
                 remove(path)
@@ -125,20 +125,20 @@ class Parts:
         self._stored.unlink(missing_ok=True)
 
     def is_damaged(self, number: int) -> bool:
-        """Whether a part is there that cannot be read, or is not of this sweep."""
+        """Whether a part exists but cannot be read or is of another sweep."""
         return self._path(number).exists() and not self.has(number)
 
     def has(self, number: int) -> bool:
-        """Whether a part is there, of this sweep, and can be read to its end."""
+        """Whether a part of this sweep exists and can be read completely."""
         try:
             self._read(number)
-        except Exception:  # zipfile and NumPy raise what they like at bytes that are not theirs
+        except Exception:  # zipfile and NumPy raise all kinds of exceptions for damaged files
             return False
         return True
 
-    def keep(self, number: int, arrays: Arrays) -> None:
+    def write_part(self, number: int, arrays: Arrays) -> None:
         """Write a part."""
-        write(self._path(number), _npz({_OF: self._of(number), **arrays}))
+        write(self._path(number), _npz({_OF: self._label(number), **arrays}))
 
     def arrays(self) -> Iterator[Arrays]:
         """Read all parts, in order.
@@ -146,7 +146,7 @@ class Parts:
         Raises
         ------
         ModelError
-            One cannot be read.
+            A part cannot be read.
         """
         for number in range(self.count):
             try:
@@ -156,12 +156,12 @@ class Parts:
 
     def _read(self, number: int) -> Arrays:
         with self._path(number).open("rb") as file, np.load(file) as part:
-            found = dict(part)
-        if str(found.pop(_OF)) != str(self._of(number)):
+            arrays = dict(part)
+        if str(arrays.pop(_OF)) != str(self._label(number)):
             raise ValueError("it is of another sweep")
-        return found
+        return arrays
 
-    def _of(self, number: int) -> NDArray[Any]:
+    def _label(self, number: int) -> NDArray[Any]:
         return np.array(f"part {number} of {hashlib.sha256(self._text).hexdigest()}")
 
     def _path(self, number: int) -> Path:
@@ -179,11 +179,11 @@ class Parts:
     def _text(self) -> bytes:
         return (json.dumps(self.order, indent=1, sort_keys=True) + "\n").encode()
 
-    def _locked(self) -> int:
-        """Return the file that holds the lock, which goes with the process, however that ends."""
+    def _open_lock(self) -> int:
+        """Return the descriptor of the locked file. The system releases the lock when the process ends, in any way."""
         while True:
             self.folder.mkdir(exist_ok=True)
-            with suppress(FileNotFoundError):  # whoever was here before has just removed the folder
+            with suppress(FileNotFoundError):  # another process has just deleted the folder
                 descriptor = os.open(self.folder / _LOCK, os.O_RDWR | os.O_CREAT, 0o666)
                 try:
                     self._lock(descriptor)
@@ -206,7 +206,7 @@ class Parts:
 
 
 def remove(path: Path) -> None:
-    """Remove a file or a folder, if it is there."""
+    """Delete a file or a folder if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
@@ -214,7 +214,7 @@ def remove(path: Path) -> None:
 
 
 def _npz(arrays: Arrays) -> bytes:
-    """Return arrays as the content of a file."""
+    """Return the content of an .npz file."""
     buffer = io.BytesIO()
     np.savez(buffer, allow_pickle=False, **arrays)
     return buffer.getvalue()

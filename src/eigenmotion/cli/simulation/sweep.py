@@ -98,9 +98,9 @@ def command(
     told = _told(design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
     parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
-    with parts.alone():
+    with parts.locked():
         if resume and is_done(parts):
-            parts.forget()
+            parts.clear()
             click.echo(f"{store} is complete")
             return 0
         parts.begin(resume=resume)
@@ -115,7 +115,7 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
         except KeyboardInterrupt:
             whole = False
         except (ModelError, EvaluationError):
-            work.parts.give_up()
+            work.parts.clear_if_empty()
             raise
     if not whole:
         click.echo(f"interrupted; --resume goes on where {work.parts.store} was left", err=True)
@@ -182,7 +182,7 @@ class _Sweep:
         arrays, start = arrays_of(runs, swept), 0
         for number in numbers:
             stop = start + self._size(number)
-            self.parts.keep(number, {name: array[start:stop] for name, array in arrays.items()})
+            self.parts.write_part(number, {name: array[start:stop] for name, array in arrays.items()})
             start = stop
         return True
 

@@ -1,1 +1,1 @@
-"""Solutions as plots, files and text."""
+"""Output of solutions: plots, files and text."""

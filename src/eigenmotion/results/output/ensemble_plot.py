@@ -1,4 +1,4 @@
-"""Pictures of many runs; need the extra `plot` (matplotlib)."""
+"""Plots of ensembles; need the extra `plot` (matplotlib)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -13,7 +13,7 @@ _BAND = (5, 95)  # percentiles
 
 
 def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64]) -> Any:
-    """Return a figure of x (K, n, nt) over time: the median and the middle nine tenths of the runs."""
+    """Return a figure of x (K, n, nt) over time: the median and the range from 5 to 95 % of the runs."""
     figure = blank(8, 1.0 + 1.8 * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
@@ -30,7 +30,7 @@ def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64
 
 
 def over_grid(title: str, names: Sequence[str], grid: Mapping[str, Sequence[float]], ends: NDArray[np.float64]) -> Any:
-    """Return a figure of each coordinate at the end, ends (K, n), over the two values of a grid, the first slowest."""
+    """Return a figure of each final coordinate, ends (K, n), over the two values of a grid, the first slowest."""
     (slow, rows), (quick, columns) = grid.items()
     figure = blank(6.5, 0.6 + 4.2 * len(names))
     for k, (name, axes) in enumerate(zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True)):
@@ -41,13 +41,13 @@ def over_grid(title: str, names: Sequence[str], grid: Mapping[str, Sequence[floa
     return figure
 
 
-def ends(title: str, names: Sequence[str], swept: Mapping[str, Vector], found: NDArray[np.float64]) -> Any:
-    """Return a figure of each coordinate at the end, found (K, n), over the first value that was swept."""
+def ends(title: str, names: Sequence[str], swept: Mapping[str, Vector], final: NDArray[np.float64]) -> Any:
+    """Return a figure of each final coordinate, final (K, n), over the first swept argument."""
     figure = blank(8, 1.0 + 1.8 * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
-    label, values = next(iter(swept.items()), ("run", np.arange(len(found), dtype=np.float64)))
+    label, values = next(iter(swept.items()), ("run", np.arange(len(final), dtype=np.float64)))
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
-        one.plot(values, found[:, k], ".", color=BLUE, markersize=3, rasterized=True)
+        one.plot(values, final[:, k], ".", color=BLUE, markersize=3, rasterized=True)
         one.set_ylabel(f"{as_it_is(name)} at the end")
         uncluttered(one)
     axes[0].set_title(title)

@@ -1,4 +1,4 @@
-"""Pictures of a solution; needs the extra `plot` (matplotlib)."""
+"""Plot of a solution; needs the extra `plot` (matplotlib)."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -15,16 +15,16 @@ from ..pictures.sketch import Sketch
 from ..solution import Solution
 
 MARKERS = ("o", "s", "^", "D", "v")
-_MARKS = 8  # on each line
+_MARKS = 8  # markers on each line
 _GHOSTS = 6
-_FEW = 30  # events that a line each does not hide the picture
+_FEW = 30  # the most events that get a line across the picture, which more would hide
 
 
 def coordinates(system: CompiledSystem, solution: Solution) -> Any:
-    """Return a figure of x and states over t, one line each, with a row for each event below, and the mechanism beside.
+    """Return a figure of x and states over t, with a row for each event below, and the mechanism on the right.
 
-    Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
-    second; those of the coordinates are the model's and not known here.
+    Each line has a style, markers and its name at its end, so that it can be told apart without its colour. The unit of
+    time is the second; the units of the coordinates are not known here.
     """
     rows = len(system.events)
     names = (*system.coordinates, *system.states)
@@ -57,24 +57,24 @@ def _drawn(solution: Solution) -> Drawing | None:
 
 
 def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
-    """Draw the mechanism at the end, faintly where it was before, and the traces."""
+    """Draw the mechanism at the end, faint copies of earlier positions, and the traces."""
     sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
     sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
     sketch.show(len(drawn.t) - 1)
 
 
 def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
-    """Draw each with a colour, style and marker of its own: the cycles have no common divisor until 140 lines."""
+    """Draw each line with its own colour, style and marker; the combination repeats after 140 lines."""
     looks = zip(names, x, cycle(COLOURS), cycle(STYLES), cycle(MARKERS), strict=False)
     for k, (name, row, colour, style, marker) in enumerate(looks):
-        beside = (k + 0.5) / (_MARKS * len(names))  # those of the other lines
-        place = (beside, 1 / _MARKS) if t[0] != t[-1] else None
+        offset = (k + 0.5) / (_MARKS * len(names))  # so that markers of different lines do not coincide
+        place = (offset, 1 / _MARKS) if t[0] != t[-1] else None
         axes.plot(t, row, style, color=colour, marker=marker, markevery=place, markersize=5, linewidth=1.6, label=name)
     uncluttered(axes)
 
 
 def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
-    """Write each name, with a piece of its line, behind the line's end: one above the other where ends are close."""
+    """Write each name, with a piece of its line, behind the end of the line; names of close ends are moved apart."""
     from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
 
     low, high = axes.get_ylim()
@@ -89,7 +89,7 @@ def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
 
 
 def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:
-    """Draw a row of ticks for each event, and lines across the picture where these are few."""
+    """Draw a row of ticks for each event, and lines across the picture if events are few."""
     found = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
     strip.eventplot(
         found, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False
@@ -103,7 +103,7 @@ def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Ve
 
 
 def _label(name: str) -> str:
-    """Return a name as mathematics, or as it is where matplotlib cannot read that."""
+    """Return a name as mathematics, or as plain text if matplotlib cannot parse it."""
     from matplotlib.mathtext import MathTextParser  # noqa: PLC0415, an optional package
 
     label = f"${latex(Symbol(name))}$"
@@ -115,7 +115,7 @@ def _label(name: str) -> str:
 
 
 def _smooth(system: CompiledSystem, solution: Solution) -> tuple[Vector, Vector]:
-    """Return t (k,) and x, states (n + p, k): dense enough for the eye where the solution is dense, else its rows."""
+    """Return t (k,) and x, states (n + p, k): 2000 points of a dense solution, else the rows."""
     if solution.sol is None:
         return solution.t, np.vstack([solution.x, *solution.states.values()])
     t = np.linspace(solution.t[0], solution.t[-1], 2000)

@@ -1,4 +1,4 @@
-"""Solutions as files: .npz holds every row there is, .csv the motion as a table."""
+"""Files of solutions: .npz contains all arrays, .csv the motion as a table."""
 
 import io
 from collections.abc import Callable
@@ -19,7 +19,7 @@ _ARRAYS = (
 
 
 def save(system: CompiledSystem, solution: Solution, path: Path) -> None:
-    """Write a solution in the format that the ending of `path` names; the file is there in full or not at all."""
+    """Write a solution in the format of the ending of `path`, atomically: no incomplete file remains."""
     write(path, SAVERS[path.suffix](system, solution))
 
 

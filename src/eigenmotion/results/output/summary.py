@@ -1,4 +1,4 @@
-"""Summary of a run, in a few lines of text."""
+"""Summary of a run as a few lines of text."""
 
 from itertools import zip_longest
 
@@ -11,12 +11,12 @@ from ..solution import Solution
 
 
 def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
-    """Say how a run ended, where, how well it kept its invariants, and what it cost.
+    """Return a summary: how and where a run ended, its events, drifts and cost.
 
     Parameters
     ----------
     seconds
-        Wall time of the run [s], that of the error estimate included.
+        Wall time of the run [s], including the error estimate.
     """
     checking = solution.error_cost.seconds if solution.error_cost else 0.0
     rows = [
@@ -36,7 +36,7 @@ def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
 
 
 def _events(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
-    """How often each event happened, when last, and what holds at the end."""
+    """Return the number of times and the last time of each event, and the mode at the end."""
     rows = []
     for name, times in zip(system.events, solution.t_events or (), strict=True):
         last = (
@@ -50,7 +50,7 @@ def _events(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]
 
 
 def _invariants(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
-    """Only what this scene has: energy where it is conserved, constraints and factors where there are any."""
+    """Return the drifts of this scene: energy if it is conserved, constraints and factors if there are any."""
     rows = []
     if system.conserves_energy:
         label = "energy change" if _acted(system, solution) else "energy drift"
@@ -66,19 +66,19 @@ def _invariants(system: CompiledSystem, solution: Solution) -> list[tuple[str, s
 
 
 def _not_unique(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:
-    """Of which constraint rows the multipliers are a choice."""
+    """Return the constraint rows whose multipliers are not unique."""
     rows = in_words(system.compiled, solution.not_unique)
     return [("multipliers", f"of {rows} not unique: those of least norm")] if rows else []
 
 
 def _acted(system: CompiledSystem, solution: Solution) -> bool:
-    """Whether an event changed the state, and so the energy."""
+    """Return whether an event changed the state, and thus the energy."""
     happened = zip(solution.t_events or (), system.compiled.acting, strict=True)
     return any(len(times) > 0 and acts for times, acts in happened)
 
 
 def _estimate(solution: Solution) -> list[tuple[str, str]]:
-    """How large the error is, and what it took to find out, where that was asked for."""
+    """Return the estimated error and the cost of the estimate, if there is one."""
     estimate, cost = solution.error_estimate, solution.error_cost
     if estimate is None or cost is None:
         return []
@@ -97,7 +97,7 @@ def _estimate(solution: Solution) -> list[tuple[str, str]]:
 
 
 def _final_state(system: CompiledSystem, solution: Solution) -> str:
-    """The last row; beside it the error of each number, where that was estimated there."""
+    """Return the last row, with the error of each number if it was estimated there."""
     width, estimate = max(map(len, (*system.coordinates, *system.states))), solution.error_estimate
     table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
     lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]

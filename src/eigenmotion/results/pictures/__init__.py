@@ -1,1 +1,1 @@
-"""The drawing of a model along a run: shapes, and pictures of them."""
+"""Drawings of a model along a run: shapes, and pictures of them."""

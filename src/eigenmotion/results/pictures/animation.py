@@ -1,4 +1,4 @@
-"""A run as a moving picture; needs the extra `plot` (matplotlib), for .mp4 also ffmpeg."""
+"""Animation of a run; needs the extra `plot` (matplotlib), for .mp4 also ffmpeg."""
 
 import io
 import shutil
@@ -21,7 +21,7 @@ _MOST_FRAMES = 100_000
 
 
 def frame_times(first: float, last: float, speed: float, fps: float) -> Any:
-    """Return the times (k,) of the frames of a picture that shows `speed` seconds of motion a second."""
+    """Return the times (k,) of the frames of an animation with `speed` seconds of motion per second."""
     speed, fps = number(speed, "speed"), number(fps, "fps")
     if not (speed > 0.0 and fps > 0.0):
         raise ModelError(f"speed is {speed:g} and fps is {fps:g}; both must be positive")
@@ -32,7 +32,7 @@ def frame_times(first: float, last: float, speed: float, fps: float) -> Any:
 
 
 def animation(drawing: Drawing, fps: float = FRAMES_A_SECOND) -> Any:
-    """Return a matplotlib animation, one frame a row of the drawing."""
+    """Return a matplotlib animation with one frame for each row of the drawing."""
     require_matplotlib()
     from matplotlib.animation import FuncAnimation  # noqa: PLC0415, an optional package
 
@@ -46,7 +46,7 @@ def animation(drawing: Drawing, fps: float = FRAMES_A_SECOND) -> Any:
 
     show(0)
     figure.draw_without_rendering()
-    figure.set_layout_engine("none")  # once is enough
+    figure.set_layout_engine("none")  # the layout is computed only once
     return FuncAnimation(figure, show, frames=len(drawing.t), interval=1e3 / fps, blit=False)
 
 
@@ -65,13 +65,13 @@ def _sketched(drawing: Drawing) -> tuple[Any, Sketch]:
 
 
 def _inches(ratio: float) -> tuple[float, float]:
-    """Width and height of a picture of about 25 square inches, with room for its axes."""
+    """Return the width and height of a picture of about 25 square inches, with room for its axes."""
     ratio = min(max(ratio, 0.5), 2.0)
     return 5.0 * ratio**0.5 + 0.7, 5.0 / ratio**0.5 + 0.7
 
 
 def save_animation(moving: Any, path: Path, fps: float = FRAMES_A_SECOND) -> Path:
-    """Write an animation to a file whose ending names one of ANIMATIONS, in full or not at all."""
+    """Write an animation atomically, in the format (one of ANIMATIONS) of the ending of `path`."""
     write(path, ANIMATIONS[path.suffix](moving, fps))
     return path
 
@@ -86,7 +86,7 @@ def _mp4(moving: Any, fps: float) -> bytes:
 
 
 def _html(moving: Any, fps: float) -> bytes:
-    """A page with its frames inside: it opens anywhere, and needs no network."""
+    """Return a self-contained page with the frames embedded."""
     import matplotlib as mpl  # noqa: PLC0415, an optional package
 
     page = io.StringIO()
@@ -103,7 +103,7 @@ def _through_a_file(moving: Any, writer: str, fps: float, ending: str) -> bytes:
 
 
 def require_ffmpeg() -> None:
-    """Raise ModelError where ffmpeg, which writes .mp4, is not there."""
+    """Raise ModelError if ffmpeg, which writes .mp4, is not installed."""
     if shutil.which("ffmpeg") is None:
         raise ModelError("moving pictures as .mp4 need ffmpeg, which is not on the PATH; .gif and .html do not")
 

@@ -1,4 +1,4 @@
-"""The drawing of a model along a run: the numbers of its shapes, row by row."""
+"""Drawing of a model along a run: points and sizes of its shapes at each row."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,7 +13,7 @@ _AXIS = 3
 
 @dataclass(frozen=True)
 class Shape:
-    """One shape in all rows: points (k, p, d) [m]; `more` (k, ...) of a disk: radius, axle (space), angle."""
+    """One shape at all rows: points (k, p, d) [m]; for a disk also `more` (k, ...): radius, axle (in space), angle."""
 
     kind: str
     points: Vector
@@ -21,28 +21,28 @@ class Shape:
 
     @property
     def radius(self) -> Vector:
-        """(k,) of a disk."""
+        """(k,) radius of a disk."""
         return self.more[:, 0]
 
     @property
     def axis(self) -> Vector | None:
-        """(k, 3) of a wheel in space, None: a ball, or the plane."""
+        """(k, 3) axle of a wheel in space; None: a ball, or a disk in the plane."""
         return self.more[:, 1 : 1 + _AXIS] if self.more.shape[1] > _AXIS else None
 
     @property
     def angle(self) -> Vector | None:
-        """(k,) of the mark on a disk, None: there is none."""
+        """(k,) angle of the mark on a disk; None: there is no mark."""
         return self.more[:, -1] if self.more.shape[1] in (2, 2 + _AXIS) else None
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """What a mechanism looks like at k times.
+    """The shapes of a mechanism at k times.
 
     t : (k,) [s]
     dimension : 2 or 3
-    kinds : of each shape its kind, and the place and count of its numbers
-    numbers : (k, n_drawn), those of all shapes
+    kinds : for each shape its kind, and the first column and number of columns of its numbers
+    numbers : (k, n_drawn), of all shapes
     """
 
     name: str
@@ -63,7 +63,7 @@ class Drawing:
 
     @cached_property
     def box(self) -> tuple[Vector, Vector]:
-        """Lower and upper corner (d,) of all that is ever drawn, with some room."""
+        """Lower and upper corner (d,) of a box around all shapes at all rows, with a margin."""
         low, high = np.full(self.dimension, np.inf), np.full(self.dimension, -np.inf)
         for shape in self.shapes:
             room = shape.radius[:, None, None] if shape.kind == "disk" else 0.0
@@ -75,7 +75,7 @@ class Drawing:
 
     @property
     def size(self) -> float:
-        """The longest side of the box [m]: what marks of no size of their own are sized by."""
+        """The longest side of the box [m], by which marks without a size of their own are scaled."""
         low, high = self.box
         return float(np.max(high - low))
 
@@ -86,7 +86,7 @@ def require_drawing(drawing: Drawing | None, name: str) -> Drawing:
     Raises
     ------
     ModelError
-        The model has none; says how to give it one.
+        The model has no drawing; the message tells how to add one.
     """
     if drawing is None:
         raise ModelError(f"{name} has no drawing. Give it one: Model(drawing=[eigenmotion.draw.Line(p, q), ...])")

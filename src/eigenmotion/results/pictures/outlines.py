@@ -1,4 +1,4 @@
-"""A drawing at one time as lines and faces, in the plane or in space."""
+"""Outlines of a drawing at one row: lines and faces, in the plane or in space."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -16,7 +16,7 @@ _UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(slots=True)
 class Outlines:
-    """Polygons (k, d): bars and fine lines, the edges of faces, faces by what they are."""
+    """Polygons (k, d), by the way they are drawn: bars, fine lines, faces, wheels and paths."""
 
     bars: list[Vector] = field(default_factory=list)
     lines: list[Vector] = field(default_factory=list)
@@ -26,21 +26,21 @@ class Outlines:
 
 
 def outlines(drawing: Drawing, row: int, until: bool = True) -> Outlines:
-    """Return what a drawing looks like in one row; with `until`, traces end there."""
-    found = Outlines()
+    """Return the outlines of a drawing at one row; with `until`, traces end at that row."""
+    outlined = Outlines()
     for shape in drawing.shapes:
-        _ADD[shape.kind](found, shape, row, drawing.size)
+        _ADD[shape.kind](outlined, shape, row, drawing.size)
         if shape.kind == "trace":
-            found.paths.append(shape.points[: row + 1 if until else None, 0])
-    return found
+            outlined.paths.append(shape.points[: row + 1 if until else None, 0])
+    return outlined
 
 
-def _line(found: Outlines, shape: Shape, row: int, _size: float) -> None:
-    found.bars.append(shape.points[row])
+def _line(outlined: Outlines, shape: Shape, row: int, _size: float) -> None:
+    outlined.bars.append(shape.points[row])
 
 
-def _spring(found: Outlines, shape: Shape, row: int, size: float) -> None:
-    """Straight ends, coils between: their height stays, whatever the length."""
+def _spring(outlined: Outlines, shape: Shape, row: int, size: float) -> None:
+    """Add a spring: straight ends, and coils of constant width in between."""
     p, q = shape.points[row]
     along = np.linspace(0.0, 1.0, 16 * COILS + 1)
     inner = (along > 0.08) & (along < 0.92)
@@ -50,49 +50,49 @@ def _spring(found: Outlines, shape: Shape, row: int, size: float) -> None:
     coil = swing[:, None] * np.sin(phase)[:, None] * across
     if len(p) > len("xy"):
         coil = coil + (swing * np.cos(phase))[:, None] * aside
-    found.lines.append(p + along[:, None] * (q - p) + coil)
+    outlined.lines.append(p + along[:, None] * (q - p) + coil)
 
 
-def _disk(found: Outlines, shape: Shape, row: int, _size: float) -> None:
+def _disk(outlined: Outlines, shape: Shape, row: int, _size: float) -> None:
     center, radius = shape.points[row, 0], shape.radius[row]
     if len(center) == len("xy"):
-        found.wheels.append(center + radius * np.column_stack([np.cos(_ROUND), np.sin(_ROUND)]))
+        outlined.wheels.append(center + radius * np.column_stack([np.cos(_ROUND), np.sin(_ROUND)]))
         first, second = np.eye(2)
     elif shape.axis is None:
-        found.wheels.extend(center + radius * circle for circle in _ball())
+        outlined.wheels.extend(center + radius * circle for circle in _ball())
         return
     else:
         first, second = nodes(shape.axis[row])
-        found.wheels.append(center + radius * (np.outer(np.cos(_ROUND), first) + np.outer(np.sin(_ROUND), second)))
+        outlined.wheels.append(center + radius * (np.outer(np.cos(_ROUND), first) + np.outer(np.sin(_ROUND), second)))
     if shape.angle is not None:
         angle = shape.angle[row]
-        found.lines.append(np.array([center, center + radius * (np.cos(angle) * first + np.sin(angle) * second)]))
+        outlined.lines.append(np.array([center, center + radius * (np.cos(angle) * first + np.sin(angle) * second)]))
 
 
-def _body(found: Outlines, shape: Shape, row: int, _size: float) -> None:
+def _body(outlined: Outlines, shape: Shape, row: int, _size: float) -> None:
     corners = shape.points[row]
-    found.faces.extend([corners] if corners.shape[1] == len("xy") else hull(corners))
+    outlined.faces.extend([corners] if corners.shape[1] == len("xy") else hull(corners))
 
 
-def _ground(found: Outlines, shape: Shape, row: int, size: float) -> None:
+def _ground(outlined: Outlines, shape: Shape, row: int, size: float) -> None:
     points = shape.points[row]
     if len(points) > len("pq"):
-        found.faces.append(points)
+        outlined.faces.append(points)
     elif points.shape[1] == len("xy"):
-        _hatched(found, points, 0.04 * size)
+        _hatched(outlined, points, 0.04 * size)
     elif len(points) > 1:
-        found.bars.append(points)
+        outlined.bars.append(points)
     else:
         side = 0.03 * size
-        found.faces.append(points[0] + side * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0]]))
+        outlined.faces.append(points[0] + side * np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0]]))
 
 
-def _hatched(found: Outlines, points: Vector, length: float) -> None:
-    """A wall with hatches on its right, going from p to q; a support stands on a short one."""
+def _hatched(outlined: Outlines, points: Vector, length: float) -> None:
+    """Add a wall from p to q with hatches on its right, or a support (one point) on a short wall."""
     if len(points) == 1:
         (p,), foot = points, np.array([length / 2, -length])
         left, right = p + foot * [-1, 1], p + foot
-        found.lines.append(np.array([p, left, right, p]))
+        outlined.lines.append(np.array([p, left, right, p]))
         beyond = np.array([length / 3, 0.0])
         points = np.array([left - beyond, right + beyond])
     p, q = points
@@ -101,20 +101,20 @@ def _hatched(found: Outlines, points: Vector, length: float) -> None:
         return
     along = (q - p) / span
     slant = length / 3 * (np.array([along[1], -along[0]]) - along)
-    found.lines.append(points)
+    outlined.lines.append(points)
     count = max(3, round(span / length * 3))
-    found.lines.extend(np.array([foot, foot + slant]) for foot in p + np.linspace(0, 1, count)[:, None] * (q - p))
+    outlined.lines.extend(np.array([foot, foot + slant]) for foot in p + np.linspace(0, 1, count)[:, None] * (q - p))
 
 
-def _trace(found: Outlines, shape: Shape, row: int, size: float) -> None:
-    """Its path is drawn with all rows."""
+def _trace(outlined: Outlines, shape: Shape, row: int, size: float) -> None:
+    """Add nothing: `outlines` adds the path."""
 
 
 _ADD = {"line": _line, "spring": _spring, "disk": _disk, "body": _body, "ground": _ground, "trace": _trace}
 
 
 def frame(direction: Vector) -> tuple[Vector, Vector]:
-    """Two unit vectors across a direction, in the plane one and nothing."""
+    """Return two unit vectors perpendicular to a direction; in the plane, one and a zero vector."""
     length = np.linalg.norm(direction)
     unit = direction / length if length > 0.0 else np.eye(len(direction))[0]
     if len(direction) == len("xy"):
@@ -125,7 +125,7 @@ def frame(direction: Vector) -> tuple[Vector, Vector]:
 
 
 def nodes(axis: Vector) -> tuple[Vector, Vector]:
-    """Unit vectors across an axle: the line of nodes z x axle (x where the axle is vertical), and axle x that."""
+    """Return unit vectors across an axle: the line of nodes z x axle (x if the axle is vertical), and axle x that."""
     axle = axis / np.linalg.norm(axis)
     first = np.cross(_UP, axle)
     length = np.linalg.norm(first)
@@ -134,7 +134,7 @@ def nodes(axis: Vector) -> tuple[Vector, Vector]:
 
 
 def hull(corners: Vector) -> list[Vector]:
-    """The triangles around corners (k, 3), or nothing where they lie in one plane."""
+    """Return the triangles of the convex hull of corners (k, 3); none if they lie in one plane."""
     try:
         return [corners[triangle] for triangle in scipy.spatial.ConvexHull(corners).simplices]
     except (scipy.spatial.QhullError, ValueError):
@@ -142,6 +142,6 @@ def hull(corners: Vector) -> list[Vector]:
 
 
 def _ball() -> Iterator[Vector]:
-    """Three great circles."""
+    """Yield three great circles."""
     ring = np.column_stack([np.cos(_ROUND), np.sin(_ROUND), np.zeros_like(_ROUND)])
     yield from (np.roll(ring, shift, axis=1) for shift in range(3))

@@ -1,4 +1,4 @@
-"""A drawing with matplotlib; needs the extra `plot`."""
+"""Sketch of a drawing with matplotlib; needs the extra `plot`."""
 
 from typing import Any
 
@@ -13,12 +13,12 @@ _GREY = "0.75"
 
 
 class Sketch:
-    """A drawing on axes of its own; `show` moves it to a row.
+    """A drawing on its own axes; `show` moves it to a row.
 
     Parameters
     ----------
     figure, place
-        A matplotlib figure, and what `add_subplot` takes: where the axes go.
+        A matplotlib figure, and the argument of `add_subplot` for the axes.
     """
 
     def __init__(self, figure: Any, place: Any, drawing: Drawing, title: str = "") -> None:
@@ -50,10 +50,10 @@ class Sketch:
         return layer
 
     def show(self, row: int) -> list[Any]:
-        """Draw the mechanism as it is in one row; return the artists that changed."""
-        found = outlines(self.drawing, row)
+        """Draw the mechanism at one row; return the artists that changed."""
+        shapes = outlines(self.drawing, row)
         for name, layer in self.layers.items():
-            lines = [line for line in getattr(found, name) if np.isfinite(line).all()]
+            lines = [line for line in getattr(shapes, name) if np.isfinite(line).all()]
             if name in ("wheels", "faces"):
                 layer.set_verts(lines)
             else:
@@ -61,10 +61,10 @@ class Sketch:
         return list(self.layers.values())
 
     def ghosts(self, rows: Vector) -> None:
-        """Draw bars and springs of other rows, faintly."""
+        """Draw bars and springs of other rows in a light colour."""
         for row in rows:
-            found: Outlines = outlines(self.drawing, int(row))
-            for line in (*found.bars, *found.lines):
+            shapes: Outlines = outlines(self.drawing, int(row))
+            for line in (*shapes.bars, *shapes.lines):
                 self.axes.plot(*line.T, color="0.85", linewidth=1.0, zorder=1)
 
 

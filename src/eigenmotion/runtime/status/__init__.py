@@ -1,1 +1,1 @@
-"""Ends of calls and runs, in words."""
+"""Messages about how calls and runs end."""

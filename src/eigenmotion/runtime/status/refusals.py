@@ -1,4 +1,4 @@
-"""Refusals of a compiled model, with its own names."""
+"""Error messages of a compiled model, with the model's names."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from .stop_reasons import StopReason, explain
 
 
 def refusal(model: Any, stop: StopReason, first: int, second: int, size: float) -> str:
-    """Say what happened to a compiled model, as `explain` does; or which symbol was given none of its values."""
+    """Return the message of a stop, as `explain`, with the names of a model; for a refused value, its symbol."""
     if stop is not StopReason.VALUE_REFUSED:
         return explain(stop, model.coordinates, first, second, size, model.events, model.row_names, tuple(model.tables))
     name = (model.parameters + model.coordinates + model.inputs)[first]

@@ -1,4 +1,4 @@
-"""Reasons why calls and runs end, and their remedies, in words."""
+"""Stop reasons of calls and runs, and the messages about them."""
 
 from collections.abc import Sequence
 from enum import IntEnum, StrEnum
@@ -42,12 +42,12 @@ class StopReason(StrEnum):
 
     @property
     def success(self) -> bool:
-        """Whether the run did all that was asked of it."""
+        """Whether the run ended without a failure."""
         return self in (StopReason.FINISHED, StopReason.TERMINAL_EVENT)
 
 
 class Detail(IntEnum):
-    """What a reason means more closely: em_detail of em_run.h."""
+    """More specific reason of a failure: em_detail of em_run.h."""
 
     NEARLY_SINGULAR = -2
     SINGULAR_START = -3
@@ -192,12 +192,12 @@ _NEAR_SINGULAR = (
     "are not everywhere); where rounding is in the way, loosen rtol."
 )
 
-_TORN = (
+_POSITION_JUMPS = (
     "Holonomic constraint {row} jumps at this time: no motion goes there at once. Let it be "
     "continuous in the time (a ramp)."
 )
 
-_KICKED = (
+_CONTACT_SPEED_JUMPS = (
     "The speed of a contact that holds, constraint {row}, jumps at this time: whether it kicks or lets go is not "
     "stated. Let the speed be continuous in the time (a short ramp)."
 )
@@ -206,10 +206,10 @@ _TOO_MANY_MODES = (
     "Of so many contacts and frictions at once, {event} among them, none of the modes tried is consistent. Close fewer."
 )
 
-_INSIDE = "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
+_INSIDE_CONTACT = "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
 
-_UNDERIVED = (
+_LAW_NOT_DERIVED = (
     "The derivative of an impact by Poisson's law, or in which a friction cone slips, is not known: event {event}. "
     "State Newton's law, or frictions along lines."
 )
@@ -226,7 +226,7 @@ _NO_RATES = (
     "follows of the rates. Give the rates."
 )
 
-_UNSETTLED = (
+_NORMALS_NOT_FOUND = (
     "What presses on frictions is not found: Newton's method goes round in circles. Lower the friction coefficients."
 )
 
@@ -251,19 +251,19 @@ _DETAILS = {
     Detail.SHARED_LOAD: _SHARED,
     Detail.BAD_RESTITUTION: _RESTITUTION,
     Detail.RESTITUTION_LOWERED: _LOWERED_RESTITUTION,
-    Detail.LAW_NOT_DERIVED: _UNDERIVED,
+    Detail.LAW_NOT_DERIVED: _LAW_NOT_DERIVED,
     Detail.NO_RATES: _NO_RATES,
-    Detail.POSITION_JUMPS: _TORN,
-    Detail.CONTACT_JUMPS: _KICKED,
+    Detail.POSITION_JUMPS: _POSITION_JUMPS,
+    Detail.CONTACT_JUMPS: _CONTACT_SPEED_JUMPS,
     Detail.JAMMED: _JAMMED,
     Detail.TOO_MANY_MODES: _TOO_MANY_MODES,
-    Detail.NORMALS_NOT_FOUND: _UNSETTLED,
-    Detail.INSIDE_CONTACT: _INSIDE,
+    Detail.NORMALS_NOT_FOUND: _NORMALS_NOT_FOUND,
+    Detail.INSIDE_CONTACT: _INSIDE_CONTACT,
 }
 
 
 def named_rows(names: Sequence[str], m: int) -> tuple[str, ...]:
-    """Return how messages call m constraint rows: by the names of those that have one, else by number."""
+    """Return labels of m constraint rows for messages: the name, or the number of a row without one."""
     return tuple(next(iter(names[k : k + 1]), "") or f"row {k}" for k in range(m))
 
 
@@ -277,18 +277,18 @@ def explain(
     rows: Sequence[str] = (),
     tables: Sequence[str] = (),
 ) -> str:
-    """Say what happened, where, by name, and what to do.
+    """Return the message of a stop: what happened, where, and what to do.
 
     Parameters
     ----------
     coordinates
         (n) names of the coordinates.
     first, second
-        Coordinates, constraint rows or events, as `em_fault` has them; -1: none. second: or a Detail.
+        Indices of coordinates, constraint rows or events, as in `em_fault`; -1: none. `second` may be a Detail.
     size
         The pivot, gap or residual at fault.
     events, rows
-        Names of the events, and of the constraint rows, as `named_rows` has them.
+        Names of the events, and labels of the constraint rows from `named_rows`.
     tables
         Names of the tables.
     """

@@ -162,6 +162,6 @@ def _breaks(task: Task, path: Path) -> Vector:
     """Return the times (k,) of the time events along a path."""
     end, found = float(path.t[-1]), []
     t, sign = float(path.t[0]), 1.0 if task.t_end >= task.t_start else -1.0
-    while sign * (t := task.model.piece(t, sign, path.prepared)[0]) < sign * end:
+    while sign * (t := task.model.smooth_interval(t, sign, path.prepared)[0]) < sign * end:
         found.append(t)
     return np.array(found)
