@@ -1,1 +1,1 @@
-"""Straight-line functions as C text."""
+"""Printing of straight-line functions (kernels) as C text."""

@@ -26,7 +26,7 @@ def c_identifier(name: str) -> str:
 
 
 def c_identifiers(names: Iterable[str], taken: Collection[str] = ()) -> dict[str, str]:
-    """Return name -> identifier; identifiers differ from each other and from those taken."""
+    """Return name -> identifier; identifiers are unique and differ from those in `taken`."""
     identifiers: dict[str, str] = {}
     for name in names:
         identifiers[name] = free(c_identifier(name), {*taken, *identifiers.values()})
@@ -34,7 +34,7 @@ def c_identifiers(names: Iterable[str], taken: Collection[str] = ()) -> dict[str
 
 
 def free(identifier: str, taken: Collection[str]) -> str:
-    """Return an identifier that is not taken yet: this one, or this one with underscores."""
+    """Return this identifier, with underscores appended until it is not in `taken`."""
     while identifier in taken:
         identifier += "_"
     return identifier

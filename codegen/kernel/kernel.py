@@ -1,4 +1,4 @@
-"""Kernels: straight-line functions of arrays, each with the user's names in its own scope."""
+"""Kernels: straight-line functions of arrays, with the user's names as local variables."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
 SHARED = "shared"
 """The array of values that one kernel computes and the next one also needs."""
 LONG = 250
-"""Number of statements from which on a kernel is not inlined: compile time grows faster than the length of the text,
-and the code is no faster."""
+"""Kernels with at least this number of statements are not inlined: compile time grows faster than the length of the
+text, and the code is no faster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ class Array:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """An assignment of the value of a node to elements of an array, such as [0][1]; with an optional comment."""
+    """An assignment of the value of a node to elements of an array, such as [0][1]; `words` is an optional comment."""
 
     array: Array
     places: tuple[str, ...]
@@ -51,10 +51,10 @@ def both_triangles(name: str, first: int, M: Sequence[Sequence[Node]]) -> list[E
 class Draft:
     """A kernel before it is written.
 
-    arguments : their names, if callers rely on them; else they are what the kernel reads and assigns
+    arguments : names of the arguments of a function with a fixed signature; if (), they follow from what it uses
     actual : the names of the arguments in the caller, if they differ
-    on_lanes : whether it computes with `real` (em_real.h) in place of double
-    across : whether other units call it, or a kernel written with it, if it is long
+    on_lanes : whether it computes with `real` (em_real.h) instead of double
+    exported : whether other units call it if it, or a kernel written together with it, is long
     """
 
     name: str
@@ -62,7 +62,7 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
-    across: bool = False
+    exported: bool = False
 
     @property
     def number(self) -> str:
@@ -74,12 +74,12 @@ class Draft:
 class Kernel:
     """A straight-line function as C text.
 
-    head : its first line
+    head : the head of the function
     declared, call : the declaration of its outputs in the caller (if needed), and the call
     statements : in an order that keeps few values alive at a time
-    called : names of functions that it and the kernels written with it call
-    reads : which of INPUTS it reads
-    across : whether other units call it
+    called : names of the functions called by it and by the kernels written together with it
+    reads : the INPUTS that it reads
+    exported : whether other units call it
     """
 
     head: str
@@ -89,14 +89,14 @@ class Kernel:
     cost: Cost
     called: frozenset[str]
     reads: frozenset[str]
-    across: bool
+    exported: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Symbols:
     """The arguments and indices of symbols and constants.
 
-    places : symbol -> (argument, index in it); the index is None if the argument is no array
+    places : symbol -> (argument, index in it); the index is None if the argument is not an array
     first_constant : the index of the first constant in the prepared parameters
     """
 
@@ -105,12 +105,12 @@ class Symbols:
 
 
 def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None,
-            ahead: Draft | None = None) -> list[Kernel]:  # fmt: skip
+            passing_only: Draft | None = None) -> list[Kernel]:  # fmt: skip
     """Return kernels that are called one after the other: common values are computed once and passed on.
 
-    The cost of the first one includes all. Without `constants`, functions of the parameters are computed in place.
-    Long kernels get one more, `ahead`: it replaces the first for callers that need only the last, and has the cost of
-    these two.
+    The cost of the first one includes that of the others. If `constants` is None, functions of the parameters are
+    computed in place. If kernels are long, `passing_only` is written in addition: it computes only the values that are
+    passed on, replaces the first kernel for callers that need only the last one, and has the cost of these two.
     """
     plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
     arrays = {entry.array.name for draft in drafts for entry in draft.entries}
@@ -119,14 +119,14 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
     scopes = [writer.scope(draft) for draft in drafts]
     long = any(len(scope.statements) + len(scope.shares) >= LONG for scope in scopes)
     costs = [plan.cost, *[Cost()] * len(scopes)][: len(scopes)]
-    if ahead is not None and long:
-        scopes.append(writer.ahead(ahead))
+    if passing_only is not None and long:
+        scopes.append(writer.passing_only(passing_only))
         costs.append(cost_behind(plan, [entry.node for entry in drafts[-1].entries]))
-    return [_kernel(scope, len(writer.handed), cost, long) for scope, cost in zip(scopes, costs, strict=True)]
+    return [_kernel(scope, len(writer.passed), cost, long) for scope, cost in zip(scopes, costs, strict=True)]
 
 
 class _Scope:
-    """The body of one kernel while it is written."""
+    """The body of one kernel under construction."""
 
     def __init__(self, draft: Draft, plan: Schedule) -> None:
         self.draft = draft
@@ -143,23 +143,23 @@ class _Scope:
             self.statements.append(f"const {self.draft.number} {identifier} = {array}[{place}];")
 
     def assign(self, entry: Entry) -> None:
-        """Write the assignment of an output whose operands already have names."""
+        """Write the assignment of an output, whose operands already have names."""
         text = self.printer.whole(self.printer.plan.roots[entry.node])
         words = f" /* {entry.words} */" if entry.words else ""
         self.statements.append(wrapped(f"{_targets(entry)} = {text};") + words)
 
 
 class _Writer:
-    """Writes kernels in turn, and keeps track of the values that already have names."""
+    """Writes kernels one after the other, and keeps track of the values that already have names."""
 
     def __init__(self, graph: Graph, plan: Schedule, symbols: Symbols, constants: Constants | None, taken: set[str]
                  ) -> None:  # fmt: skip
         self.graph, self.plan, self.symbols, self.constants = graph, plan, symbols, constants
         self.identifiers = c_identifiers(symbols.places, taken) | {"t": "t"}
-        self.given = frozenset((*taken, *self.identifiers.values()))
-        self.taken = set(self.given)
+        self.reserved = frozenset((*taken, *self.identifiers.values()))
+        self.taken = set(self.reserved)
         self.known: dict[int, tuple[str, _Scope]] = {}
-        self.handed: dict[int, int] = {}
+        self.passed: dict[int, int] = {}
         self.here: _Scope
 
     def scope(self, draft: Draft) -> _Scope:
@@ -170,16 +170,16 @@ class _Writer:
             self.here.assign(entry)
         return self.here
 
-    def ahead(self, draft: Draft) -> _Scope:
+    def passing_only(self, draft: Draft) -> _Scope:
         """Write the kernel that computes only the values passed on."""
-        self.known, self.taken, self.here = {}, set(self.given), _Scope(draft, self.plan)
-        for value, place in self.handed.items():
+        self.known, self.taken, self.here = {}, set(self.reserved), _Scope(draft, self.plan)
+        for value, place in self.passed.items():
             self._need(value)
             self.here.shares.append(f"{SHARED}[{place}] = {self.here.names[value]};")
         return self.here
 
     def _need(self, root: int) -> None:
-        """Give names to the values that root needs and that need names, operands first."""
+        """Name the values that root depends on, operands first, where they need a name."""
         stack = [(root, False)]
         seen: set[int] = set()
         while stack:
@@ -196,7 +196,7 @@ class _Writer:
     def _name(self, value: int) -> None:
         kind, operands = self.plan.operations[value]
         if value in self.known:
-            self._take(value)
+            self._receive(value)
         elif kind == "leaf":
             self._load(value, operands[0])
         elif kind == "constant":
@@ -206,13 +206,13 @@ class _Writer:
         ):
             self._compute(value)
 
-    def _take(self, value: int) -> None:
-        """Read a value that the kernel before has passed on."""
+    def _receive(self, value: int) -> None:
+        """Pass on a value from the kernel that computes it, and read it in this one."""
         name, before = self.known[value]
-        if value not in self.handed:
-            self.handed[value] = len(self.handed)
-            before.shares.append(f"{SHARED}[{self.handed[value]}] = {name};")
-        self.here.load(SHARED, self.handed[value], name)
+        if value not in self.passed:
+            self.passed[value] = len(self.passed)
+            before.shares.append(f"{SHARED}[{self.passed[value]}] = {name};")
+        self.here.load(SHARED, self.passed[value], name)
         self.here.names[value] = name
 
     def _load(self, value: int, symbol: str) -> None:
@@ -249,25 +249,25 @@ class _Writer:
         return kind == "call" and operands[0] in ("sin", "cos")
 
 
-def _kernel(scope: _Scope, handed: int, cost: Cost, long: bool) -> Kernel:
+def _kernel(scope: _Scope, passed: int, cost: Cost, long: bool) -> Kernel:
     draft = scope.draft
     results = list(dict.fromkeys(entry.array for entry in draft.entries))
     if scope.shares:
-        results.append(Array(SHARED, f"[{handed}]"))
+        results.append(Array(SHARED, f"[{passed}]"))
     read = [name for name in (*INPUTS, SHARED) if name in scope.read]
     names = [*read, *(array.name for array in results)]
     actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
     linkage = "EM_INLINE" if len(statements) < LONG else "EM_NOINLINE_KERNEL"
-    across = draft.across and long
-    if across:
+    exported = draft.exported and long
+    if exported:
         linkage = "EM_NOINLINE_KERNEL_EXPORT"
     return Kernel(
-        head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
+        head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, passed),
         declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=statements, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
-        reads=frozenset(read), across=across,
+        reads=frozenset(read), exported=exported,
     )  # fmt: skip
 
 
@@ -276,19 +276,15 @@ def _targets(entry: Entry) -> str:
 
 
 def _head(draft: Draft) -> str:
-    """Return the head of a function that others call: its arguments are fixed, whether it uses them or not."""
-    return folded(f"EM_EXPORT void {draft.name}(", _given(draft), ")")
+    """Return the head of a function with a fixed signature, whether it uses all arguments or not."""
+    arguments = [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
+    return folded(f"EM_EXPORT void {draft.name}(", arguments, ")")
 
 
-def _given(draft: Draft) -> list[str]:
-    """Return the arguments that others rely on."""
-    return [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
-
-
-def _inner_head(linkage: str, draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
+def _inner_head(linkage: str, draft: Draft, read: Iterable[str], results: Iterable[Array], passed: int) -> str:
     number = draft.number
-    given = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{handed}]" for name in read]
-    return folded(f"{linkage} void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
+    inputs = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{passed}]" for name in read]
+    return folded(f"{linkage} void {draft.name}(", [*inputs, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
 
 
 def _input(name: str, number: str) -> str:

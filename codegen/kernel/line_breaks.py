@@ -1,4 +1,4 @@
-"""Line breaks of long C statements and lists."""
+"""Line breaking of long C statements and lists."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ WHOLE = 120
 
 
 def folded(before: str, items: Sequence[str], after: str, indent: int | None = None, width: int = WIDTH) -> str:
-    """Return a list in lines, without a break inside an item; no text for no items.
+    """Return a list with line breaks between items, never inside one; "" if there are no items.
 
     Lines are indented like the first item, or by `indent`.
     """
@@ -29,7 +29,7 @@ def wrapped(statement: str) -> str:
 
 
 def _whole(text: str) -> str:
-    """Return a text without line breaks."""
+    """Return a text that is not broken, because its spaces are replaced by NUL."""
     return text.replace(" ", "\0")
 
 

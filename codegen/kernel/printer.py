@@ -1,4 +1,4 @@
-"""Operations as the text of C expressions, with no more parentheses than they need."""
+"""Printer of operations as C expressions, with as few parentheses as possible."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .identifiers import c_identifier
 
 ONE = Operation("number", (1,))
 DEEPEST = 40
-"""Levels of operations in one statement."""
+"""Largest nesting depth of operations in one statement."""
 SUM, PRODUCT, ATOM = 0, 1, 2
 """Precedence of the outermost operation of a text."""
 CALLS: Mapping[str, str] = {
@@ -23,18 +23,18 @@ CALLS: Mapping[str, str] = {
 }  # fmt: skip
 IN_VECTORS = frozenset(CALLS) | {"exp", "log"}
 """Functions with a vector version; all others call the C library lane by lane (em_lane_functions.h)."""
-TURNED: Mapping[str, str] = {">": "<", ">=": "<="}
+MIRRORED: Mapping[str, str] = {">": "<", ">=": "<="}
 
 
 class Printer:
-    """Prints the values of a schedule; a value that has a name is printed as that name.
+    """Prints the values of a schedule; a value with a name is printed as that name.
 
     Parameters
     ----------
     names
         Value -> identifier; grows as values get names.
     on_lanes
-        Whether values may be vectors, so that a number that stands alone must be made one (em_real.h).
+        Whether values may be vectors, so that a single number must be converted to one (em_real.h).
     """
 
     def __init__(self, plan: Schedule, names: Mapping[int, str], on_lanes: bool) -> None:
@@ -42,13 +42,13 @@ class Printer:
         self._depth: dict[int, int] = {}
 
     def is_deep(self, value: int) -> bool:
-        """Return whether the text of a value has too many nested operations; to be called for operands first."""
+        """Whether the text of a value is nested too deeply; must have been called for its operands before."""
         parts = (part for part in operands_of(self.plan.operations[value]) if part not in self.names)
         self._depth[value] = 1 + max((self._depth.get(part, 0) for part in parts), default=0)
         return self._depth[value] > DEEPEST
 
     def whole(self, value: int) -> str:
-        """Return the text of a value that stands alone: assigned, or the argument of a function."""
+        """Return the text of a whole expression: the right-hand side of an assignment, or an argument."""
         text = self.bare(value)
         return f"em_real({text})" if self.on_lanes and self.plan.operations[value].kind == "number" else text
 
@@ -61,7 +61,7 @@ class Printer:
         return text.strip("()") if operation.kind == "number" else text
 
     def _bound(self, value: int, tightness: int) -> str:
-        """Return the text of a value, in parentheses if its precedence is lower than the given one."""
+        """Return the text of a value, in parentheses if its precedence is lower than `tightness`."""
         if value in self.names:
             return self.names[value]
         text, binding = self._write(self.plan.operations[value])
@@ -85,10 +85,10 @@ class Printer:
         ordered = sorted(terms, key=lambda term: term[1] < 0)
         first, *rest = (self._term(*term) for term in ordered)
         sign, text = first
-        written = ("-" if sign < 0 else "") + text
+        result = ("-" if sign < 0 else "") + text
         for sign, text in rest:
-            written += f" {'-' if sign < 0 else '+'} {text}"
-        return written, SUM
+            result += f" {'-' if sign < 0 else '+'} {text}"
+        return result, SUM
 
     def _term(self, value: int, factor: Number) -> tuple[int, str]:
         sign = -1 if factor < 0 else 1
@@ -110,8 +110,8 @@ class Printer:
         return value not in self.names and self.plan.operations[value].kind == "inverse"
 
     def _call(self, name: str, operands: Sequence[int]) -> str:
-        if name in TURNED:
-            return self._call(TURNED[name], operands[::-1])
+        if name in MIRRORED:
+            return self._call(MIRRORED[name], operands[::-1])
         if name == "!=":
             return f"em_not({self._call('==', operands)})"
         if orders := orders_of(name):
@@ -124,12 +124,12 @@ class Printer:
 
 
 def table_function(table: str) -> str:
-    """Return what a table is called in C."""
+    """Return the name of a table's function in C."""
     return f"em_table_{c_identifier(table)}"
 
 
 def c_number(value: Number) -> str:
-    """Return a number as C writes it, exactly where that is possible."""
+    """Return a number as a C constant, exactly where that is possible."""
     if isinstance(value, Fraction) and value.denominator > 1 and Fraction(float(value)) != value:
         return f"({value.numerator}.0/{value.denominator}.0)"
     if value != value:

@@ -1,1 +1,1 @@
-"""The record that templates print, and how it is made."""
+"""The `Program` record that templates print, and its construction from a scene."""

@@ -1,4 +1,4 @@
-"""Roles of the kernels of a program."""
+"""Records of the kernels of a program, by role."""
 
 from dataclasses import dataclass
 
@@ -8,28 +8,28 @@ from ..schedule.operations import Cost
 
 @dataclass(frozen=True, slots=True)
 class Stages:
-    """The two kernels of a function: `motion` needs velocities that follow from `masses`. None: nothing to compute."""
+    """The two kernels of a function; the velocities that `motion` needs follow from `masses`. None: not needed."""
 
     masses: Kernel | None
     motion: Kernel | None
 
     @property
     def cost(self) -> Cost:
-        """Operations of both."""
+        """Operation counts of both kernels."""
         return sum((kernel.cost for kernel in (self.masses, self.motion) if kernel), Cost())
 
     @property
     def called(self) -> frozenset[str]:
-        """Names of the functions that they call."""
+        """Names of the functions that the kernels call."""
         return frozenset().union(*(kernel.called for kernel in (self.masses, self.motion) if kernel))
 
 
 @dataclass(frozen=True, slots=True)
 class TimeEventKernel:
-    """The kernel of time events: `at`, `period` and `terms` of each.
+    """The kernel that computes `at`, `period` and `terms` of each time event.
 
-    times : the kernel, None without time events; count : their number
-    named : their formulas as text; unsolved : conditions whose times cannot be found, as text
+    times : the kernel, None if there are no time events; count : their number
+    named : their formulas as text; unsolved : the conditions that cannot be solved for time, as text
     """
 
     times: Kernel | None
@@ -42,7 +42,7 @@ class TimeEventKernel:
 class TableUse:
     """An expression that is argument number `axis` of a table.
 
-    order : the highest derivative by it that is taken; timed : 1 where it varies with the time alone
+    order : the highest derivative with respect to it that is evaluated; timed : 1 if it varies with time alone
     """
 
     table: str
@@ -53,7 +53,7 @@ class TableUse:
 
 @dataclass(frozen=True, slots=True)
 class TableKernel:
-    """Where motion looks up its tables; None: it has none."""
+    """The kernel that computes the arguments of tables in the motion; None if there are no tables."""
 
     arguments: Kernel | None
     uses: tuple[TableUse, ...]
@@ -63,13 +63,15 @@ class TableKernel:
 class PartialKernels:
     """Kernels of partial derivatives, row-major; None: there are no such rows.
 
-    state, forcing : of the residuals of motion at fixed a, lambda: by x, v; by inputs, parameters, time
-    constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
-    outputs : by a, lambda and these
-    impacts, resets, levels : of the event actions, as Kernels has them
-    time_events : of at and period of each time event, by the arguments
-    mass_matrix, factored : of M, and of M + A^T W A if that is factored instead, by x (n, n, n)
-    blow : of M a + A^T lambda and A a at fixed a, lambda
+    In the following, the arguments are x, v, inputs, parameters and time.
+
+    state, forcing : of the residuals of motion at fixed a, lambda, with respect to x, v and to the other arguments
+    constraints, events, quasi : of phi and A v + b, events, and quasi-velocities, with respect to the arguments
+    outputs : with respect to a, lambda and the arguments
+    impacts, resets, levels : of the event actions (see `Kernels`), with respect to the arguments
+    time_events : of at and period of each time event, with respect to the arguments
+    mass_matrix, factored : of M, and of M + A^T W A if that is factored instead, with respect to x (n, n, n)
+    blow : the impact balance: of M a + A^T lambda and A a at fixed a, lambda
     """
 
     state: Kernel
@@ -92,12 +94,12 @@ class Kernels:
     """The model-specific straight-line part of each function.
 
     impacts : N, dphi/dt and the restitution of each; resets : x and v after each
-    levels : the bounds that contacts and frictions are compared with; pushes : the rows P by which multipliers act
+    levels : the bounds that contacts and frictions are compared with; pushes : P, by which multipliers act as forces
     published, triangular : right-hand sides in modes 0 and 1; settled : the treatment of an accepted state
-    asks_the_root : whether `settled` are the kernels of the triangular root, with M below its diagonal alone
-    mass_matrix : None where settled.masses computes all of it; factored : M + A^T W A, None where it is M
-    partials : None where they are compiled on demand
-    time_events : the times at which conditions on time alone change; tables : the lookups of tables
+    asks_the_root : whether `settled` shares the kernels of the triangular root, which compute the lower triangle of M
+    mass_matrix : None if settled.masses computes all of M; factored : M + A^T W A, None if M itself is factored
+    partials : None if derivatives are not generated
+    time_events : the times at which conditions on time alone change; tables : the arguments of tables
     """
 
     prepared: Kernel

@@ -1,4 +1,4 @@
-"""The kernels of a program, and their assignments."""
+"""Construction of the kernels of a program: the assignments of each."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ from .table_kernel import table_kernel
 from .time_event_kernel import time_event_kernel
 
 OF_STATE = {"x": "y", "v": "dy"}
-"""Where a right-hand side has coordinates and velocities."""
+"""The arrays of coordinates and velocities in a right-hand side."""
 
 
 def kernels_of(scene: Scene, choices: Choices, layout: Layout, whole: bool) -> tuple[Kernels, int]:
-    """Write every kernel, those of derivatives for the `whole`; return also how many constants they share."""
+    """Return all kernels, those of derivatives if `whole`, and the number of constants that they share."""
     writing = _Writing(scene, choices, layout)
     return writing.kernels(whole), len(writing.constants.nodes)
 
 
 class _Writing:
-    """Writes kernel after kernel; constants are gathered on the way and written last."""
+    """Writes one kernel after the other; collects their constants, and writes the kernel of these last."""
 
     def __init__(self, scene: Scene, choices: Choices, layout: Layout) -> None:
         self.scene, self.choices, self.layout, self.blocks = scene, choices, layout, layout.blocks
@@ -50,73 +50,78 @@ class _Writing:
 
     def kernels(self, whole: bool) -> Kernels:
         published, triangular, settled = self.equations()
-        across = settled.masses is not None and settled.masses.across
-        tells_all = across and not any(block.fixed for block in self.blocks)  # and with no row nothing is added to M
-        mass_matrix = None if tells_all else self.mass_matrix("mass_matrix", self.terms.M)
-        asked = {
+        shared = settled.masses is not None and settled.masses.exported
+        has_M = shared and not any(block.fixed for block in self.blocks)  # without rows, nothing is added to M
+        mass_matrix = None if has_M else self.mass_matrix("mass_matrix", self.terms.M)
+        by_name = {
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
-        drawing = self.drawing()  # last: the constants of the others stay where they are
+        drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
         symbols = Symbols(self.places, self.layout.first_constant)
         time_events, tables = time_event_kernel(self.terms, symbols), table_kernel(self.terms, symbols)
         prepared = self.prepared()
-        partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
+        partials = partial_kernels(self.terms, symbols) if whole else None  # last, so that no other kernel changes
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
                        prepared=prepared,
-                       asks_the_root=across, mass_matrix=mass_matrix, **asked)  # fmt: skip
+                       asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
 
     @property
-    def root_tells(self) -> bool:
-        """Whether kernels of the triangular root have all that others ask: there is no row, and what varies turns."""
+    def root_suffices(self) -> bool:
+        """Whether the triangular root's kernels compute all that others need: no rows, and all varying blocks turn."""
         turns = any(block.turning for block in self.blocks) and not any(block.single for block in self.blocks)
         return turns and not (self.scene.m or self.choices.extrapolate)
 
     def equations(self) -> tuple[Stages, Stages, Stages]:
-        """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
+        """Return the kernels of the formulation, of the triangular root that replaces it, and of accepted steps."""
         none, cholesky = Stages(None, None), self.choices.formulation == "cholesky"
-        root, handed = self.of_the_root() if cholesky or self.choices.bounded and self.layout.couples else (none, None)
-        if handed and root.motion:
-            return self.by_the_root(root, root.motion, handed)
+        root, passing = (
+            self.root_kernels() if cholesky or self.choices.bounded and self.layout.couples else (none, None)
+        )
+        if passing and root.motion:
+            return self.with_root_kernels(root, root.motion, passing)
         settled = self.stages(self.settled_masses(), self.settled_rates())
         return (root, none, settled) if cholesky else (self.published(), root, settled)
 
-    def of_the_root(self) -> tuple[Stages, Kernel | None]:
-        """Return its kernels and, where they tell all and are long, one of what the first hands on alone."""
+    def root_kernels(self) -> tuple[Stages, Kernel | None]:
+        """Return the triangular root's kernels; if they suffice and are long, also one of the values passed on."""
         drafts = self.drafts("triangular")
-        if not self.root_tells:
+        if not self.root_suffices:
             return self.stages(*drafts), None
-        ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
-        masses, motion, *handed = self.write(*drafts, ahead=ahead)
-        return Stages(masses, motion), handed[0] if handed else None
+        passing_only = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
+        masses, motion, *passing = self.write(*drafts, passing_only=passing_only)
+        return Stages(masses, motion), passing[0] if passing else None
 
-    def by_the_root(self, root: Stages, motion: Kernel, handed: Kernel) -> tuple[Stages, Stages, Stages]:
-        """Return `equations` of long kernels that are compiled once. Whoever accepts a step knows no input."""
+    def with_root_kernels(self, root: Stages, motion: Kernel, passing: Kernel) -> tuple[Stages, Stages, Stages]:
+        """Return `equations` whose long kernels are shared, so that they are compiled once.
+
+        Accepted steps have no inputs: they need a kernel of their own if `motion` reads some.
+        """
         if self.choices.formulation == "cholesky":
             return root, Stages(None, None), Stages(root.masses, None)
         rates = self.write(self.settled_rates())[0] if "u" in motion.reads else motion
-        alone = Stages(None, replace(motion, cost=handed.cost))
-        return Stages(handed, motion) if handed.statements else alone, root, Stages(root.masses, rates)
+        alone = Stages(None, replace(motion, cost=passing.cost))
+        return Stages(passing, motion) if passing.statements else alone, root, Stages(root.masses, rates)
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
-        """Write two kernels that are called one after the other; one that assigns nothing is none."""
+        """Write two kernels that are called one after the other; a kernel without assignments becomes None."""
         drafts = [draft for draft in (masses, motion) if draft.entries]
-        found = dict(zip((draft.name for draft in drafts), self.write(*drafts), strict=True))
-        return Stages(found.get(masses.name), found.get(motion.name))
+        kernels = dict(zip((draft.name for draft in drafts), self.write(*drafts), strict=True))
+        return Stages(kernels.get(masses.name), kernels.get(motion.name))
 
-    def write(self, *drafts: Draft, ahead: Draft | None = None) -> list[Kernel]:
+    def write(self, *drafts: Draft, passing_only: Draft | None = None) -> list[Kernel]:
         symbols = Symbols(self.places, self.layout.first_constant)
         expanded = [replace(draft, entries=[self.expanded(entry) for entry in draft.entries]) for draft in drafts]
-        return written(self.terms.graph, expanded, symbols, self.constants, ahead)
+        return written(self.terms.graph, expanded, symbols, self.constants, passing_only)
 
     def expanded(self, entry: Entry) -> Entry:
         return replace(entry, node=self.terms.expanded(entry.node))
 
     def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
-        """Write a function that others call by these arguments."""
+        """Write a function with a fixed signature."""
         return self.write(Draft(name, entries, arguments))[0]
 
     # -- assignments ---------------------------------------------------------------------------------------------
@@ -128,7 +133,7 @@ class _Writing:
         return self.terms.graph.scale(node, factor)
 
     def masses(self, blocks: Iterable[BlockView], full: bool) -> list[Entry]:
-        """M of blocks: the lower triangle, or both."""
+        """Return the assignments of M of blocks: the lower triangle, or both triangles if `full`."""
         return [entry for block in blocks for entry in self.symmetric("M", block, self.terms.factored, full)]
 
     def rates(self, blocks: Iterable[BlockView]) -> list[Entry]:
@@ -136,12 +141,12 @@ class _Writing:
 
     def symmetric(self, name: str, block: BlockView, rows: Sequence[Sequence[Node]], full: bool) -> list[Entry]:
         size = f"[N{block.number}]"
-        array, given = Array(f"{name}{block.number}", size + size), []
+        array, entries = Array(f"{name}{block.number}", size + size), []
         for i, row in enumerate(block.coordinates):
             for j, column in enumerate(block.coordinates[: i + 1]):
                 mirror = (f"[{j}][{i}]",) if full and i != j else ()
-                given.append(Entry(array, (*mirror, f"[{i}][{j}]"), self.scaled(rows[row][column], row, column)))
-        return given
+                entries.append(Entry(array, (*mirror, f"[{i}][{j}]"), self.scaled(rows[row][column], row, column)))
+        return entries
 
     def forces(self, forces: Sequence[Node]) -> list[Entry]:
         return [Entry(Array(f"f{block.number}", f"[N{block.number}]"), (f"[{local}]",), self.scaled(forces[k], k))
@@ -171,9 +176,9 @@ class _Writing:
         return self.stages(*self.drafts("eigenfactor" if self.choices.eigenfactor else "triangular"))
 
     def drafts(self, name: str) -> tuple[Draft, Draft]:
-        """What the root of M needs; then, with the velocities known, Mdot, f, A and gamma."""
+        """Return the drafts of M for its root, and of Mdot, f, A and gamma, which need the velocities."""
         eigen = name == "eigenfactor"
-        across = self.root_tells and not eigen
+        exported = self.root_suffices and not eigen
         varying = [block for block in self.blocks if not block.fixed]
         masses = self.masses([block for block in varying if block.single or not eigen], False)
         gamma = self.column("gamma", self.terms.gamma)
@@ -182,12 +187,12 @@ class _Writing:
         if eigen and self.layout.row_groups:
             moving.extend(self.by_row("Adot", self.terms.Adot))
         return (
-            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True, across=across),
-            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True, across=across),
+            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True, exported=exported),
+            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True, exported=exported),
         )
 
     def in_velocities(self, masses: list[Entry]) -> Stages:
-        """The equations in x, v: what is needed of M, then force - Mdot v, A and gamma."""
+        """Return the kernels of equations in (x, v): the entries for M, then force - Mdot v, A and gamma."""
         gamma = self.column("gamma", self.terms.gamma)
         entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma, *self.pushed()]
         name = self.choices.formulation
@@ -197,7 +202,7 @@ class _Writing:
         )
 
     def inverse_of(self, block: BlockView) -> list[Entry]:
-        """Det = (determinant of M, product of its diagonal), W = M^-1."""
+        """Return the assignments of det = (determinant of M, product of its diagonal) and W = M^-1."""
         if block.size > LARGEST:
             raise ModelError(
                 f"model {self.mechanics.name}: formulation 'inverse' writes the inverse of M out, which is for blocks "
@@ -213,9 +218,9 @@ class _Writing:
     # -- at accepted steps ---------------------------------------------------------------------------------------
 
     def settled_masses(self) -> Draft:
-        """M of what varies, A and b."""
-        some = self.choices.carries_v and self.scene.h  # lanes look at all of M
-        varying = [b for b in self.blocks if not b.fixed and (b.constrained or not some)]
+        """Return the draft of M of the blocks that vary, A and b."""
+        constrained_only = self.choices.carries_v and self.scene.h  # lanes need all blocks of M
+        varying = [b for b in self.blocks if not b.fixed and (b.constrained or not constrained_only)]
         entries = [
             *self.masses(varying, self.choices.eigenfactor),
             *self.by_row("A", self.terms.A),
@@ -224,15 +229,15 @@ class _Writing:
         return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
 
     def settled_rates(self) -> Draft:
-        """What Omega of M at an accepted step needs and, where it is extrapolated, Omega of Delta."""
+        """Return the draft of the terms for Omega of M at an accepted step, and for Omega of Delta if extrapolated."""
         if not (self.choices.eigenfactor and self.layout.couples):
             return Draft("settled_rates", ())
         extrapolates_delta = bool(self.layout.row_groups) and self.choices.extrapolate
-        held = [b for b in self.blocks if b.turning or b.single and b.constrained and extrapolates_delta]
-        entries = [*self.rates(held), *(self.by_row("Adot", self.terms.Adot) if extrapolates_delta else ())]
+        blocks = [b for b in self.blocks if b.turning or b.single and b.constrained and extrapolates_delta]
+        entries = [*self.rates(blocks), *(self.by_row("Adot", self.terms.Adot) if extrapolates_delta else ())]
         return Draft("settled_rates", entries, actual=OF_STATE, on_lanes=not self.scene.h)
 
-    # -- what every model can be asked ---------------------------------------------------------------------------
+    # -- functions of a state, with fixed signatures -------------------------------------------------------------
 
     def mass_matrix(self, name: str, M: Rows) -> Kernel:
         return self.one(name, both_triangles("M", 0, M), "t", "x", "c", "M")
@@ -275,7 +280,7 @@ class _Writing:
         return self.moving("pushes", "P", self.mechanics.P.tolist() if self.mechanics.pushes else [])
 
     def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
-        """Numbers row by row, of expressions in anything but accelerations and multipliers."""
+        """Write a function of rows of expressions, which may contain anything but accelerations and multipliers."""
         entries = self.column(array, (self.terms.node(entry) for row in rows for entry in row))
         return self.one(name, entries, "t", "x", "v", "c", "u", array)
 
@@ -284,7 +289,7 @@ class _Writing:
         return self.one("quasi", entries, "t", "x", "v", "c", "y")
 
     def drawing(self) -> Kernel:
-        """Each number once: shapes share their points."""
+        """Write the numbers of the drawing; each is computed once, since shapes share points."""
         places: dict[Node, list[str]] = {}
         numbers = (self.terms.node(number) for shape in self.mechanics.drawing for number in shape.numbers)
         for k, number in enumerate(numbers):
@@ -293,7 +298,7 @@ class _Writing:
         return self.one("draw", entries, "t", "x", "c", "p")
 
     def prepared(self) -> Kernel:
-        """M of the fixed blocks, then the constants that the other kernels asked for."""
+        """Write M of the fixed blocks, then the constants that the other kernels need."""
         entries = self.masses([block for block in self.blocks if block.fixed], True)
         first, c = self.layout.first_constant, Array("prepared", "[N_PREPARED]")
         entries += [Entry(c, (f"[{first + k}]",), node, f"c_{k}") for k, node in enumerate(self.constants.nodes)]

@@ -1,4 +1,4 @@
-"""From a scene to the record that the templates print."""
+"""Lowering of a scene to the `Program` record that the templates print."""
 
 from __future__ import annotations
 
@@ -21,12 +21,13 @@ from .program import BlockView, Declared, EventView, Named, Program, ShapeView, 
 
 @dataclass(frozen=True, slots=True)
 class Defaults:
-    """The numbers of a model that the generated file carries.
+    """Default values and other data of a model that the generated file contains.
 
-    parameters, inputs : name -> value; declared : (parameters, x, inputs) or (), which numbers each may have,
-    as bits and in words; x, v : (n); y : (n) or (); events : name -> Event;
-    switches : what changes with a mode; rows : names of constraint rows, () where none has one;
-    tables : those that are called
+    parameters, inputs : name -> value
+    declared : (parameters, x, inputs) or (), the allowed values of each as bits and as text
+    x, v : (n); y : (n) or ()
+    events : name -> Event; switches : those of contacts and frictions
+    rows : names of constraint rows, () if none has one; tables : those that are called
     """
 
     parameters: tuple[tuple[str, float], ...]
@@ -44,7 +45,7 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
     """Lay out state and memory, and write the kernels.
 
-    `whole` is with derivatives, without which no event acts and no run extrapolates.
+    `whole` includes derivatives. They are always included if events act or Omega is extrapolated, which needs them.
     """
     layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
     blocks, groups = layout.blocks, layout.row_groups
@@ -82,7 +83,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
 
 
 def _in_lanes(scene: Scene, layout: Layout, choices: Choices) -> bool:
-    """Whether the lanes have all that most steps need."""
+    """Whether a run can make most of its steps on lanes."""
     remembers_omega = layout.couples and choices.extrapolate
     carries_delta = any(group.size > 1 for group in layout.row_groups)
     return not (_acts(scene) or remembers_omega or carries_delta)
@@ -94,7 +95,7 @@ def _acts(scene: Scene) -> bool:
 
 
 def _events(scene: Scene, defaults: Defaults) -> tuple[EventView, ...]:
-    """What each event does, by number."""
+    """Return each event with the numbers of its actions."""
     impacts = {impact.event: k for k, impact in enumerate(scene.mechanics.impacts)}
     resets = {reset.event: k for k, reset in enumerate(scene.mechanics.resets)}
     switched = {switch.name for switch in defaults.switches}
@@ -107,7 +108,7 @@ def _events(scene: Scene, defaults: Defaults) -> tuple[EventView, ...]:
 
 
 def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
-    """Where the parameters and rows of each switch are."""
+    """Return the numbers of the parameters and rows of each switch."""
     place = {name: k for k, (name, _) in enumerate(defaults.parameters)}
     events = {name: k for k, (name, _) in enumerate(defaults.events)}
     number = {one.name: k for k, one in enumerate(defaults.switches)}
@@ -129,20 +130,20 @@ def _tables(defaults: Defaults) -> tuple[TableView, ...]:
 
 
 def _over(scene: Scene, switch: Switch, number: Mapping[str, int]) -> int:
-    """Return the number of the contact that presses; of what norm of multipliers it is, below -1; -1: of nothing."""
+    """Return the switch whose multiplier is the normal force of a friction; -2 - k for norm k; -1 if there is none."""
     if switch.presses:
         return -2 - scene.mechanics.norms.index(switch.presses)
     return number[switch.over] if switch.over else -1
 
 
 def _needs_mass(blocks: Sequence[BlockView], choices: Choices) -> bool:
-    """Whether velocities follow from the state only with M(x): every varying block that carries no C and s."""
+    """Whether velocities follow from the state only with M(x): some varying block does not carry C and s."""
     carried = choices.eigenfactor
     return any(block.single or block.turning and (not carried or block.size > 1) for block in blocks)
 
 
 def _settles(scene: Scene, choices: Choices) -> bool:
-    """Whether a step leaves anything to put right or to remember."""
+    """Whether accepted states must be settled."""
     return scene.m > 0 or not choices.carries_v and any(b.kind is not Kind.FIXED for b in scene.blocks)
 
 

@@ -1,4 +1,4 @@
-"""Memory layout: places in the state, in the memory of a run and in the prepared parameters."""
+"""Memory layout: offsets in the state, in the memory of a run and in the prepared parameters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .program import BlockCoordinate, BlockView, RowGroup, Slice
 
 
 class _Store:
-    """Gives out the places of one array, each behind the last."""
+    """Allocates consecutive places of one array."""
 
     def __init__(self, first: int) -> None:
         self.length = first
@@ -23,12 +23,12 @@ class _Store:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The places of everything.
+    """The offsets of all quantities.
 
-    blocks, row_groups : with their places; no row group where Delta is factored numerically
+    blocks, row_groups : with their offsets; there are no row groups if Delta is factored numerically
     slices : the parts of the state
-    extrapolated : place in the memory of whether and since when Omega is extrapolated; None where it never is
-    first_constant : place in the prepared parameters of what is made of parameters only
+    extrapolated : offset in the memory of whether, and since when, Omega is extrapolated; None if it never is
+    first_constant : offset in the prepared parameters of the constants that are functions of parameters
     """
 
     blocks: tuple[BlockView, ...]
@@ -41,12 +41,12 @@ class Layout:
 
     @property
     def couples(self) -> bool:
-        """Whether eigenvalues that are carried can meet: those of a block of M, or of rows of Delta."""
+        """Whether eigenvalues in the state can coincide: those of a block of M, or of Delta."""
         return bool(self.row_groups) or any(block.turning and block.size > 1 for block in self.blocks)
 
 
 def laid_out(scene: Scene, choices: Choices) -> Layout:
-    """Give every block, row group and constant its place."""
+    """Assign offsets to every block, row group and constant."""
     state, memory, prepared = _Store(2 * scene.n), _Store(0), _Store(len(scene.mechanics.parameters))
     turning = [block for block in scene.blocks if block.kind is Kind.TURNING and choices.eigenfactor]
     C = {block.number: state.take(block.size**2) for block in turning}
@@ -65,10 +65,10 @@ def laid_out(scene: Scene, choices: Choices) -> Layout:
 
 def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int], memory: _Store, prepared: _Store
           ) -> BlockView:  # fmt: skip
-    """Give a block places: a fixed one in the prepared parameters, others in the memory."""
+    """Assign offsets to a block: in the prepared parameters if it is fixed, otherwise in the memory."""
     square, size, fixed = block.size**2, block.size, block.kind is Kind.FIXED
     C, s = (prepared.take(square), prepared.take(size)) if fixed else carried
-    L, r = (prepared.take(square), prepared.take(size)) if fixed else _kept(block, choices, memory)
+    L, r = (prepared.take(square), prepared.take(size)) if fixed else _in_memory(block, choices, memory)
     return BlockView(
         number=block.number, size=size, coordinates=block.coordinates,
         block_coordinates=tuple(
@@ -81,14 +81,14 @@ def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int]
 
 
 def _home(block: Block, choices: Choices) -> str:
-    """Where the root of a block is, in the words of em_blocks.h."""
+    """Return where the root of a block is stored, as an em_home (em_blocks.h)."""
     if block.kind is Kind.FIXED:
         return "EM_PREPARED_FACTORS" if choices.eigenfactor else "EM_PREPARED_ROOT"
     return "EM_IN_STATE" if block.kind is Kind.TURNING and choices.eigenfactor else "EM_IN_MEMORY"
 
 
-def _kept(block: Block, choices: Choices, memory: _Store) -> tuple[int, int]:
-    """Places of L and r in the memory, or of Omega and its rate where that is extrapolated."""
+def _in_memory(block: Block, choices: Choices, memory: _Store) -> tuple[int, int]:
+    """Return the offsets of L and r in the memory, or of Omega and its rate if Omega is extrapolated."""
     return memory.take(block.size**2), memory.take(block.size**2 if choices.extrapolate else block.size)
 
 
@@ -97,7 +97,7 @@ def _scale(scene: Scene, choices: Choices, k: int) -> str:
 
 
 def _row_groups(scene: Scene, choices: Choices, state: _Store, memory: _Store) -> tuple[RowGroup, ...]:
-    """Places of the eigenfactors of Delta: of each group of two rows and more; a lone row needs none."""
+    """Return the row groups with the offsets of their eigenfactors of Delta; a group of a single row needs none."""
     coupled = scene.row_groups if choices.eigenfactor and choices.schur == "eigenfactor" else ()
     if all(len(rows) < 2 for rows in coupled):
         return ()

@@ -1,4 +1,4 @@
-"""Kernels of partial derivatives: dense blocks whose nonzero entries are assigned."""
+"""Kernels of partial derivatives: dense matrices, of which they assign the nonzero entries."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
 
 
 def partial_kernels(terms: Terms, symbols: Symbols) -> PartialKernels:
-    """Return the kernels. They compute functions of the parameters themselves: rare calls need no preparation."""
+    """Return the kernels. They do not use the prepared constants, since they are called rarely."""
     return _Writing(terms, symbols).kernels()
 
 
@@ -55,7 +55,7 @@ class _Writing:
         arguments = (*partials.state, *partials.forcing)
         if not any(rows.values()):
             return dict.fromkeys((*rows, "blow"))
-        nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
+        nodes = {name: [self.terms.node(entry) for row in of_name for entry in row] for name, of_name in rows.items()}
         of_state = "t", "x", "v", "c", "u"
         blow = self.dense("impact_balance_partials", partials.impact_balance, arguments, "t", "x", "a", "lambda", "c")
         of_each = {
@@ -77,8 +77,8 @@ class _Writing:
     def gradient(self, name: str, dM: Sequence[Rows]) -> Kernel:
         """Return the kernel that assigns the nonzero entries of a gradient; the caller clears the array first."""
         zero, expanded = self.terms.graph.zero, self.terms.expanded
-        given = [entry for k, M in enumerate(dM) for entry in both_triangles("dM", k * len(M) ** 2, M)]
-        entries = [replace(entry, node=expanded(entry.node)) for entry in given if entry.node != zero]
+        every = [entry for k, M in enumerate(dM) for entry in both_triangles("dM", k * len(M) ** 2, M)]
+        entries = [replace(entry, node=expanded(entry.node)) for entry in every if entry.node != zero]
         return self.one(name, entries, "t", "x", "c", "dM")
 
     def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:

@@ -1,4 +1,4 @@
-"""The record that templates print: strings, numbers, truth values and tuples."""
+"""The `Program` record that templates print: strings, numbers, truth values and tuples."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .kernel_roles import Kernels
 
 @dataclass(frozen=True, slots=True)
 class BlockCoordinate:
-    """Coordinate k is number `local` of its block; its velocity there is multiplied by `scale` ("" or "2.0*")."""
+    """Coordinate k, number `local` of its block; its velocity in the block is multiplied by `scale` ("" or "2.0*")."""
 
     k: int
     local: int
@@ -19,13 +19,13 @@ class BlockCoordinate:
 
 @dataclass(frozen=True, slots=True)
 class BlockView:
-    """A block of M as the templates see it.
+    """A block of M, for templates.
 
-    number, size, coordinates, block_coordinates, names : which coordinates
-    turning, single, fixed : how its eigenfactors come about (one is true)
-    constrained : whether a constraint row holds one of them
-    home : where its root is: an em_home
-    C, s, L, r : places: in the prepared parameters (fixed); else C, s in the state, L, r in the memory of a run
+    number, size, coordinates, block_coordinates, names : its coordinates
+    turning, single, fixed : how its eigenfactors are computed (exactly one is true; see `specialise.Kind`)
+    constrained : whether one of them occurs in a constraint row
+    home : where its root is stored, an em_home
+    C, s, L, r : offsets: in the prepared parameters if fixed; otherwise C, s in the state, L, r in the memory of a run
     """
 
     number: int
@@ -56,9 +56,9 @@ class BlockView:
 
 @dataclass(frozen=True, slots=True)
 class RowGroup:
-    """Constraint rows that Delta couples: C and s are the places of its eigenfactors in the state (47).
+    """Constraint rows that Delta couples. C and s are the offsets of its eigenfactors in the state (47).
 
-    kept : place in the memory of a run of Omega_D and its rate, where (53) is extrapolated
+    kept : offset in the memory of a run of Omega_D and its rate, if (53) is extrapolated
     """
 
     number: int
@@ -71,7 +71,7 @@ class RowGroup:
 
 @dataclass(frozen=True, slots=True)
 class Slice:
-    """y[start .. start + length) is called name."""
+    """The part y[start .. start + length) of the state, with its name."""
 
     name: str
     start: int
@@ -88,7 +88,7 @@ class Named:
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """Which numbers a symbol may have: bits of em_assumptions.h, and in words."""
+    """The values that a symbol may take: as bits of em_assumptions.h, and as text."""
 
     bits: int
     words: str
@@ -96,12 +96,12 @@ class Declared:
 
 @dataclass(frozen=True, slots=True)
 class EventView:
-    """An event's name, direction and whether it ends the run; what it does.
+    """An event: its name, its direction, whether it ends the run, and its actions.
 
-    impact, reset, held : which of the program's impacts, resets and switches it is, -1: none; frictions are not held
-    acts : whether it does anything
-    keeps_apart : whether it happens at zero, too, where the motion is about to leave that in its direction: 1 for
-        downwards, -1 for upwards, 0: it does not
+    impact, reset, held : the numbers of its impact, its reset and its contact's switch, or -1
+    acts : whether it has any action
+    keeps_apart : nonzero if it also happens at zero where the motion is about to cross in its direction: 1 for
+        downwards, -1 for upwards
     """
 
     name: str
@@ -116,12 +116,13 @@ class EventView:
 
 @dataclass(frozen=True, slots=True)
 class SwitchView:
-    """What changes with a mode: the numbers of its event and constraint row, the places of its parameters.
+    """A contact or friction: the numbers of its event and constraint row, and of its parameters (see `Switch`).
 
-    slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none, -2 - k: norm k of multipliers
-    idles : the place of how far the row may be off where others keep it
-    poisson : whether it strikes by Poisson's law
-    shift : of a cone, which has two rows, the other behind this one: the place of the first of its two shifts; else -1
+    slides : -1 for a contact
+    over : the switch whose multiplier is the normal force; -2 - k: it is norm k of multipliers; -1: there is none
+    idles : the parameter with the tolerance of its row while the row is idle
+    poisson : whether its impacts follow Poisson's law
+    shift : for a friction cone, which has two consecutive rows, the first of its two shifts; otherwise -1
     """
 
     event: int
@@ -136,7 +137,7 @@ class SwitchView:
 
 @dataclass(frozen=True, slots=True)
 class ShapeView:
-    """The numbers p[first .. first + count) of the drawing are a shape of this kind."""
+    """A shape of the drawing: its kind, and its numbers p[first .. first + count)."""
 
     kind: str
     first: int
@@ -145,7 +146,7 @@ class ShapeView:
 
 @dataclass(frozen=True, slots=True)
 class TableView:
-    """A table: its name, in C and as a function there; its arguments; the place of its parameter; its numbers."""
+    """A table: its name, C identifier and C function; number of arguments; index of its parameter; its numbers."""
 
     name: str
     identifier: str
@@ -157,7 +158,7 @@ class TableView:
 
 @dataclass(frozen=True, slots=True)
 class TableUseView:
-    """An argument of a table that motion looks up (`TableUse`), the table by its number."""
+    """An argument of a table in the motion (see `TableUse`); the table is given by its number."""
 
     table: int
     axis: int
@@ -167,27 +168,28 @@ class TableUseView:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Everything that the files of one model say.
+    """All data that the files of one model contain.
 
     eigenfactor, cholesky : whether that is the formulation
-    carries_v : whether the state holds xdot itself
-    bounded : whether a triangular root takes over where eigenvalues come close
+    carries_v : whether the state is (x, xdot)
+    bounded : whether a triangular root replaces the eigenfactors near coincident eigenvalues
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
-    extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
-    on_lanes : whether the right-hand side can be compiled for vectors, too: it needs no memory
-    in_lanes : whether a run can have its steps made in one lane, others in those beside it
+    extrapolate : whether Omega is extrapolated there (32), (53)
+    extrapolated : offset in the memory of whether, and since when, it is
+    on_lanes : whether the right-hand side can also be compiled for vectors, since it needs no memory
+    in_lanes : whether a run can make its steps in one lane of a vector, beside other runs
     needs_mass : whether velocities follow from the state only with M(x)
-    augmented : whether M + A^T W A is factored in place of M, which is singular
-    settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
+    augmented : whether M + A^T W A is factored instead of M, which is singular
+    settles : whether accepted states must be settled; settling : the parts of this, in order, as text
     layout : the parts of the state vector
-    quasi_velocities, initial_y : their names; their values at the start where the model starts from them
-    rows : names of the constraint rows, () where none has one
-    pushes : whether forces take part of multipliers, so that those push by other rows than A
-    normals : of each norm of multipliers that takes part in forces, for each row 1 or 0: whether it is among them
-    n_impacts, resets, switches : what events do; of resets, whether they are in quasi-velocities
-    shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
-    n_prepared : numbers of a parameter set, the constants that kernels share among them
-    costs : operations of the model-specific part and of the whole right-hand side, for readers
+    quasi_velocities, initial_y : their names; their initial values if the model gives these
+    rows : names of the constraint rows, () if none has one
+    pushes : whether forces contain multipliers, so that the multipliers act by P instead of A
+    normals : for each norm of multipliers in forces, 1 or 0 for each row: whether it is part of the norm
+    n_impacts, resets, switches : the actions of events; for each reset, whether it is in quasi-velocities
+    shapes, dimension : of the drawing; 2 or 3, 0 if there is none
+    n_prepared : length of the prepared parameters, which include the constants that kernels share
+    costs : operation counts of the model-specific straight-line part, as text
     """
 
     name: str
@@ -249,17 +251,17 @@ class Program:
 
     @property
     def acts(self) -> bool:
-        """Whether events change the state, or what holds."""
+        """Whether events change the state or the mode."""
         return bool(self.n_impacts or self.resets or self.switches)
 
     @property
     def n_time_events(self) -> int:
-        """How many times, or series of them, there are at which conditions in the time alone change."""
+        """Number of time events; a periodic one counts once."""
         return self.kernels.time_events.count
 
     @property
     def table_uses(self) -> tuple[TableUseView, ...]:
-        """What motion looks up in tables."""
+        """The arguments of tables in the motion."""
         places = {table.name: k for k, table in enumerate(self.tables)}
         return tuple(
             TableUseView(places[one.table], one.axis, one.order, one.timed) for one in self.kernels.tables.uses
@@ -267,22 +269,22 @@ class Program:
 
     @property
     def pushed(self) -> str:
-        """How many numbers push: multipliers, and norms of them."""
+        """The number of rows of P, as C text: multipliers, and norms of multipliers in forces."""
         return "N_PUSHED" if self.normals else "N_ROWS"
 
     @property
     def settles_in_lanes(self) -> bool:
-        """Whether accepted steps are settled there, too: Newton's method on positions is for numbers."""
+        """Whether accepted states are settled on lanes, too; Newton's method on positions is not available there."""
         return self.in_lanes and not self.h
 
     @property
     def switched_rows(self) -> str:
-        """The bits of the rows that hold at times."""
+        """The bits of the rows that belong to contacts and frictions, as C text."""
         return f"{sum((1 + 2 * (switch.shift >= 0)) << switch.row for switch in self.switches):#x}"
 
     @property
     def cones(self) -> bool:
-        """Whether some friction is a cone."""
+        """Whether there is a friction cone."""
         return any(switch.shift >= 0 for switch in self.switches)
 
     @property
@@ -297,7 +299,7 @@ class Program:
 
     @property
     def constrained(self) -> tuple[BlockView, ...]:
-        """Blocks that a constraint row holds."""
+        """Blocks with a coordinate in a constraint row."""
         return tuple(block for block in self.blocks if block.constrained)
 
     @property
@@ -307,6 +309,6 @@ class Program:
 
     @property
     def lane_by_lane(self) -> tuple[str, ...]:
-        """Functions of its right-hand sides that vectors do not have."""
+        """Functions called by right-hand sides that have no vector version."""
         kernels = self.kernels
         return tuple(sorted((kernels.published.called | kernels.triangular.called) - IN_VECTORS))

@@ -1,4 +1,4 @@
-"""The kernel that says where motion looks up its tables."""
+"""Kernel of the arguments of tables in the motion."""
 
 from __future__ import annotations
 
@@ -11,31 +11,32 @@ from ..kernel.kernel import Array, Draft, Entry, Symbols, written
 from .kernel_roles import TableKernel, TableUse
 
 Place = tuple[str, int, Node]
-"""A table, which of its arguments, and the expression there."""
+"""The name of a table, the index of one of its arguments, and the node of that argument."""
 
 
 def table_kernel(terms: Terms, symbols: Symbols) -> TableKernel:
-    """Write it: each expression that is an argument of a table once, with the highest derivative that is taken."""
+    """Return the kernel, which computes each distinct argument once, with the highest derivative for each."""
     if not terms.graph.tables:
         return TableKernel(None, ())
-    found = _places(terms, terms.evaluated)
-    entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, (_, _, node) in enumerate(found)]
+    places = _places(terms, terms.evaluated)
+    entries = [Entry(Array("at", ""), (f"[{k}]",), node) for k, (_, _, node) in enumerate(places)]
     uses = tuple(
         TableUse(table, axis, order, int(terms.graph.varies_with(node, terms.mechanics.time.name)))
-        for (table, axis, node), order in found.items()
+        for (table, axis, node), order in places.items()
     )
     draft = Draft("table_arguments", entries, ("t", "x", "v", "c", "u", "at"))
     return TableKernel(written(terms.graph, [draft], symbols, None)[0], uses)
 
 
 def _places(terms: Terms, roots: Sequence[Node]) -> dict[Place, int]:
-    found: dict[Place, int] = {}
+    """Return place -> the highest derivative, over all calls of tables."""
+    highest: dict[Place, int] = {}
     for node in _calls(terms, roots):
         name, _, *arguments = terms.graph.records[node].operands
         for axis, (argument, order) in enumerate(zip(arguments, orders_of(name), strict=True)):
             place = table_of(name), axis, argument
-            found[place] = max(order, found.get(place, 0))
-    return found
+            highest[place] = max(order, highest.get(place, 0))
+    return highest
 
 
 def _calls(terms: Terms, roots: Sequence[Node]) -> Iterable[Node]:

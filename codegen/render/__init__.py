@@ -1,1 +1,1 @@
-"""From the record to text, through the templates."""
+"""Rendering of a program to text by templates."""

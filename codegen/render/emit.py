@@ -1,4 +1,4 @@
-"""From a program to the text of its files, through the templates."""
+"""Rendering of a program's files by templates, with a stamp of hashes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .template_cache import Bytecode
 TEMPLATES = {"h": "file/model.h.jinja", "c": "file/model.c.jinja", "pyx": "file/module.pyx.jinja"}
 ESCAPES = {"\\": r"\\", '"': r"\"", "?": r"\?", "\n": r"\n", "\t": r"\t"}
 BEHIND_THE_STAMP = 3
-"""Lines of a file that its body hash does not cover."""
+"""Number of lines of the stamp, which the body hash does not cover."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class Sources:
 
 @dataclass(frozen=True, slots=True)
 class Stamp:
-    """What a generated file says of itself: SHA-256 of the model's canonical input, and of what is below the stamp."""
+    """The hashes in the head of a generated file: SHA-256 of the model and choices, and of the text below the stamp."""
 
     input_hash: str
     body_hash: str
@@ -50,7 +50,7 @@ def emit(program: Program, origin: str, input_hash: str) -> Sources:
     Parameters
     ----------
     origin
-        The command that makes these files.
+        The command that generates these files.
     input_hash
         See `Stamp`.
     """
@@ -72,24 +72,24 @@ def _digest(text: str) -> str:
 
 
 def body_hash(text: str) -> str:
-    """Return the SHA-256 of what is below the stamp of a generated file."""
+    """Return the SHA-256 of a generated file's text below the stamp."""
     return _digest("".join(text.splitlines(keepends=True)[BEHIND_THE_STAMP:]))
 
 
 def stamp(text: str) -> Stamp:
-    """Read the stamp of a generated file; an empty string stands for what is not there."""
+    """Read the stamp of a generated file; a missing hash is an empty string."""
     lines = (text.splitlines() + [""] * BEHIND_THE_STAMP)[:BEHIND_THE_STAMP]
     return Stamp(*(_hash_in(line) for line in lines[1:]))
 
 
 def _hash_in(line: str) -> str:
-    _, found, rest = line.partition("sha256:")
-    return rest.split()[0] if found and rest else ""
+    _, separator, rest = line.partition("sha256:")
+    return rest.split()[0] if separator and rest else ""
 
 
 @cache
 def environment() -> jinja2.Environment:
-    """Return the one environment all templates share; a name that is not defined is an error."""
+    """Return the environment that all templates share; an undefined name is an error."""
     made = jinja2.Environment(
         loader=jinja2.FunctionLoader(_load),
         undefined=jinja2.StrictUndefined,
@@ -107,7 +107,7 @@ def environment() -> jinja2.Environment:
 
 
 def compile_templates() -> None:
-    """Compile every template, so that whoever renders one finds it compiled (`Bytecode`)."""
+    """Compile every template into the cache (`Bytecode`)."""
     for folder in files("eigenmotion.templates").iterdir():
         for file in folder.iterdir() if folder.is_dir() else ():
             if file.name.endswith(".jinja"):
@@ -115,17 +115,17 @@ def compile_templates() -> None:
 
 
 def quoted(text: str) -> str:
-    r"""Return a text as C writes it between quotation marks: names such as \theta are the user's to choose."""
+    r"""Return a text with the escapes of a C string literal; users may choose names such as \theta."""
     return "".join(ESCAPES.get(char) or (char if char.isprintable() else _octal(char)) for char in text)
 
 
 def strings(texts: Iterable[str]) -> list[str]:
-    """Return texts as C writes them."""
+    """Return texts as C string literals."""
     return [f'"{quoted(text)}"' for text in texts]
 
 
 def listed(items: Iterable[object], head: str, last: str = "") -> str:
-    """Return the definition of an array, in lines of their usual width; `last` ends what may have no items."""
+    """Return the definition of an array, broken into lines; `last` is a final item, for arrays that may be empty."""
     return folded(f"{head} = {{ ", [*map(str, items), *filter(None, [last])], " };", 4, WHOLE)
 
 
@@ -134,12 +134,12 @@ def _octal(char: str) -> str:
 
 
 def commented(text: str) -> str:
-    r"""Return a text as it may stand in a comment of C or Cython: on one line, and without an end of the comment.
+    r"""Return a text that is safe in a comment of C or Cython: on one line, and without the end of a comment.
 
-    What cannot be seen, among it what turns the direction of writing, is spelled out: \n, \u202e.
+    Characters that are not printable, such as those that change the direction of writing, are escaped: \n, \u202e.
     """
-    seen = "".join(char if char.isprintable() else char.encode("unicode_escape").decode() for char in text)
-    return seen.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    escaped = "".join(char if char.isprintable() else char.encode("unicode_escape").decode() for char in text)
+    return escaped.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 
 def _load(name: str) -> str | None:

@@ -1,6 +1,6 @@
-"""Cache of compiled templates, in the folder in which Python stores compiled modules.
+"""Cache of compiled templates, in Python's folder for compiled modules.
 
-To compile all templates takes as long as to derive a small model; to read them takes a millisecond.
+Compiling all templates takes as long as deriving a small model; loading them takes a millisecond.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Bytecode(jinja2.BytecodeCache):
             bucket.reset()
 
     def dump_bytecode(self, bucket: Bucket) -> None:
-        """Write the code in one step: other processes may read and write the same file."""
+        """Write the code atomically, since other processes may read and write the same file."""
         if sys.dont_write_bytecode:
             return
         place = _place(bucket)
@@ -45,8 +45,8 @@ class Bytecode(jinja2.BytecodeCache):
                 own.unlink()
 
     def get_source_checksum(self, source: str) -> str:
-        """Return the hash of everything that the compilation of a template reads, including our filters."""
-        return hashlib.sha256(f"{_readers()}{source}".encode()).hexdigest()
+        """Return the hash of everything that the compilation of a template depends on, including our filters."""
+        return hashlib.sha256(f"{_dependencies()}{source}".encode()).hexdigest()
 
 
 def _place(bucket: Bucket) -> Path:
@@ -54,7 +54,7 @@ def _place(bucket: Bucket) -> Path:
 
 
 @cache
-def _readers() -> str:
+def _dependencies() -> str:
     rooms = (files(f"eigenmotion.codegen.{room}") for room in ("kernel", "render"))
     texts = (file.read_text("utf-8") for room in rooms for file in room.iterdir() if file.name.endswith(".py"))
     return "".join((version("jinja2"), *sorted(texts)))

@@ -59,7 +59,7 @@ def test_another_text_is_compiled_itself(compilations):
 @pytest.mark.usefixtures("place")
 def test_another_version_of_our_filters_is_another_template(compilations, monkeypatch):
     rendered()
-    monkeypatch.setattr(template_cache, "_readers", lambda: "another")
+    monkeypatch.setattr(template_cache, "_dependencies", lambda: "another")
     rendered()
     assert compilations == [TEXT, TEXT]
 
