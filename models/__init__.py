@@ -1,1 +1,1 @@
-"""Mechanisms, one a file: `Model`s with a drawing, units and the oracle that checks them."""
+"""Example mechanisms, one in each file: a `Model` with a drawing, units, and the oracle of its tests."""

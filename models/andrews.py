@@ -1,19 +1,19 @@
-"""Andrews' squeezing mechanism: seven bodies in the plane, a motor and a spring, over in three hundredths of a second.
+"""Andrews' squeezing mechanism: seven bodies in the plane, a motor and a spring, with a motion of 0.03 s.
 
 ::
 
               C                         K1: crank O - P, driven by a constant torque `mom`
                \\ spring c0, l0         K2: coupler P - Q
         D ------+ K3                    K3: a rocker about B, to Q; the spring pulls at its corner D
-         \\     |                       K4, K5: Q - E - A, by the angles phi + delta and delta
-    B o---\\----+                       K6, K7: Q - H - A, by the angles omega + epsilon and epsilon
+         \\     |                       K4, K5: Q - E - A, at the angles phi + delta and delta
+    B o---\\----+                       K6, K7: Q - H - A, at the angles omega + epsilon and epsilon
                 \\
     A o== K5 ==E=K4=Q===K2===P          no gravity
       o== K7 ==H=K6=+        | K1
                              o O
 
 Coordinates: beta, theta, gamma, phi, delta, omega, epsilon [rad]. Lengths [m], masses [kg], inertias [kg m^2].
-Holonomic constraints: Q is the same point from O, from B, and twice from A.
+Holonomic constraints: the chain from O, the rocker from B, and two chains from A all end at Q.
 
 Source: G. C. Andrews and M. K. Ormrod, Advent: a simulation program for constrained planar kinematic and dynamic
 systems, ASME paper 86-DET-97 (1986); data and reference in the Test Set for IVP Solvers (F. Mazzia and C. Magherini,
@@ -38,7 +38,7 @@ mom = symbols("mom", real=True)
 
 
 def turned(x: Expr, y: Expr, angle: Expr) -> Matrix:
-    """Return the vector (x, y) in axes that are turned."""
+    """Return the vector (x, y) rotated by an angle."""
     return Matrix([x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)])
 
 

@@ -1,4 +1,4 @@
-"""A bicycle that nobody steers: the Carvallo-Whipple model with the data of the benchmark.
+"""Uncontrolled bicycle: the Carvallo-Whipple model with the data of the benchmark.
 
 ::
 
@@ -12,8 +12,8 @@
 
 Coordinates: x, y [m] of the rear contact; psi [rad] direction of travel, phi lean to the right, theta pitch, delta
 steer to the left; spin_r, spin_f of the wheels.
-Holonomic constraint: the front wheel touches the ground. Nonholonomic: neither wheel slips, along and across.
-It runs at 4.6 m/s, where it keeps itself upright, and is pushed over.
+Holonomic constraint: the front wheel touches the ground. Nonholonomic: neither wheel slips, along or across its plane.
+It starts at 4.6 m/s, where it is self-stable, with a lean rate as after a push.
 
 Source: J. P. Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab, Linearized dynamics equations for the balance
 and steer of a bicycle: a benchmark and review, Proceedings of the Royal Society A 463 (2007), doi
@@ -37,16 +37,17 @@ X, Y, Z = Matrix([1, 0, 0]), Matrix([0, 1, 0]), Matrix([0, 0, 1])
 
 
 def plane(xx: Expr, yy: Expr, zz: Expr, xz: Expr = 0) -> Matrix:
-    """Return the inertia of a body that is its own mirror image in the plane of x and z."""
+    """Return the inertia tensor of a body that is symmetric with respect to the x-z plane."""
     return Matrix([[xx, 0, xz], [0, yy, 0], [xz, 0, zz]])
 
 
-# all in axes that turn with psi about the rear contact: x forward, y to the left, z up; places are those upright
+# all in axes that turn with psi about the rear contact: x forward, y to the left, z up; r_R, x_B, ... describe the
+# upright bicycle
 lean = rot_ccw_axis1(phi)
 frame = lean * rot_ccw_axis2(theta)
 steer = rot_ccw_axis2(-tilt) * rot_ccw_axis3(delta) * rot_ccw_axis2(tilt)
 fork = frame * steer
-foot = w * X + c * X  # of the steering axis
+foot = w * X + c * X  # where the steering axis meets the ground
 centre = lean * (r_R * Z)
 places = {"R": centre, "B": centre + frame * (x_B * X + (z_B - r_R) * Z)}
 head = centre + frame * (foot - r_R * Z)
@@ -54,13 +55,13 @@ places |= {"H": head + fork * (x_H * X + z_H * Z - foot), "F": head + fork * (w 
 
 yaw = psi.diff() * Z
 forward = Matrix([x.diff() * cos(psi) + y.diff() * sin(psi), y.diff() * cos(psi) - x.diff() * sin(psi), 0])
-# angular velocities in the axes of each body; wheels are round, so that those of frame and fork do
+# angular velocities in the axes of each body; wheels are symmetric, so the axes of frame and fork serve for them
 of_frame = frame.T * yaw + rot_ccw_axis2(theta).T * (phi.diff() * X) + theta.diff() * Y
 of_fork = steer.T * of_frame + rot_ccw_axis2(-tilt) * (delta.diff() * Z)
 turning = {"R": of_frame + spin_r.diff() * Y, "B": of_frame, "H": of_fork, "F": of_fork + spin_f.diff() * Y}
 inertia = {
     "R": plane(R_xx, R_yy, R_xx),
-    "B": plane(B_xx, B_yy, B_zz, -B_xz),  # given with z downwards
+    "B": plane(B_xx, B_yy, B_zz, -B_xz),  # the benchmark has z downwards
     "H": plane(H_xx, H_yy, H_zz, -H_xz),
     "F": plane(F_xx, F_yy, F_xx),
 }
@@ -70,7 +71,7 @@ kinetic_energy = Rational(1, 2) * sum(
     mass[body] * velocity[body].dot(velocity[body]) + turning[body].dot(inertia[body] * turning[body]) for body in mass
 )
 
-# from the front wheel's centre to its lowest point, on the disk whose axle is the fork's y
+# from the front wheel's centre to its lowest point; the axle is the fork's y axis
 axle = fork * Y
 to_ground = -r_F * (Z - axle[2] * axle) / sqrt(1 - axle[2] ** 2)
 rear_slip = velocity["R"] + (frame * turning["R"]).cross(-centre)
@@ -81,7 +82,7 @@ turn = rot_ccw_axis3(psi)
 
 
 def at(place: Matrix) -> Matrix:
-    """Return a place in fixed axes, for the drawing."""
+    """Return a position in fixed axes, for the drawing."""
     return Matrix([x, y, 0]) + turn * place
 
 

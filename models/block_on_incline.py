@@ -1,4 +1,4 @@
-"""A block that slides up an incline, stops, and stays or slides back: Coulomb friction that sticks and slips.
+"""Block with Coulomb friction on an incline: it slides up, stops, and then sticks or slides back.
 
 ::
 
@@ -9,7 +9,7 @@
 
 Coordinate: s [m], up the slope; friction mu.
 
-Oracle: constant accelerations. It stops after s'(0) / (g (sin alpha + mu cos alpha)), and stays where mu > tan alpha.
+Oracle: constant accelerations. It stops after s'(0) / (g (sin alpha + mu cos alpha)), and sticks if mu > tan alpha.
 """
 
 from sympy import Rational, cos, sin, symbols

@@ -1,4 +1,4 @@
-"""A ball that bounces ever lower, comes to rest on the floor, and rolls on without friction.
+"""Bouncing ball: it bounces with decreasing height, comes to rest on the floor, and then slides without friction.
 
 ::
 
@@ -6,7 +6,7 @@
         |   /  \\  ..    v
         +--/----\\/--\\/\\_____> x
 
-Coordinates: x, z [m], of its lowest point; restitution e.
+Coordinates: x, z [m] of its lowest point. The coefficient of restitution is e.
 
 Oracle: parabolas. After the fall, t_0 = sqrt(2 h / g), bounce k takes 2 e^k t_0.
 """

@@ -1,4 +1,4 @@
-"""Bricard's mechanism: five bars on the edges of a cube and six revolute joints, which move although they should not.
+"""Bricard's mechanism: an overconstrained loop of five bars on the edges of a cube and six revolute joints.
 
 ::
 
@@ -10,10 +10,10 @@
         O--|---A     |/___         | g, along -y
                                    v
 
-Coordinates: q1 ... q5 [rad], angles of the joints from O on.
-Holonomic constraints: the end of the fifth bar stays where it is, its axis in place: five rows of which four are
-independent on them. Counting says that nothing moves (Gruebler); the symmetry of the cube says that it does. The row
-that follows from the others is left out.
+Coordinates: q1 ... q5 [rad], angles of the joints, starting at O.
+Holonomic constraints: the end of the fifth bar and the axis of its joint are fixed. Of these five rows, four are
+independent on the constraint manifold. Gruebler's count gives no degree of freedom, but the symmetry of the cube gives
+one. The dependent row is left out.
 
 Source: the benchmark "Bricard mechanism" of the IFToMM Technical Committee for Multibody Dynamics (M. Gonzalez, D.
 Dopico, U. Lugris and J. Cuadrado, A benchmarking system for MBS simulation software, Multibody System Dynamics 16,
@@ -36,7 +36,7 @@ EDGES = (Matrix([1, 0, 0]), Matrix([0, 1, 0]), Matrix([0, 0, 1]), Matrix([-1, 0,
 
 
 def rotation(axis: int, angle: Expr) -> Matrix:
-    """Return the rotation about an axis of coordinates."""
+    """Return the rotation matrix about a coordinate axis."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
     R = eye(3)
     R[i, i] = R[j, j] = cos(angle)
@@ -54,7 +54,7 @@ closing = [*(joints[-1] - l * Matrix([0, 0, 1])), R[1, 0], R[2, 0]]
 
 
 def upright(p: Matrix) -> tuple[Expr, Expr, Expr]:
-    """Return a place as drawings have it, the height last."""
+    """Return a position in the axes of the drawing, whose last component is the height."""
     return p[0], -p[2], p[1]
 
 

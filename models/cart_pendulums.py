@@ -1,4 +1,4 @@
-"""A pendulum of n links on a cart, which a force moves.
+"""Pendulum of n links on a cart that is driven by a force.
 
 ::
 
@@ -13,8 +13,9 @@
 
 Coordinates: x [m] of the cart, q1 ... qn [rad]. Point masses on rods without mass. Input: F [N], on the cart.
 
-Read off SymPy's bodies by `from_mechanics`: speeds v, u1 ... un are quasi-velocities, weights become V, the force Q.
-Source: `sympy.physics.mechanics.models.n_link_pendulum_on_cart`, whose Kane's equations tests hold it against.
+The model is built from SymPy's bodies by `from_mechanics`: speeds v, u1 ... un become quasi-velocities, weights become
+V, the force becomes Q.
+Source: `sympy.physics.mechanics.models.n_link_pendulum_on_cart`; tests compare with its Kane's equations.
 Oracles: Lagrange equations; high-precision integration.
 """
 

@@ -1,4 +1,4 @@
-"""A hanging chain: n point masses on n massless links, in a plane.
+"""Hanging chain: n point masses on n massless links, in a plane.
 
 ::
 

@@ -1,4 +1,4 @@
-"""Chaplygin's sleigh: a body on ice, carried by two smooth feet and a blade that cannot slip sideways.
+"""Chaplygin's sleigh: a body on ice, supported by two smooth feet and a blade that cannot slip sideways.
 
 ::
 
@@ -9,7 +9,7 @@
                     ' - - - - '
 
 Coordinates: x, y [m] of the blade, theta [rad] its direction.
-Nonholonomic constraint: no velocity across the blade. It starts blade first and turns round.
+Nonholonomic constraint: no velocity across the blade. It starts with the blade in front, and turns round.
 
 Oracle: closed form, speed and turning rate in hyperbolic functions.
 """

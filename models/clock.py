@@ -1,8 +1,8 @@
-"""A clock: a pendulum with dry friction in its pivot, that an escapement keeps going.
+"""Pendulum clock: a pendulum with dry friction in its pivot, driven by an escapement.
 
 ::
 
-      ___/o\\___   the anchor lets the wheel on by a tooth
+      ___/o\\___   the anchor releases one tooth of the wheel
           |
           | l      theta, from the vertical
           |
@@ -10,10 +10,10 @@
                     v
 
 Coordinate: theta [rad]. The friction of the pivot is a torque of at most tau [N m]. Whenever the pendulum passes the
-vertical, a tooth gives it the energy E [J], in the direction in which it swings.
+vertical, a tooth adds the energy E [J], in the direction of the swing.
 
-Oracle: a swing to amplitude A and back to the vertical costs 2 tau A, so that W = m g l (1 - cos A) + tau A on the way
-out leaves W - 2 tau A + E for the next; where E = 2 tau A it goes on like that.
+Oracle: a swing to amplitude A and back to the vertical loses 2 tau A. It starts with W = m g l (1 - cos A) + tau A, and
+the next one with W - 2 tau A + E. The motion is periodic if E = 2 tau A.
 """
 
 from sympy import Rational, cos, sign, sin, sqrt, symbols

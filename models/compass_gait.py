@@ -1,4 +1,4 @@
-"""A walker without a motor: two straight legs on a slope, one on the ground, one swinging; M at the hip, m at the feet.
+"""Compass-gait walker: a passive biped with two straight legs on a slope; mass M at the hip, m at the feet.
 
 ::
 
@@ -8,13 +8,13 @@
        /   |  \\        gamma, downwards to the right     | g
     __m____|___m___                                      v
 
-Coordinates: theta [rad], of the leg on the ground, backwards from the normal of the slope; phi [rad], from it to the
-other. Its foot is on the slope where phi = 2 theta: it dips below as the legs pass each other, which does not count,
-and comes up again at heel strike.
-The impulse goes through the foot that strikes: angular momentum is kept about it, and of the leg behind about the hip.
-Then the legs change their names.
+Coordinates: theta [rad], angle of the stance leg, backwards from the normal of the slope; phi [rad], from the stance
+leg to the swing leg. The swing foot is on the slope where phi = 2 theta. It dips below the slope as the legs pass each
+other, which is ignored. Heel strike is where phi - 2 theta increases through 0.
+The impulse acts on the foot that strikes. The angular momentum of the walker about this foot is conserved, and that of
+the trailing leg about the hip. Then the legs exchange their roles.
 
-Oracle: the gait of gamma = 0.009, m / M = 1/1000 in P. A. Bhounsule's passivewalker (2009), after M. Garcia,
+Oracle: the gait for gamma = 0.009, m / M = 1/1000 in P. A. Bhounsule's passivewalker (2009), after M. Garcia,
 A. Chatterjee, A. Ruina and M. Coleman, "The Simplest Walking Model", J. Biomech. Eng. 120 (1998) 281.
 """
 
@@ -39,7 +39,8 @@ def moment(arm: Matrix, rate: Matrix) -> object:
     return arm[0] * rate[1] - arm[1] * rate[0]
 
 
-# about the foot that strikes, and of the foot behind, at rest, about the hip; afterwards by the new names
+# angular momenta: of the walker about the foot that strikes; of the trailing foot, at rest before, about the hip;
+# `after` is written in the coordinates after the exchange
 before = Matrix([M * moment(hip - foot, hip_rate), 0])
 after = Matrix([M * moment(hip, hip_rate) + m * moment(foot, foot_rate), m * moment(foot - hip, foot_rate)])
 renamed = {theta: theta - phi, phi: -phi}

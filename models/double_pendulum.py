@@ -1,4 +1,4 @@
-"""A double pendulum: two point masses on massless rods.
+"""Double pendulum: two point masses on massless rods.
 
 ::
 

@@ -1,4 +1,4 @@
-"""A pendulum whose pivot is driven up and down, in Cartesian coordinates: a constraint that depends on time.
+"""Pendulum with a vertically driven pivot, in Cartesian coordinates: a constraint that depends on time.
 
 ::
 
@@ -13,7 +13,7 @@
 Coordinates: x, y [m]; y upwards from the middle of the pivot's motion.
 Holonomic constraint: x^2 + (y - a cos(w t))^2 = l^2, so that b(t) is not 0 (8).
 
-Oracle: Mathieu's type of equation for the angle alone, by high-precision integration.
+Oracle: the equation of Mathieu's type for the angle, by high-precision integration.
 """
 
 from sympy import Rational, cos, sin, symbols

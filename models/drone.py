@@ -1,19 +1,19 @@
-"""A drone with a load that hangs from it on a rope.
+"""Drone (quadrotor) with a load that hangs on a rope.
 
 ::
 
-          f2    f1         four rotors, a from the middle, thrusts f1 ... f4 along the drone's upward axis;
-            \\  /           1 in front, 2 on the left, 3 behind, 4 on the right; 1 and 3 turn against 2 and 4
+          f2    f1         four rotors at distance a from the centre, thrusts f1 ... f4 along the drone's upward axis;
+            \\  /           1 in front, 2 left, 3 behind, 4 right; 1 and 3 turn in the opposite sense of 2 and 4
         f3---[]---f4
              |\\            | g
            L | \\ swing     v
                o load
 
-Coordinates: x, y, z [m] of the drone; yaw, pitch, roll [rad], in this order about z, y, x; sway and heave [rad] of
-the rope, that in the plane of x and z, and out of it. Inputs: f1 ... f4 [N], which hold drone and load by default.
-A rope is straight while it pulls: the output `tension` says whether it does.
+Coordinates: x, y, z [m] of the drone; yaw, pitch, roll [rad], in this order about z, y, x; sway and heave [rad], the
+angles of the rope in the x-z plane and out of it. Inputs: f1 ... f4 [N]; their defaults balance the weight of drone and
+load. The model is valid while the rope is taut, that is, while the output `tension` is positive.
 
-Oracles: Lagrange equations; high-precision integration; the common centre of mass, which falls freely without thrust.
+Oracles: Lagrange equations; high-precision integration; free fall of the common centre of mass without thrust.
 """
 
 from sympy import Matrix, Rational, cos, rot_ccw_axis1, rot_ccw_axis2, rot_ccw_axis3, sin, symbols

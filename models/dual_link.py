@@ -4,12 +4,12 @@
 
     (0, 4) o
            :  K2
-           :. . . . . . . .o m2   hand (x, y), held at its height: ydot = 0
+           :. . . . . . . .o m2   hand (x, y), at constant height: ydot = 0
            :              /
            :             / l2, theta2
            :            /
            :           o m1
-           :          /  ` K3, at rest where theta4 - theta1 = pi/2
+           :          /  ` K3, relaxed at theta4 - theta1 = pi/2
            :         /    `
            : K1 -> z        o m3        l3, theta4: direction of the rod m1 - m3
            :      z   l1 + theta3
@@ -17,7 +17,7 @@
     -------o--------------------> x
 
 Coordinates: theta1, theta2, theta4 [rad], angles from the horizontal; theta3 [m], stretch of the first link.
-The constraint is stated as the paper does, on the velocities (61).
+The constraint is on the velocities, as in the paper (61).
 
 Oracles: the certified state and multiplier at t = 10 s; Lagrange equations; high-precision integration.
 """

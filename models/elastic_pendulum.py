@@ -1,4 +1,4 @@
-"""An elastic pendulum: a point mass on a spring that swings.
+"""Elastic pendulum: a point mass on a swinging spring.
 
 ::
 
@@ -9,7 +9,7 @@
        theta O m          | g
                           v
 
-Coordinates: theta [rad] from the downward vertical, r [m]: units differ.
+Coordinates: theta [rad] from the downward vertical, r [m]; their units differ.
 
 Oracles: Lagrange equations; high-precision integration.
 """

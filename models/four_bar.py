@@ -1,4 +1,4 @@
-"""A four-bar linkage: crank, coupler and rocker between two pins of the ground.
+"""Four-bar linkage: crank, coupler and rocker between two fixed pins.
 
 ::
 
@@ -11,9 +11,9 @@
                d
 
 Coordinates: q1, q2, q3 [rad], directions of the three bars. Bars: slender, of lengths a, b, c and `density` [kg/m].
-Holonomic constraints: the loop a + b = d + c closes, horizontally and vertically.
+Holonomic constraints: closure of the loop a + b = d + c, horizontally and vertically.
 
-Oracles: Lagrange equations; high-precision integration; the loop in closed form, which leaves one coordinate.
+Oracles: Lagrange equations; high-precision integration; reduction to one coordinate by the loop in closed form.
 """
 
 from math import acos, atan2, hypot
@@ -36,7 +36,7 @@ def bar(length: Expr, angle: Expr) -> Matrix:
 
 
 def kinetic_energy(length: Expr, angle: Expr, foot: Matrix) -> Expr:
-    """Return that of a slender bar from `foot` on."""
+    """Return the kinetic energy of a slender bar that begins at `foot`."""
     velocity = (foot + bar(length / 2, angle)).diff(t)
     return Rational(1, 2) * density * length * (velocity.dot(velocity) + length**2 / 12 * angle.diff() ** 2)
 
@@ -47,7 +47,7 @@ start, ground = Matrix([0, 0]), Matrix([d, 0])
 loop = crank + coupler - rocker - ground
 moment = a * (crank / 2)[1] + b * (crank + coupler / 2)[1] + c * (rocker / 2)[1]
 
-# the loop at a vertical crank, coupler above
+# closed loop with a vertical crank and the coupler above
 sizes = {a: 0.4, b: 1.0, c: 0.8, d: 1.0}
 crank_rate = 4.0
 across, along, diagonal = sizes[d], -sizes[a], hypot(sizes[a], sizes[d])

@@ -1,21 +1,22 @@
-"""N four-bar linkages side by side: n parallelograms of equal bars that share their cranks.
+"""Chain of n four-bar linkages: parallelograms of equal bars, side by side, that share their cranks.
 
 ::
 
-    o     o     o       ...     pins in the ground, l apart
+    o     o     o       ...     fixed pins, l apart
     |q1   |q2   |q3             cranks, of length l like the couplers      | g
     |     |     |                                                          v
     o-----o-----o----- ...      couplers
 
 Coordinates: q1 ... q_(n+1) [rad], directions of the cranks; p1 ... p_n [rad], those of the couplers. Bars: slender,
 of mass m.
-Holonomic constraints: two rows a loop. It hangs and swings. Where all bars are in one line, two motions go on: a start
-with more speed, as that of the benchmark (upright, 1 m/s at the pins), passes there at looser tolerances.
+Holonomic constraints: two rows for each loop. It hangs and swings. The position with all bars in one line is singular,
+since two motions are possible from there. A start with more speed, such as that of the benchmark (upright, 1 m/s at the
+pins), passes through it, and at looser tolerances the run continues.
 
 Source: the benchmark "N four-bar mechanism" of the IFToMM Technical Committee for Multibody Dynamics
 (M. Gonzalez, D. Dopico, U. Lugris and J. Cuadrado, A benchmarking system for MBS simulation software, Multibody System
 Dynamics 16, 2006).
-Oracle: the cranks stay parallel, one coordinate of which the energy is known.
+Oracle: the cranks remain parallel; the energy of this motion with one coordinate is known.
 """
 
 from sympy import Expr, Matrix, Rational, cos, pi, sin, symbols
@@ -33,13 +34,13 @@ def bar(angle: Expr) -> Matrix:
 
 
 def kinetic_energy(foot: Matrix, angle: Expr) -> Expr:
-    """Return that of a slender bar from `foot` on."""
+    """Return the kinetic energy of a slender bar that begins at `foot`."""
     velocity = (foot + bar(angle) / 2).diff(t)
     return Rational(1, 2) * m * (velocity.dot(velocity) + l**2 / 12 * angle.diff() ** 2)
 
 
 def model(n: int = 2) -> Model:
-    """Return n linkages, n + 1 cranks."""
+    """Return the chain of n linkages with n + 1 cranks."""
     cranks, couplers = dynamicsymbols(f"q1:{n + 2}"), dynamicsymbols(f"p1:{n + 1}")
     pins = [Matrix([k * l, 0]) for k in range(n + 1)]
     tips = [pin + bar(q) for pin, q in zip(pins, cranks, strict=True)]

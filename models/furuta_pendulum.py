@@ -1,4 +1,4 @@
-"""Rotary inverted pendulum: a pendulum on the end of an arm that a motor turns (Furuta et al., 1992).
+"""Rotary inverted pendulum: a pendulum at the end of an arm that a motor turns (Furuta et al., 1992).
 
 ::
 
@@ -9,8 +9,8 @@
                        |
                       u(t), torque of the motor
 
-Coordinates: theta, angle of the arm about the vertical [rad]; phi, angle of the rod from upright, in the plane across
-the arm [rad]. The rod is slender. Friction b0, b1 in both joints; u [N m], an input.
+Coordinates: theta, angle of the arm about the vertical [rad]; phi, angle of the rod from upright, in the plane
+perpendicular to the arm [rad]. The rod is slender. Viscous friction b0, b1 in the joints. Input: u [N m].
 
 Oracles: Lagrange equations; high-precision integration.
 """

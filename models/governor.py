@@ -1,4 +1,4 @@
-"""A flyball governor with stiff rods: as the shaft turns, balls rise and lift a sleeve; what holds it is nearly rigid.
+"""Flyball governor: as the shaft turns, the balls rise and lift a sleeve by nearly rigid rods (a stiff system).
 
 ::
 
@@ -11,13 +11,12 @@
       M      s, m        M                                   v
 
 Coordinates: phi [rad] of the shaft, a1, a2 [rad] of the arms from the vertical, s [m] of the sleeve below the hinges.
-Forces: the dampers. The springs are as stiff as steel rods: a right-hand side that takes steps of 1e-4 s by explicit
-methods.
+Forces: the dampers. The springs are as stiff as steel rods, so explicit methods need steps of 1e-4 s.
 
 Source: after the benchmark "flyball governor" of the IFToMM Technical Committee for Multibody Dynamics (M. Gonzalez,
 D. Dopico, U. Lugris and J. Cuadrado, A benchmarking system for MBS simulation software, Multibody System Dynamics 16,
 2006).
-Oracles: Lagrange equations; high-precision integration; the angular momentum about the shaft, which is kept.
+Oracles: Lagrange equations; high-precision integration; conservation of the angular momentum about the shaft.
 """
 
 from sympy import Expr, Matrix, Rational, cos, pi, sin, sqrt, symbols
@@ -32,12 +31,12 @@ g = symbols("g", real=True)
 
 
 def arm(sign: int, angle: Expr, length: Expr) -> Matrix:
-    """Return the place on an arm at a distance from its hinge, in axes that turn with the shaft."""
+    """Return the point of an arm at a distance from its hinge, in axes that turn with the shaft."""
     return Matrix([sign * (b + length * sin(angle)), 0, -length * cos(angle)])
 
 
 def turning(place: Matrix) -> Matrix:
-    """Return a place in fixed axes."""
+    """Return a position in fixed axes."""
     return Matrix([[cos(phi), -sin(phi), 0], [sin(phi), cos(phi), 0], [0, 0, 1]]) * place
 
 

@@ -1,4 +1,4 @@
-"""Lagrange's top: a symmetric top on a fixed point, under gravity.
+"""Lagrange's top: a symmetric top with a fixed point, under gravity.
 
 ::
 
@@ -11,10 +11,11 @@
          | /            v
      ----o----   precession phi about z
 
-Coordinates: phi, theta, psi [rad], Euler angles 3-1-3. J: moment of inertia across the figure axis, at the point;
-J3: along it. Its axis is let go at rest: it falls, turns aside, and comes to rest again.
+Coordinates: phi, theta, psi [rad], Euler angles 3-1-3. J: moment of inertia about axes through the fixed point,
+perpendicular to the figure axis; J3: about it. The axis is released at rest: it falls, precesses, and comes to rest
+again.
 
-Oracle: u = cos theta obeys udot^2 = cubic(u), solved by Weierstrass' elliptic function; phi and psi by quadrature;
+Oracle: u = cos theta satisfies udot^2 = cubic(u), solved by Weierstrass' elliptic function; phi and psi by quadrature;
 steady precession in closed form.
 """
 

@@ -1,4 +1,4 @@
-"""A leg of Theo Jansen's beach animals: a crank makes the foot step along the ground.
+"""Jansen's linkage: a leg of Theo Jansen's beach animals, whose crank makes the foot step along the ground.
 
 ::
 
@@ -7,19 +7,19 @@
               / |b   \\
              D  |      P
            d  \\ |   k . ' \\ m, crank theta         BCD and EFG are triangles of bars;
-             f |B- - - - - O                          B and O are pins in the ground       | g
+             f |B- - - - - O                          B and O are fixed pins               | g
                |  \\ c .                                                                   v
                F---E
               h \\  | i
                  \\ |
                    G foot
 
-Coordinates [rad]: theta of the crank; aj, ak of the bars from the crank; ab of the upper triangle (B to C), ac, af;
-ag of the lower one (E to F). Bars: slender, of `density` [kg/m]. A motor turns the crank by a constant torque.
-Holonomic constraints: three loops close, at C, E and F.
+Coordinates [rad]: theta of the crank; aj, ak, ac, af of bars j, k, c, f; ab of the upper triangle (B to C); ag of the
+lower triangle (E to F). Bars: slender, of `density` [kg/m]. A motor turns the crank by a constant torque.
+Holonomic constraints: closure of three loops, at C, E and F.
 
 Source: T. Jansen, The great pretender (2007), for the lengths, his "holy numbers", here in metres.
-Oracles: the joints by intersecting circles at every angle of the crank, and the energy; high-precision integration.
+Oracles: the joints by intersection of circles at every crank angle, and the energy; high-precision integration.
 """
 
 from math import acos, atan2, hypot
@@ -45,13 +45,13 @@ def bar(length: str, angle: Expr) -> Matrix:
 
 
 def corner(near: str, opposite: str, far: str) -> Expr:
-    """Return the cosine of the angle between two sides of a triangle, over against the third."""
+    """Return the cosine of the angle between two sides of a triangle, `near` and `far`, by the law of cosines."""
     p, q, r = lengths[near], lengths[far], lengths[opposite]
     return (p**2 + q**2 - r**2) / (2 * p * q)
 
 
 def beside(near: str, angle: Expr, far: str, opposite: str) -> Matrix:
-    """Return the third corner of a triangle on a bar, to the left of it."""
+    """Return the third corner of a triangle, from the start of a bar and to the left of it."""
     cosine = corner(near, opposite, far)
     along, across = lengths[far] * cosine, lengths[far] * (1 - cosine**2) ** Rational(1, 2)
     return along * Matrix([cos(angle), sin(angle)]) + across * Matrix([-sin(angle), cos(angle)])
@@ -74,7 +74,7 @@ def energy(p: Matrix, q: Matrix, length: str) -> Expr:
 
 
 def circles(p: tuple[float, float], r: float, q: tuple[float, float], s: float, side: int) -> tuple[float, float]:
-    """Return the directions, from p and from q, in which circles about them meet: left (1) or right of p -> q."""
+    """Return the directions from p and from q to an intersection of circles about them: left (1) or right of p -> q."""
     x, y = q[0] - p[0], q[1] - p[1]
     distance, heading = hypot(x, y), atan2(y, x)
     at_p = acos((r**2 + distance**2 - s**2) / (2 * r * distance))
@@ -83,7 +83,7 @@ def circles(p: tuple[float, float], r: float, q: tuple[float, float], s: float, 
 
 
 def numbers(place: Matrix, known: dict[Expr, float]) -> tuple[float, float]:
-    """Return a place at angles that are known."""
+    """Return a position as numbers, for known angles."""
     values = {symbol: NUMBERS[name] for name, symbol in lengths.items()}
     return tuple(float(entry.subs(known | values)) for entry in place)  # type: ignore[return-value]
 

@@ -1,4 +1,4 @@
-"""Newton's cradle: balls in a row that touch at rest, of which one strikes the others.
+"""Newton's cradle: balls in a row that touch at rest; the first one strikes the others.
 
 ::
 
@@ -8,8 +8,8 @@
      O     O  O  O      | g
                         v
 
-Coordinates: theta_k [rad] of each thread; restitution e. Impacts at one time act one after the
-other, as they are listed.
+Coordinates: theta_k [rad] of each thread. The coefficient of restitution is e. Simultaneous impacts act one after the
+other, in the order of the events.
 
 Oracle: with e = 1 each impact of equal balls exchanges their velocities, and the last ball rises as the first fell.
 """

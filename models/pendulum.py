@@ -1,4 +1,4 @@
-"""A pendulum: a point mass on a massless rod.
+"""Pendulum: a point mass on a massless rod.
 
 ::
 

@@ -1,4 +1,4 @@
-"""A pendulum that swings against a wall, and leans on it in the end.
+"""Pendulum with a stop: it strikes a wall, and finally leans on it.
 
 ::
 
@@ -9,9 +9,9 @@
           |  O m        | g
                         v
 
-Coordinate: theta [rad], from the downward vertical; the wall is at theta = stop; restitution e.
+Coordinate: theta [rad], from the downward vertical. The wall is at theta = stop; the coefficient of restitution is e.
 
-Oracle: between impacts Jacobi's elliptic functions; each impact leaves e^2 of the kinetic energy.
+Oracle: Jacobi's elliptic functions between impacts; each impact multiplies the kinetic energy by e^2.
 """
 
 from sympy import Rational, cos, sin, symbols

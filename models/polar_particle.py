@@ -1,4 +1,4 @@
-"""A particle that orbits a centre of attraction, in polar coordinates: Kepler's problem.
+"""Kepler's problem in polar coordinates: a particle that orbits a centre of attraction.
 
 ::
 
@@ -11,7 +11,7 @@
           .               .
               ' - . - '
 
-Coordinates: r [m], theta [rad]. It starts at the pericentre of an ellipse of half-axis 1 m and eccentricity 0.9.
+Coordinates: r [m], theta [rad]. It starts at the pericentre of an ellipse with semi-major axis 1 m, eccentricity 0.9.
 
 Oracle: Kepler's equation.
 """

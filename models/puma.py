@@ -1,4 +1,4 @@
-"""The PUMA 560: six revolute joints, and the motors that its gears make heavy.
+"""PUMA 560 robot: six revolute joints, with the inertia of geared motors.
 
 ::
 
@@ -9,14 +9,14 @@
          o                                     | g, along -z
      ____|____                                 v
 
-Coordinates: q1 ... q6 [rad], by Denavit and Hartenberg's rules. Inputs: tau1 ... tau6 [N m], torques at the joints.
-Parameters: g, and the load [kg] in the hand. All other data are numbers: masses, centres of mass, inertias, and those
-of the motors, Jm gear^2, which a joint turns with.
+Coordinates: q1 ... q6 [rad], in the Denavit-Hartenberg convention. Inputs: tau1 ... tau6 [N m], joint torques.
+Parameters: g, and the load [kg] in the hand. All other data are numbers: masses, centres of mass, inertias, and the
+inertia of each motor at its joint, Jm gear^2.
 
 Source: P. I. Corke and B. Armstrong-Helouvry, A search for consensus among model parameters reported for the PUMA 560
 robot, IEEE Int. Conf. Robotics and Automation (1994); in the form of P. I. Corke's Robotics Toolbox.
-Oracles: the torques that hold it in its nominal pose q_n = (0, 45, 180, 0, 45, 0) degrees, (0, 31.6399, 6.0351, 0,
-0.0283, 0) N m, and its inertia there, as the Toolbox's manual prints them; Lagrange equations.
+Oracles: the torques at rest in the nominal pose q_n = (0, 45, 180, 0, 45, 0) degrees, (0, 31.6399, 6.0351, 0, 0.0283,
+0) N m, and the mass matrix there, as printed in the Toolbox's manual; Lagrange equations.
 """
 
 from sympy import Expr, Integer, Matrix, Rational, cos, diag, pi, sin, symbols
@@ -57,13 +57,14 @@ def numbers(texts: tuple[str, ...]) -> Matrix:
 
 
 def turn(q: Expr, quarters: int) -> Matrix:
-    """Return Rot_z(q) Rot_x(quarters 90 degrees), from the axes of a link to those of the one before."""
+    """Return Rot_z(q) Rot_x(quarters 90 degrees), which maps the axes of a link to those of the previous link."""
     c, s = Integer(1 - abs(quarters)), Integer(quarters)
     about_x = Matrix([[1, 0, 0], [0, c, -s], [0, s, c]])
     return Matrix([[cos(q), -sin(q), 0], [sin(q), cos(q), 0], [0, 0, 1]]) * about_x
 
 
-# in the axes of each link: velocity and angular velocity of its origin, the upward direction; and its height
+# in the axes of each link: its angular velocity, the velocity of its origin, the upward direction; and the height of
+# its origin
 z = Matrix([0, 0, 1])
 velocity, omega, up, height = Matrix([0, 0, 0]), Matrix([0, 0, 0]), z, Integer(0)
 T = V = Integer(0)

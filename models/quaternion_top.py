@@ -1,4 +1,4 @@
-"""Lagrange's top by the four numbers of a unit quaternion: M is singular everywhere, the mechanism is not.
+"""Lagrange's top in unit quaternions: M is singular everywhere, but regular on the constraint.
 
 ::
 
@@ -11,11 +11,12 @@
      ----o----            v
 
 Coordinates: q_0 [1], q_1, q_2, q_3 [1], the quaternion q. omega = 2 G(q) qdot [rad/s] is the angular velocity in the
-axes of the top, G (3, 4), so that M = 4 G^T J G has rank three whatever q is: no inertia resists a change of |q|.
-Holonomic constraint: |q|^2 = 1, which makes up for it. The top is that of heavy_top.py, with less spin: it falls deep,
-and no attitude is singular here. Two eigenvalues of what is factored are equal for ever, as two moments of inertia are.
+axes of the top, with G (3, 4), so that M = 4 G^T J G has rank three for every q: no inertia resists a change of |q|.
+Holonomic constraint: |q|^2 = 1, which makes the system regular. The top is that of heavy_top.py with less spin, so that
+it falls far; quaternions have no singular attitude. Two eigenvalues of the factored matrix are always equal, because
+two moments of inertia are.
 
-Oracle: heavy_top.py's closed form in Euler angles, of which q follows.
+Oracle: the closed form of heavy_top.py in Euler angles, from which q follows.
 """
 
 from math import cos, sin

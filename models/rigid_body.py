@@ -1,4 +1,4 @@
-"""A free rigid body with three different moments of inertia, in body rates.
+"""Free rigid body with three different moments of inertia, in body rates.
 
 ::
 
@@ -15,7 +15,7 @@
 Coordinates: psi, theta, phi [rad], Euler angles 3-1-3.
 Quasi-velocities: omega_1, omega_2, omega_3 [rad/s], the angular velocity in body axes.
 
-Oracle: Euler's equations in Jacobi's elliptic functions, the angles from the fixed angular momentum.
+Oracle: Euler's equations solved by Jacobi's elliptic functions; the angles follow from the constant angular momentum.
 """
 
 from itertools import product
@@ -30,7 +30,7 @@ omega_1, omega_2, omega_3 = dynamicsymbols("omega_1:4")
 J1, J2, J3 = symbols("J1:4", positive=True)
 
 attitude = rot_ccw_axis3(psi) * rot_ccw_axis1(theta) * rot_ccw_axis3(phi)
-# half the sides of a plate with such moments, to some scale; its thickness is for the eye
+# half the sides of a plate with these moments of inertia, up to scale; its thickness is for the picture only
 sides = sqrt(J2 + J3 - J1) / 2, sqrt(J1 + J3 - J2) / 2, sqrt(J3) / 20
 corners = [
     attitude * Matrix([s * half for s, half in zip(signs, sides, strict=True)]) for signs in product((-1, 1), repeat=3)

@@ -1,4 +1,4 @@
-"""A rimless wheel: spokes with the mass at the hub, that falls down a slope from spoke to spoke.
+"""Rimless wheel: spokes with a mass at the hub, rolling down a slope from spoke to spoke.
 
 ::
 
@@ -8,8 +8,8 @@
      /__--      gamma, downwards to the right     | g
       --                                          v
 
-Coordinate: theta [rad], of the spoke on the ground, from the vertical, forwards. As the next spoke strikes, the impulse
-goes through its foot: what stays is the angular momentum about that.
+Coordinate: theta [rad], angle of the spoke on the ground, forwards from the vertical. When the next spoke strikes, the
+impulse acts on its foot, so the angular momentum about this foot is conserved.
 
 Oracle: after each impact of the limit cycle theta' = cot(2 alpha) sqrt(4 g sin(alpha) sin(gamma) / l).
 """

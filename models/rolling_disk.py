@@ -1,4 +1,4 @@
-"""A thin disk that rolls upright or leaning on a rough plane, like a coin.
+"""Rolling disk: a thin disk, such as a coin, that rolls upright or leaning on a rough plane.
 
 ::
 
@@ -14,8 +14,8 @@ Coordinates: x, y [m] of the point of contact; phi, theta, psi [rad].
 Nonholonomic constraints: no slip, xdot = r psidot cos phi, ydot = r psidot sin phi.
 It starts on the steady circle for its lean and rate of turn.
 
-Oracle: steady motion, m g r sin(theta) = W cos(theta) ((J3 + m r^2) w + J W sin(theta)) with the rate of turn W, the
-rate w about the axle, J = m r^2 / 4 and J3 = 2 J.
+Oracle: steady motion, m g r sin(theta) = W cos(theta) ((J3 + m r^2) w + J W sin(theta)), with the rate of turn W, the
+angular velocity w about the axle, J = m r^2 / 4 and J3 = 2 J.
 """
 
 from sympy import Matrix, Rational, cos, sin, symbols, tan

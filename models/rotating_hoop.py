@@ -1,4 +1,4 @@
-"""A bead on a hoop that turns about its vertical diameter at a constant rate: T0.
+"""Bead on a hoop that turns about its vertical diameter at a constant rate: T has a part T0.
 
 ::
 
@@ -13,7 +13,7 @@
 
 Coordinate: theta [rad], from the lowest point.
 
-Oracle: u = cos theta obeys udot^2 = quartic(u), solved by Weierstrass' elliptic function.
+Oracle: u = cos theta satisfies udot^2 = quartic(u), solved by Weierstrass' elliptic function.
 """
 
 from sympy import Matrix, Rational, cos, sin, symbols

@@ -1,4 +1,4 @@
-"""A mass on two springs in a plate that turns at a constant rate: T1 and T0.
+"""Mass on two springs in a plate that turns at a constant rate: T has parts T1 and T0.
 
 ::
 
@@ -11,7 +11,7 @@
 
 Coordinates: x, y [m], displacements along the turning axes.
 
-Oracle: linear equations with constant coefficients, by the matrix exponential.
+Oracle: linear equations with constant coefficients, solved by the matrix exponential.
 """
 
 from sympy import Matrix, Rational, cos, sin, symbols

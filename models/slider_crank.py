@@ -1,4 +1,4 @@
-"""A slider-crank: crank, connecting rod and a slider on a horizontal guide.
+"""Slider-crank: crank, connecting rod and a slider on a horizontal guide.
 
 ::
 
@@ -9,12 +9,12 @@
                        =======           | g
                                          v
 
-Coordinates: theta, phi [rad], angles of crank and rod above the guide, phi counted downwards; x [m] of the slider.
+Coordinates: theta, phi [rad], angles of crank and rod with the guide, phi positive downwards; x [m] of the slider.
 Crank and rod: slender, of masses m_c and m_r.
-Holonomic constraints: the rod ends at the slider, along the guide and across it.
+Holonomic constraints: the rod ends at the slider, along the guide and perpendicular to it.
 
-Oracles: Newton's second law of the slider for the multiplier; Lagrange equations; high-precision integration; the
-loop in closed form, which leaves one coordinate.
+Oracles: Newton's second law of the slider for the multiplier; Lagrange equations; high-precision integration; reduction
+to one coordinate by the loop in closed form.
 """
 
 from math import asin
@@ -40,7 +40,7 @@ crank_energy = Rational(1, 6) * m_c * r**2 * theta.diff() ** 2
 rod_energy = Rational(1, 2) * m_r * (velocity.dot(velocity) + l**2 / 12 * phi.diff() ** 2)
 slider_energy = Rational(1, 2) * m_s * x.diff() ** 2
 
-# the loop at a crank angle of 1 rad
+# closed loop at a crank angle of 1 rad
 crank_angle, crank_rate, crank_length, rod_length = 1.0, 5.0, 0.3, 1.0
 rod_angle = asin(crank_length * s_(crank_angle) / rod_length)
 rod_rate = crank_rate * crank_length * c_(crank_angle) / (rod_length * c_(rod_angle))

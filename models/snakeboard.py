@@ -1,4 +1,4 @@
-"""A snakeboard: a board on two pairs of wheels that turn against each other, and a rotor that its rider swings.
+"""Snakeboard: a board on two pairs of wheels that steer in opposite directions, and a rotor in place of the rider.
 
 ::
 
@@ -8,13 +8,13 @@
           //    ' - - - -'    \\\\
       |<------ l ----->|<----- l ----->|       from above; wheels at theta + phi in front, theta - phi behind
 
-Coordinates: x, y [m] of the middle C, theta [rad] the board's direction; psi of the rotor and phi of the front
-wheels, from the board. Inputs: a torque on the rotor and one on the steering of both pairs [N m].
-Nonholonomic constraints: no pair of wheels moves along its axle. They depend on each other where phi is a right angle.
+Coordinates: x, y [m] of the centre C, theta [rad] the board's direction; psi of the rotor and phi of the front wheels,
+relative to the board. Inputs: a torque on the rotor and one on the steering of both pairs [N m].
+Nonholonomic constraints: no pair of wheels moves along its axle. They are dependent where phi is a right angle.
 
 Source: J. Ostrowski, A. Lewis, R. Murray and J. Burdick, Nonholonomic mechanics and locomotion: the snakeboard example,
 IEEE Int. Conf. Robotics and Automation (1994).
-Oracle: the momentum along the motion that the wheels allow, one equation.
+Oracle: the equation of the momentum along the motion that the wheels allow.
 """
 
 from sympy import Expr, Matrix, Rational, cos, sin, symbols
@@ -39,7 +39,7 @@ def across(sign: int) -> Expr:
 
 
 def direction(angle: Expr, length: Expr) -> Matrix:
-    """Return a vector of a length."""
+    """Return the vector of a direction and length."""
     return length * Matrix([cos(angle), sin(angle)])
 
 

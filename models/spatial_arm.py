@@ -1,4 +1,4 @@
-"""An arm of n rigid links in space, with revolute joints about alternating axes, swinging under gravity.
+"""Spatial arm of n rigid links, with revolute joints about alternating axes, swinging under gravity.
 
 ::
 
@@ -9,10 +9,10 @@
      /| q_1 (z)                          o ...           | g, along -z
     y  x: along each link                                v
 
-Coordinates: q_1 ... q_n [rad]; odd joints turn about the z axis, even ones about the y axis, of the link before.
+Coordinates: q_1 ... q_n [rad]; odd joints turn about the z axis, even joints about the y axis of the previous link.
 Links: cylinders of mass m_k, length l_k and common radius rho.
 
-Oracles: Lagrange equations formed from positions in the fixed frame; high-precision integration.
+Oracles: Lagrange equations from positions in the fixed frame; high-precision integration.
 """
 
 from sympy import Integer, Matrix, Rational, eye, rot_ccw_axis2, rot_ccw_axis3, symbols
@@ -30,10 +30,10 @@ def model(n: int = 3) -> Model:
     rho = symbols("rho", nonnegative=True)
     g = symbols("g", real=True)
 
-    # of the joint, in the axes of the link: velocity, angular velocity, upward direction, height
+    # of each joint, in the axes of its link: velocity, angular velocity, upward direction; and its height
     velocity, omega, up, height = Matrix([0, 0, 0]), Matrix([0, 0, 0]), AXIS_Z, Integer(0)
     T = V = Integer(0)
-    # in the fixed axes: those of the link, and its end
+    # in fixed axes: the axes of the link, and its end
     axes, end = eye(3), Matrix([0, 0, 0])
     drawing: list[object] = [draw.Ground((0, 0, 0))]
     for k, (q, m, l) in enumerate(zip(joints, masses, lengths, strict=True)):

@@ -1,4 +1,4 @@
-"""A ball that rolls without slipping on an inclined plane: two eigenvalues of M are equal for ever.
+"""Ball that rolls without slipping on an inclined plane: two eigenvalues of M are always equal.
 
 ::
 
@@ -12,7 +12,7 @@
        alpha       ` - .  x
 
 Coordinates: x, y [m] of the centre; p_1, p_2, p_3, Rodrigues parameters of the attitude, axis times tan(angle / 2)
-(they end at a rotation by pi). The block of M of p has the eigenvalues 4 J / (1 + p^2) twice, 4 J / (1 + p^2)^2 once.
+(infinite at a rotation by pi). The block of M for p has the eigenvalues 4 J / (1 + p^2) twice, 4 J / (1 + p^2)^2 once.
 Quasi-velocities: vx, vy [m/s] and omega_x, omega_y, omega_z [rad/s] in the axes of the plane.
 Nonholonomic constraints: no slip, vx = R omega_y, vy = -R omega_x.
 
@@ -35,7 +35,7 @@ p_rate = p.diff(t)
 turning = 2 * (p_rate + p.cross(p_rate)) / (1 + p.dot(p))
 J = Rational(2, 5) * m * R**2
 
-# in fixed axes, z upwards: those of the plane, and the ball's
+# in fixed axes, z upwards: the axes of the plane, and those of the ball
 down, side, normal = Matrix([cos(alpha), 0, -sin(alpha)]), Matrix([0, 1, 0]), Matrix([sin(alpha), 0, cos(alpha)])
 plane = Matrix.hstack(down, side, normal)
 turned = [plane * (e + 2 * (p.cross(e) + p.cross(p.cross(e))) / (1 + p.dot(p))) for e in map(eye(3).col, range(3))]

@@ -1,4 +1,4 @@
-"""Two masses whose eigenvalues veer: they come close at x = 0, miss each other by the gap, and change roles.
+"""Eigenvalue veering: two eigenvalues of M approach each other at x = 0 up to the gap, and exchange their eigenvectors.
 
 ::
 
@@ -11,9 +11,9 @@
       /         \\
     --------0---------> x
 
-Coordinates: x, z [m]. `gap` may be 0: the eigenvalues then cross.
+Coordinates: x, z [m]. If `gap` is 0, the eigenvalues cross.
 
-No drawing: an M that varies so is a case, not a body.
+No drawing: this M is a test case without a mechanical counterpart.
 
 Oracles: Lagrange equations; high-precision integration.
 """
