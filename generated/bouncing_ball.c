@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:195a39c67296983ab72cf6c22a9c03dd87356ba326ba18d3021a4d0aeb400e2b */
+/* body sha256:6b3a190f38edf48420c3610aefc2e7186f9e7eb225a3d3ec5cf54bb6a50c7d8f */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -48,9 +48,9 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 0,         /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
-    N_SWITCHES = 1,       /* constraint rows that hold at times */
+    N_SWITCHES = 1,       /* constraint rows that hold in some modes */
     N_PARAMETERS = 6,
     N_PREPARED = 16,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
 };
@@ -63,8 +63,8 @@ enum {
     N_IMPACTS = 1,
     N_RESETS = 0,
     N_OUTPUTS = 0,
-    N_GIVEN = 7,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 11,     /* x, v and these: what motion depends on */
+    N_FORCING = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 11,     /* x, v and these: the arguments of derivatives */
     N1 = 1,               /* x */
     N2 = 1,               /* z */
 };
@@ -175,7 +175,7 @@ EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -247,7 +247,7 @@ EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c
     p[8] = r;
 }
 
-/* impact_data: of each impact: N = dphi/dx, dphi/dt, the restitution */
+/* impact_data, for each impact: N = dphi/dx, dphi/dt, the restitution */
 EM_EXPORT void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                        const double *restrict u, double *restrict impact_data)
 {
@@ -264,7 +264,7 @@ EM_EXPORT void resets(double t, const double *restrict x, const double *restrict
 {
 }
 
-/* level: for each row that holds in some modes, the limit of separation speed or of sliding friction, and that of
+/* level, for each row that holds in some modes: the limit of separation speed or of sliding friction, and that of
  * sticking */
 EM_EXPORT void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       const double *restrict u, double *restrict level)
@@ -286,7 +286,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -295,13 +295,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double x_ddot = a[0];
     D[0] = x_ddot;
     const double g = c[1];
@@ -329,7 +329,7 @@ EM_EXPORT void constraint_partials(double t, const double *restrict x, const dou
     D[19] = z_dot;
 }
 
-/* D (n_events, n_arguments) */
+/* D (n_events, n_arguments) of the event functions */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void event_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
@@ -363,14 +363,14 @@ EM_EXPORT void impact_partials(double t, const double *restrict x, const double 
     D[39] = 1.0;
 }
 
-/* D (n_resets 2 n, n_arguments) */
+/* D (n_resets 2 n, n_arguments) of the states after resets */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void reset_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
 }
 
-/* D (n_switches 2, n_arguments) */
+/* D (n_switches 2, n_arguments) of the levels */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void level_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict c, const double *restrict u, double *restrict D)
@@ -397,7 +397,7 @@ static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 10, 11, 12, 13 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and terms of parameters only that other functions share */
+/* M of the constant blocks, and terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -425,7 +425,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -443,7 +443,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[3] = m;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -478,12 +478,12 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
     crossing[0] = z;
 }
 
-/* Actions of each event: impact, reset, the contact that it closes or opens; whether it happens at zero, too;
- * whether it acts. */
+/* Actions of each event: impact, reset, the contact that it closes or opens; whether it also fires at zero; whether it
+ * acts. */
 EM_EXPORT const em_event_action event_actions[] = { {0, -1, 0, 1, 1} };
 EM_EXPORT const int resets_quasi[] = { 0 };
-/* Rows that hold in some modes: their event, their parameter, that of sliding, their normal force, their number,
- * their parameter when idle; whether Poisson's law holds; the first parameter of the shift of a cone, else -1 */
+/* Rows that hold in some modes: their event, their parameter, that of sliding, their normal force, their number, their
+ * parameter when idle; whether they use Poisson's law; the first parameter of the shift of a cone, or -1 */
 EM_EXPORT const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
@@ -505,7 +505,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 }
 
 /* After an accepted step, and at the start: constraints on positions, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -651,18 +651,14 @@ static const em_dynamics dynamics = {
     .watch_modes = em_watch_modes,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&bouncing_ball_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&bouncing_ball_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&bouncing_ball_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&bouncing_ball_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&bouncing_ball_model); }
 
 const em_model bouncing_ball_model = {
@@ -707,7 +703,7 @@ const em_model bouncing_ball_model = {
     .mass_matrix_gradient = mass_matrix_gradient,
     .pfaffian = pfaffian,
     .position = position,
-    .acceleration = em_acceleration_shown,
+    .acceleration = em_acceleration_with_idle,
     .project = em_project,
     .redundant = em_redundant,
     .energy = energy,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:904a5f6d1da02feda0d91c6fdb9be557cdacdbb3195a729f42d36a4e4efda1f7 */
+/* body sha256:31954ddb748efa3715516767fa7351366892556f19af0b9cec4eabf38e97fdb3 */
 /* bouncing_ball: 2 coordinates, 1 constraint rows, 4 states.
  * Link bouncing_ball.c with a program of your own,
  * or import the Python module built from bouncing_ball.pyx. */
@@ -9,7 +9,7 @@
 
 #include "eigenmotion.h"
 
-/* Visible from outside of a library, whatever else it hides. */
+/* Exported from a library, even if other symbols are hidden. */
 __attribute__((visibility("default"))) extern const em_model bouncing_ball_model;
 
 #endif

@@ -1,6 +1,6 @@
 # eigenmotion generate bouncing_ball.py
 # input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439
-# body sha256:cbae5523b71267a25b90b97c9c88ef82b011dd4c082a81df9188888caec2167d
+# body sha256:f27e8f8290de1414aa49161108ca03c7d32f420cef6aa2f827a455a09bddf8fe
 # cython: language_level=3
 """bouncing_ball, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what bouncing_ball.h says, without the name of a file that could be one of Python's
+# the declaration in bouncing_ball.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

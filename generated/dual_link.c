@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:4ee34a95057ed76d43d57b5a6f57605b67dc0657f1fcdce7e61b02d41b5882d7 */
+/* body sha256:8dd81c93002cc9cf1d07f718f066a36bbd55db1b95b9b1b2f801bec403a6523a */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -47,7 +47,7 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 12,        /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
@@ -59,8 +59,8 @@ enum {
     N_PARAMETERS = 9,
     N_PREPARED = 20,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
-    N_GIVEN = 10,         /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_FORCING = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: the arguments of derivatives */
     N1 = 3,               /* theta1, theta2, theta3 */
     N2 = 1,               /* theta4 */
 };
@@ -183,7 +183,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
-    em_turned_for_tiles(N1, C1, T1);
+    em_transpose_for_tiles(N1, C1, T1);
     em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
@@ -446,8 +446,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
-__attribute__((noinline)) /* one copy, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
+__attribute__((noinline)) /* one copy, although stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -498,7 +498,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 /* After an accepted step: C and s, constraints on velocities.
- * *done becomes 0 in lanes that the scalar code is to settle, as where the mode changes;
+ * *done <- 0 in lanes that the scalar code must settle, for example where the mode changes;
  * a singular matrix leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
@@ -722,7 +722,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     dM[36] = dM[33] = z_7;
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -828,13 +828,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     D[38] = 2.0*(theta1_dot*cos_theta1);
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double theta3_dot = v[2];
     const double theta1_dot = v[0];
     const double theta3 = x[2];
@@ -974,7 +974,7 @@ static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 8, 17,
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and terms of parameters only that other functions share */
+/* M of the constant blocks, and terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -1016,7 +1016,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -1052,7 +1052,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[15] = c_5;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -1099,7 +1099,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* After an accepted step, and at the start: C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -1110,19 +1110,19 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     double gap = em_gap(N1, y + 17);
-    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
-    if (wanted == EM_LOOK) {
+    int new_mode = em_mode_by_gaps(*mode, flags, gap, INFINITY);
+    if (new_mode == EM_BY_TIME) {
         double dy[N]; /* xdot */
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
         settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
-        wanted = em_mode_by_time(*mode, gap, time, pace);
+        new_mode = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode != wanted) {
-        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
-        *mode = wanted;
+    if (*mode != new_mode) {
+        if (em_change_mode(&block1, new_mode, M1[0], y, memory, fault)) return -1;
+        *mode = new_mode;
         changed = 1;
     }
 
@@ -1147,7 +1147,7 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     return changed;
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state, according to its mode. */
 EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     double M[N*N];
@@ -1177,7 +1177,7 @@ EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n); eigenfactors are continuous with those in y, if any */
 EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -1279,20 +1279,15 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
-/* and a run in a lane. */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

@@ -1,6 +1,6 @@
 # eigenmotion generate dual_link.py
 # input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063
-# body sha256:f05b7911c70e5eefd1489f4c4dff5dc00983cd8ba810a115c71f7a81be166b96
+# body sha256:8e7848d838dd9b669e0c91051cd5f2061c099146a4f1aac961dcceb2840f0244
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what dual_link.h says, without the name of a file that could be one of Python's
+# the declaration in dual_link.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

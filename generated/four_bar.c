@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:c7230ff0489eba2147e34a71e7cd2968c1d1bf76541fb629519373e3295d76fb */
+/* body sha256:20b7aeec678a6f091a327e2aef4944afbdd8dc6c5fa0821102b2bce9cd4a1b0e */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -46,7 +46,7 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 6,         /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
@@ -58,8 +58,8 @@ enum {
     N_PARAMETERS = 6,
     N_PREPARED = 29,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
-    N_GIVEN = 7,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 13,     /* x, v and these: what motion depends on */
+    N_FORCING = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 13,     /* x, v and these: the arguments of derivatives */
     N1 = 2,               /* q1, q2 */
     N2 = 1,               /* q3 */
 };
@@ -179,7 +179,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
-    em_turned_for_tiles(N1, C1, T1);
+    em_transpose_for_tiles(N1, C1, T1);
     em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
@@ -368,8 +368,8 @@ EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
-__attribute__((noinline)) /* one copy, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
+__attribute__((noinline)) /* one copy, although stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -556,7 +556,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     dM[12] = dM[10] = 0.5*z_5;
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -635,13 +635,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     D[29] = 2.0*(q3_dot*z_31);
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double q1 = x[0];
     const double cos_q1 = em_cos(q1);
     const double b = c[1];
@@ -796,7 +796,7 @@ static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 6, 10,
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and terms of parameters only that other functions share */
+/* M of the constant blocks, and terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -853,7 +853,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -882,7 +882,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[8] = c_6;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -1014,7 +1014,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 }
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -1026,19 +1026,19 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     double gap = em_gap(N1, y + 10);
-    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
-    if (wanted == EM_LOOK) {
+    int new_mode = em_mode_by_gaps(*mode, flags, gap, INFINITY);
+    if (new_mode == EM_BY_TIME) {
         double dy[N]; /* xdot */
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
         settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
-        wanted = em_mode_by_time(*mode, gap, time, pace);
+        new_mode = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode != wanted) {
-        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
-        *mode = wanted;
+    if (*mode != new_mode) {
+        if (em_change_mode(&block1, new_mode, M1[0], y, memory, fault)) return -1;
+        *mode = new_mode;
         changed = 1;
     }
 
@@ -1070,7 +1070,7 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     return changed;
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state, according to its mode. */
 EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     double M[N*N];
@@ -1100,7 +1100,7 @@ EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n); eigenfactors are continuous with those in y, if any */
 EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -1198,20 +1198,15 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&four_bar_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&four_bar_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&four_bar_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&four_bar_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&four_bar_model); }
-/* and a run in a lane. */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&four_bar_model, run, mode); }
 
 const em_model four_bar_model = {

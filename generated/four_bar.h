@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:d8115f04647049b3a819c58783ff7111eeefcbe76cad90ea9618ed089d23be75 */
+/* body sha256:6c16ac0fa6d832dc54e28abadde92a2d08648d31e00705cc5aafffd1924fe33b */
 /* four_bar: 3 coordinates, 2 constraint rows, 12 states.
  * Link four_bar.c with a program of your own,
  * or import the Python module built from four_bar.pyx. */
@@ -9,7 +9,7 @@
 
 #include "eigenmotion.h"
 
-/* Visible from outside of a library, whatever else it hides. */
+/* Exported from a library, even if other symbols are hidden. */
 __attribute__((visibility("default"))) extern const em_model four_bar_model;
 
 #endif

@@ -1,6 +1,6 @@
 # eigenmotion generate four_bar.py
 # input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387
-# body sha256:b9878d8f96c30fe541bf67f8249ed731817346ee39ab32598ba10afb7a28baf3
+# body sha256:bae5c2f26671f34790b45b86208e7ce0c094b4396b137ee50af4696d68a7b010
 # cython: language_level=3
 """four_bar, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what four_bar.h says, without the name of a file that could be one of Python's
+# the declaration in four_bar.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:ef9881fc20560219e0ed415b00541746a7f354f52ea22fb9104cc3358e0360b8 */
+/* body sha256:b394ea8c03a8d4f6c2a8c504092d39ddf98395a609a54e44bbed7aedb36ead85 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -40,7 +40,7 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 0,         /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
@@ -52,8 +52,8 @@ enum {
     N_PARAMETERS = 3,
     N_PREPARED = 11,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
-    N_GIVEN = 4,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 6,      /* x, v and these: what motion depends on */
+    N_FORCING = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 6,      /* x, v and these: the arguments of derivatives */
     N1 = 1,               /* theta */
 };
 
@@ -127,8 +127,8 @@ EM_EXPORT int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
-__attribute__((noinline)) /* one copy, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
+__attribute__((noinline)) /* one copy, although stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -232,7 +232,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -247,13 +247,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     D[0] = m*l*g*cos_theta;
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double theta_ddot = a[0];
     const double l = c[1];
     const double g = c[2];
@@ -285,7 +285,7 @@ EM_EXPORT const double scales[N] = { 1.0 };
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 3, 4, 5, 6 };
 EM_EXPORT const em_block *const blocks[] = { &block1, NULL };
 
-/* M of the constant blocks, and terms of parameters only that other functions share */
+/* M of the constant blocks, and terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
                                   double prepared[N_PREPARED])
 {
@@ -311,7 +311,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -326,7 +326,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[0] = c_1;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -360,7 +360,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* After an accepted step, and at the start: nothing to do.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -473,20 +473,15 @@ static const em_dynamics dynamics = {
     .acceleration = em_acceleration,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&pendulum_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&pendulum_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&pendulum_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&pendulum_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&pendulum_model); }
-/* and a run in a lane. */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&pendulum_model, run, mode); }
 
 const em_model pendulum_model = {

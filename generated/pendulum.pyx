@@ -1,6 +1,6 @@
 # eigenmotion generate pendulum.py
 # input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab
-# body sha256:09037d51b2b2b2550ff8094f27bf8bb2ad11c1611dea9c9fa59879e08f99317b
+# body sha256:b17700f659ed3ff64b304e033594638d00b1445ee386c165e776ba596ab6b809
 # cython: language_level=3
 """pendulum, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what pendulum.h says, without the name of a file that could be one of Python's
+# the declaration in pendulum.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:0fe3a20390386f3f6eb40f6d03cb5524515910acbc92adf9c30d562090b50d55 */
+/* body sha256:e8687a46fcd407c882c21aa3d936eeb0b2b8e863e041a62714666897ec747545 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -43,7 +43,7 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,        /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 30,        /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
@@ -55,8 +55,8 @@ enum {
     N_PARAMETERS = 3,
     N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
-    N_GIVEN = 4,          /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_FORCING = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: the arguments of derivatives */
     N1 = 5,               /* x, y, phi, theta, psi */
 };
 
@@ -178,7 +178,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
-    em_turned_for_tiles(N1, C1, T1);
+    em_transpose_for_tiles(N1, C1, T1);
     em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
@@ -470,8 +470,8 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
-__attribute__((noinline)) /* one copy, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
+__attribute__((noinline)) /* one copy, although stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -521,7 +521,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 /* After an accepted step: C and s, constraints on velocities.
- * *done becomes 0 in lanes that the scalar code is to settle, as where the mode changes;
+ * *done <- 0 in lanes that the scalar code must settle, for example where the mode changes;
  * a singular matrix leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
@@ -751,7 +751,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     dM[97] = dM[89] = (-0.5)*z_7;
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -834,13 +834,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     D[69] = -phi_dot*z_28;
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double phi_dot = v[2];
     const double z_0 = phi_dot*phi_dot;
     const double phi = x[2];
@@ -948,7 +948,7 @@ EM_EXPORT const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 10, 35, 0, 25 };
 EM_EXPORT const em_block *const blocks[] = { &block1, NULL };
 
-/* Terms of parameters only that other functions share */
+/* Terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
     const double m = parameters[0];
@@ -990,7 +990,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
@@ -1029,7 +1029,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[24] = c_3;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -1079,7 +1079,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* After an accepted step, and at the start: C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -1090,18 +1090,18 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     double gap = em_gap(N1, y + 35);
-    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
-    if (wanted == EM_LOOK) {
+    int new_mode = em_mode_by_gaps(*mode, flags, gap, INFINITY);
+    if (new_mode == EM_BY_TIME) {
         double dy[N]; /* xdot */
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
         settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
-        wanted = em_mode_by_time(*mode, gap, time, pace);
+        new_mode = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode != wanted) {
-        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
-        *mode = wanted;
+    if (*mode != new_mode) {
+        if (em_change_mode(&block1, new_mode, M1[0], y, memory, fault)) return -1;
+        *mode = new_mode;
         changed = 1;
     }
 
@@ -1126,7 +1126,7 @@ EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const doub
     return changed;
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state, according to its mode. */
 EM_EXPORT int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     double M[N*N];
@@ -1154,7 +1154,7 @@ EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n); eigenfactors are continuous with those in y, if any */
 EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -1246,20 +1246,15 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&rolling_disk_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&rolling_disk_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&rolling_disk_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&rolling_disk_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&rolling_disk_model); }
-/* and a run in a lane. */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&rolling_disk_model, run, mode); }
 
 const em_model rolling_disk_model = {

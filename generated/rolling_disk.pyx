@@ -1,6 +1,6 @@
 # eigenmotion generate rolling_disk.py
 # input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c
-# body sha256:bffc5ee6c7bd3bba7c27ac8343456692afaa97845629efeff6577967438b082e
+# body sha256:d0c1f6c10ccc54b4076de0976f726a53cf661bc6168488cacbc0651b68d79b09
 # cython: language_level=3
 """rolling_disk, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what rolling_disk.h says, without the name of a file that could be one of Python's
+# the declaration in rolling_disk.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

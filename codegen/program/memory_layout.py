@@ -81,7 +81,7 @@ def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int]
 
 
 def _home(block: Block, choices: Choices) -> str:
-    """Return where the root of a block is stored, as an em_home (em_blocks.h)."""
+    """Return where the root of a block is stored, as an em_root_location (em_blocks.h)."""
     if block.kind is Kind.FIXED:
         return "EM_PREPARED_FACTORS" if choices.eigenfactor else "EM_PREPARED_ROOT"
     return "EM_IN_STATE" if block.kind is Kind.TURNING and choices.eigenfactor else "EM_IN_MEMORY"

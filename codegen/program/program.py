@@ -24,7 +24,7 @@ class BlockView:
     number, size, coordinates, block_coordinates, names : its coordinates
     turning, single, fixed : how its eigenfactors are computed (exactly one is true; see `specialise.Kind`)
     constrained : whether one of them occurs in a constraint row
-    home : where its root is stored, an em_home
+    home : where its root is stored, an em_root_location
     C, s, L, r : offsets: in the prepared parameters if fixed; otherwise C, s in the state, L, r in the memory of a run
     """
 

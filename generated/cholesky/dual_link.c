@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:81e615f73a114c30b40472a7d18c49434e75c2a7bc473330d7de208e69ae1009 */
+/* body sha256:59c89a7e6cba9169fd5db419175d4fecd037199a2da70f06aaa5d0d70601429c */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -44,7 +44,7 @@ enum {
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    N_MEMORY = 12,        /* numbers that a run keeps from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
 };
 #ifdef EM_UNIT
@@ -56,8 +56,8 @@ enum {
     N_PARAMETERS = 9,
     N_PREPARED = 20,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
-    N_GIVEN = 10,         /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_FORCING = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: the arguments of derivatives */
     N1 = 3,               /* theta1, theta2, theta3 */
     N2 = 1,               /* theta4 */
 };
@@ -270,8 +270,8 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #ifdef EM_ON_DUALS
 #include "dynamics/em_rate_jacobian.h"
 #else
-/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked with the scalar version. */
-__attribute__((noinline)) /* one copy, though stages call it from several places */
+/* Compiled with -DEM_ON_LANES, this file has the right-hand side on vectors; link it with the scalar version. */
+__attribute__((noinline)) /* one copy, although stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -314,7 +314,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 /* After an accepted step: the root of M is kept, constraints on velocities.
- * *done becomes 0 in lanes that the scalar code is to settle;
+ * *done <- 0 in lanes that the scalar code must settle;
  * a singular matrix leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
@@ -522,7 +522,7 @@ EM_EXPORT void mass_matrix_gradient(double t, const double *restrict x, const do
     dM[36] = dM[33] = z_7;
 }
 
-/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+/* D (n + m, 2 n) of r = M a + P^T lambda - bias and s = A a + gamma with respect to x, v, at fixed a, lambda */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
@@ -628,13 +628,13 @@ EM_EXPORT void state_partials(double t, const double *restrict x, const double *
     D[38] = 2.0*(theta1_dot*cos_theta1);
 }
 
-/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+/* D (n + m, n_inputs + n_parameters + 1) of r and s with respect to inputs, parameters, time */
 EM_COLD_PATH /* no explicit step calls it */
 EM_EXPORT void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_FORCING);
     const double theta3_dot = v[2];
     const double theta1_dot = v[0];
     const double theta3 = x[2];
@@ -774,7 +774,7 @@ static const em_block block1 = { N, N1, coordinate1, NULL, EM_IN_MEMORY, 0, 0, 0
 static const em_block block2 = { N, N2, coordinate2, NULL, EM_PREPARED_ROOT, 9, 10, 11, 12 };
 EM_EXPORT const em_block *const blocks[] = { &block1, &block2, NULL };
 
-/* M of the constant blocks, and terms of parameters only that other functions share */
+/* M of the constant blocks, and terms in parameters only that other functions share */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
@@ -816,7 +816,7 @@ static const em_declared declared[] = {
 /* Constants that depend on parameters only, computed once per parameter set: c (N_PREPARED). */
 EM_EXPORT int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    if (em_refuse(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
+    if (em_check_declared(declared, 0, N_PARAMETERS, parameters, fault)) return -1;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -852,7 +852,7 @@ EM_EXPORT void mass_matrix(double t, const double *restrict x, const double *res
     M[15] = c_5;
 }
 
-/* The matrix that is factored; motion_bias and its partial derivatives belong to it */
+/* The matrix that is factored, to which motion_bias and its partial derivatives belong */
 EM_EXPORT void factored(double t, const double *x, const double *c, double *M)
 {
     mass_matrix(t, x, c, M);
@@ -899,7 +899,7 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* After an accepted step, and at the start: the root of M is kept, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
+ * Returns 1 if y changed, 0 if not, or -1 and *fault. */
 EM_EXPORT int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                            em_fault *fault)
 {
@@ -1047,20 +1047,15 @@ static const em_dynamics dynamics = {
     .reach = em_newton_from_afar,
 };
 
-/* Functions of the stepper with this model as an argument: a run, */
+/* Functions of the stepper with this model as an argument. */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
-/* the state within it, */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
-/* the end of its tables, */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
-/* a run that advances on request, */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
-/* its size, */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
-/* and a run in a lane. */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

@@ -1,6 +1,6 @@
 # eigenmotion generate dual_link.py --formulation cholesky
 # input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b
-# body sha256:6ac60c48ec97cc436d4d412dcc348a4a1d490724b5dbce8167952319c50df9dd
+# body sha256:49511aa0673d22a717f1f1d4cbba16e26ccc969acfcbbf3a4d84a6c621ddd5ab
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (cholesky)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what dual_link.h says, without the name of a file that could be one of Python's
+# the declaration in dual_link.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

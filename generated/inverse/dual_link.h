@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:3cc5c96b2d738d8747dda59e00cb6ee8560ae73bda302815187dd5ff2ebcb880 */
+/* body sha256:ce0351c853d180c4e3f3572d7df72f9968f16e402b9edc8d29a05bbf7efd3eea */
 /* dual_link: 4 coordinates, 1 constraint rows, 8 states.
  * Link dual_link.c with a program of your own,
  * or import the Python module built from dual_link.pyx. */
@@ -9,7 +9,7 @@
 
 #include "eigenmotion.h"
 
-/* Visible from outside of a library, whatever else it hides. */
+/* Exported from a library, even if other symbols are hidden. */
 __attribute__((visibility("default"))) extern const em_model dual_link_model;
 
 #endif

@@ -1,6 +1,6 @@
 # eigenmotion generate dual_link.py --formulation inverse
 # input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76
-# body sha256:f0c4186187de0ac2d9907de5c08c05d111e3622cd194b354e06beacb360c3bc4
+# body sha256:1be0be9958a47e7c1b74228744108863c66865e31247fae273ea6bdf39a2411a
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (inverse)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what dual_link.h says, without the name of a file that could be one of Python's
+# the declaration in dual_link.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

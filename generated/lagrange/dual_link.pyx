@@ -1,6 +1,6 @@
 # eigenmotion generate dual_link.py --formulation lagrange
 # input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18
-# body sha256:a28bcac6d4c99c6d53aba38793773059eac3f7e270390b87d3cf35e54b73349f
+# body sha256:22b52f4d6784b9d85f82de5bd8d2da6934b62007d6309031cba0260bebdd316a
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (lagrange)."""
 
@@ -9,7 +9,7 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-# what dual_link.h says, without the name of a file that could be one of Python's
+# the declaration in dual_link.h, which is not included because a header of Python may have the same name
 cdef extern from *:
     """
     #include "eigenmotion.h"

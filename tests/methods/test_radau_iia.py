@@ -31,7 +31,7 @@ def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
 # --- accuracy and stability of steps ----------------------------------------------------------------------------------
 
 
-SOLVED = "#define EM_NEAR_ENOUGH 1e-9"
+SOLVED = "#define EM_ITERATION_TOLERANCE 1e-9"
 """Stages are solved to rounding, however large an error is allowed."""
 
 

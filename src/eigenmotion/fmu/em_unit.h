@@ -137,7 +137,7 @@ static int em_unit_refuses(em_unit *unit, unsigned reference, double value) {
     em_fault fault;
     if (m->declared == NULL || reference >= em_unit_given(m) || (reference >= v && reference < inputs)) return 0;
     const unsigned place = reference < v ? reference : reference - n;
-    if (!em_refuse(m->declared, (int)place, 1, &value, &fault)) return 0;
+    if (!em_check_declared(m->declared, (int)place, 1, &value, &fault)) return 0;
     const char *const name = reference < x        ? m->parameters[reference]
                              : reference < inputs ? m->coordinates[reference - x]
                                                   : m->inputs[reference - inputs];

@@ -4,4 +4,4 @@ from .abi cimport em_declared, em_fault
 
 
 cdef extern from "loop/em_assumptions.h" nogil:
-    int em_refuse(const em_declared *, int, int, const double *, em_fault *)
+    int em_check_declared(const em_declared *, int, int, const double *, em_fault *)

@@ -10,7 +10,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
 from .arrays cimport Numbers, blank, floats, zeros
-from .assumptions cimport em_refuse
+from .assumptions cimport em_check_declared
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
 
@@ -30,7 +30,7 @@ cdef class CompiledModel(PointModel):
         cdef Numbers numbers
         if self.model.declared != NULL and count > 0:
             numbers = floats(values, (count,), what)
-            if em_refuse(self.model.declared, first, count, numbers.data, &fault) != 0:
+            if em_check_declared(self.model.declared, first, count, numbers.data, &fault) != 0:
                 raise self.failure(&fault)
         return 0
 

@@ -30,10 +30,10 @@ cdef extern from "sensitivity/em_variations.h" nogil:
         int columns
         int least_norm
         int stabilise
-        int n_given
+        int n_forcing
         double direction
         double tolerance
-        double together
+        double initial_steps
         size_t n_stops
         size_t n_marks
         size_t n_spans
@@ -57,14 +57,14 @@ cdef extern from "sensitivity/em_variations.h" nogil:
         double *rows
         size_t n_steps
         size_t n_refused
-        size_t n_mended
+        size_t n_own_motion
         int (*poll)(void *) noexcept nogil
         void *poll_argument
         em_fault fault
         int why
         double t_reached
 
-    int em_vary(em_variations *)
+    int em_integrate_variations(em_variations *)
 
 
 _REASONS = tuple(StopReason)
@@ -219,18 +219,18 @@ def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, 
             signals[j].times, signals[j].values = (<Numbers> keep_alive[j][0]).data, (<Numbers> keep_alive[j][1]).data
         pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
         pass_.run = NULL if run is None else &run.run
-        pass_.tolerance, pass_.together = tolerance, together
+        pass_.tolerance, pass_.initial_steps = tolerance, together
         pass_.least_norm, pass_.stabilise, pass_.direction = least_norm, stabilise, direction
-        pass_.n_given = model.n_arguments - 2 * n
+        pass_.n_forcing = model.n_arguments - 2 * n
         pass_.n_stops, pass_.t, pass_.z, pass_.spans = k, T.data, Z.data, &follow[0]
         pass_.n_spans, pass_.start, pass_.to = n_spans, start.data, to.data
         pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = n_marks, &at[0], &happens[0], shifts.data
         pass_.place, pass_.A, pass_.A2, pass_.series, pass_.P = place.data, A.data, A2.data, series.data, rest.data
         pass_.S, pass_.n_rows, pass_.t_rows, pass_.rows = at_stops.data, len(rows), t_rows.data, at_rows.data
-        pass_.n_steps = pass_.n_refused = pass_.n_mended = 0
+        pass_.n_steps = pass_.n_refused = pass_.n_own_motion = 0
         pass_.poll, pass_.poll_argument, pass_.t_reached = poll, NULL, T.data[0]
         with nogil:
-            status = em_vary(&pass_)
+            status = em_integrate_variations(&pass_)
     finally:
         free(signals)
     if status != 0 and _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
@@ -239,7 +239,7 @@ def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, 
     if status != 0 and pass_.why:
         words = _END_MESSAGES[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
         error = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_mended), error
+    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_own_motion), error
 
 
 def _unknown(*shape):

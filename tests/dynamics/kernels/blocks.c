@@ -12,7 +12,7 @@ typedef struct {
 } context;
 
 static em_block block_of(const context *at) {
-    return (em_block){all, n, at->coordinate, at->scales, (em_home)at->home, C, s, L, r};
+    return (em_block){all, n, at->coordinate, at->scales, (em_root_location)at->home, C, s, L, r};
 }
 static em_group group_of(const context *at) { return (em_group){n, at->coordinate, C, s, L}; }
 

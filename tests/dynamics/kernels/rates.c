@@ -22,7 +22,7 @@ void factor_rates(const double *C, const double *r, const double *mu, const doub
 void turning_push(const double *C, const double *s, const double *r, const double *Omega, const double *s_dot,
                   const double *eta, const double *w, const double *f, double *a, double *q) {
     double T[n * n];
-    em_turned_for_tiles(n, C, T);
+    em_transpose_for_tiles(n, C, T);
     em_turning_push(n, C, T, s, r, Omega, s_dot, eta, w, f, a, q);
 }
 void triangular_push(const double *L, const double *r, double *Mdot, const double *eta, const double *f, double *a, double *q) {

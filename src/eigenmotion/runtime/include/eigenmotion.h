@@ -1,8 +1,8 @@
 /* eigenmotion.h: the ABI between generated code, its steppers and their callers.
  *
- * A generated NAME.c defines one constant, `const em_model NAME_model`. Everything a caller needs hangs on it:
- * dimensions, names, defaults and functions. No function keeps state between calls; all memory is the caller's or
- * belongs to an em_run. All matrices are row-major. Plain C11, no Python.
+ * A generated NAME.c defines one constant, `const em_model NAME_model`, which gives a caller everything: dimensions,
+ * names, defaults and functions. No function keeps state between calls; all memory is the caller's or belongs to an
+ * em_run. All matrices are row-major. Plain C11, no Python.
  */
 #ifndef EIGENMOTION_H
 #define EIGENMOTION_H
@@ -45,12 +45,12 @@ typedef struct em_switch {
 } em_switch;
 
 /* Limits of a run that event actions use: its tolerances rtol and atol (n); the rounding of gaps and slips
- * (n_events); the depth inside contacts at the start of the run; the change of rates along rows (m) that moving the
- * start outside has made. The latter are written as a mode begins. */
+ * (n_events); the depth inside contacts at the start of the run; the change of rates along rows (m) caused by moving
+ * the start outside. All but the tolerances are written when a mode begins. */
 typedef struct em_act_limits {
     double rtol;
     const double *atol;
-    double *rounding, *deep, *stirred;
+    double *rounding, *depth, *rate_shift;
 } em_act_limits;
 
 /* How often an event has acted at nearly the same time, and that time. */
@@ -58,21 +58,20 @@ typedef struct em_pile {
     double t, count;
 } em_pile;
 
-/* The assumptions under which a symbol was declared, by which expressions were simplified: bits of em_assumptions.h,
- * and words. */
+/* The assumptions on a symbol, which were used to simplify expressions: bits of em_assumptions.h, and words. */
 typedef struct em_declared {
     int bits;
     const char *words;
 } em_declared;
 
-/* A table: the parameter by which it is given other numbers, and its own numbers (tables/em_table.h). */
+/* A table: the index of the parameter that replaces its data, and the model's own data (tables/em_table.h). */
 typedef struct em_table {
     int parameter;
     const double *numbers;
 } em_table;
 
-/* An expression that motion looks up: in which table, as which of its arguments, the highest derivative by it that is
- * taken, and whether it varies with the time alone. */
+/* An argument of a table in the equations of motion: the index of the table, which of its arguments it is, the highest
+ * derivative with respect to it in the equations, and whether it depends on time only. */
 typedef struct em_table_use {
     int table, axis, order, timed;
 } em_table_use;
@@ -153,7 +152,7 @@ typedef struct em_model {
                                                                   mode */
     /* Checks a step of the run. 0: it continues; 1: it has ended; 2: it continues in the other mode; -1: restart it
      * with scalar steps. */
-    int (*check_step)(void *run_state, em_lane_group *f, int lane, em_landing landing);
+    int (*check_step)(void *run_state, em_lane_group *f, int lane, em_lane_outcome outcome);
 
     /* A run that advances to times of the caller's choice (em_control.h calls these; all memory is allocated as it
      * opens). */
@@ -217,9 +216,9 @@ typedef struct em_model {
     const em_table_use *table_uses; /* (n_table_uses) */
     void (*table_arguments)(double t, const double *x, const double *v, const double *c, const double *u,
                             double *at); /* (n_table_uses); NULL: there is no table */
-    int n_states;                /* of the n coordinates, how many last ones exist for the sake of their velocities,
-                                    which are first-order states z: coordinates[k] is the name of z, v[k] its value,
-                                    x[k] its integral, initial_v[k] its start */
+    int n_states;                /* the number of first-order states z, which are the last of the n coordinates:
+                                    coordinates[k] is the name of z, v[k] its value, x[k] its integral, initial_v[k]
+                                    its initial value */
 } em_model;
 
 #endif

@@ -10,11 +10,11 @@
  * one number next to each other, aligned to 64 bytes, and 0 where nothing has been written; rows of states are
  * padded to a multiple of 4. */
 enum { EM_MOST_LANES = 8 };
-typedef enum em_landing {
+typedef enum em_lane_outcome {
     EM_SETTLED,
-    EM_UNSETTLED, /* the step is to be finished by the scalar code */
-    EM_LOST       /* the whole run is to be repeated by the scalar code */
-} em_landing;
+    EM_UNSETTLED, /* the scalar code finishes the step */
+    EM_LOST       /* the scalar code repeats the whole run */
+} em_lane_outcome;
 typedef struct em_lane_group {
     const em_run *task;   /* the task of all runs */
     int mode;             /* of all runs */
@@ -25,18 +25,17 @@ typedef struct em_lane_group {
     double *c, *u;        /* (n_prepared, width), (n_inputs, width) */
     double *t, *t_new, *h, *h_next, *error, *last_error, *longest; /* (width) */
     double *n_steps, *n_rejected, *retries, *n_rhs;
-    double *stiff, *n_stiff, *next_judge; /* (width) 1 where stability limits the step size; how many such steps; the
-                                             step at which that is judged */
-    double *next_look;    /* (width) the number of right-hand sides, and the time, at which a step is checked by the
-                             scalar code */
-    double *t_look;
+    double *stiff, *n_stiff;      /* (width) 1 where stability limits the step size; the number of such steps */
+    double *next_stiffness_check; /* (width) the step at which stiffness is tested next */
+    double *next_check, *t_check; /* (width) the number of right-hand sides, and the time, at which the scalar code
+                                     checks a step */
     int live[EM_MOST_LANES], n_live; /* lanes that hold a run */
-    int always;           /* every step is checked by the scalar code */
-    int pauses;           /* the other group is to continue first */
+    int check_always;     /* the scalar code checks every step */
+    int yields;           /* the other group continues first */
     /* Checks the step that a lane has made. 0: its run continues; else the lane now holds another run, or none. */
-    int (*check_step)(struct em_lane_group *f, int lane, em_landing landing);
-    int (*stopped)(struct em_lane_group *f); /* whether all runs are to end */
-    void *with;           /* the owner of the group */
+    int (*check_step)(struct em_lane_group *f, int lane, em_lane_outcome outcome);
+    int (*stopped)(struct em_lane_group *f); /* whether the caller has requested the end of all runs */
+    void *owner;          /* of the group */
 } em_lane_group;
 
 /* The right-hand side of `width` states side by side: y[k width + lane], and so t, c, u, dy. Where a lane is

@@ -1,8 +1,8 @@
 /* em_module.c: the Python module of a model, whose `system` is its System: NAME.pyx, written in C.
  *
- * Compiled with -DEM_MODEL=NAME_model -DEM_INIT=PyInit_NAME (joined outside, where NAME may be a macro here) and linked
- * beside NAME.c: the same text for every model, and a tenth of a second where translating NAME.pyx and compiling what
- * comes of it takes a whole one. */
+ * Compile it with -DEM_MODEL=NAME_model -DEM_INIT=PyInit_NAME, and link it with NAME.c. (The names are joined on the
+ * command line, because NAME may be a macro here.) It is the same text for every model, and compiles in a tenth of a
+ * second; translating NAME.pyx and compiling the result takes a second. */
 #include <Python.h>
 
 #include "eigenmotion.h"

@@ -1,4 +1,4 @@
-/* em_stepper.c: the stepper: compiled once for all models, which it knows by em_model. */
+/* em_stepper.c: the stepper, compiled once for all models; it uses a model only through em_model. */
 #define EM_UNIT EM_STEPPER
 #include "loop/em_handle.h"
 #include "batch/em_lane_run.h"

@@ -1,8 +1,8 @@
 /* em_fixed_steps.h: Runge-Kutta steps of fixed size on lanes, one motion in each lane.
  *
  * For the runtime, not for generated code; for models whose state is x, xdot and that have no constraints. The
- * numbers of a motion do not depend on the other lanes. A lane without a finite result repeats its step by the
- * scalar code, which names the fault or succeeds (a lane has no sine beyond 1e6). */
+ * numbers of a motion do not depend on the other lanes. If a lane has no finite result, the scalar code repeats its
+ * step, which names the fault or succeeds (lanes have no sine beyond 1e6). */
 #ifndef EM_FIXED_STEPS_H
 #define EM_FIXED_STEPS_H
 

@@ -1,5 +1,5 @@
-/* em_lane_factors.h: refresh of C and s on lanes, after a step that all lanes have made. The result says which lanes
- * need another root of M: these are settled by the scalar code (em_blocks.h). */
+/* em_lane_factors.h: refresh of C and s on lanes, after a step in all lanes. The result marks the lanes that keep their
+ * root of M; the scalar code settles the others (em_blocks.h). */
 #ifndef EM_LANE_FACTORS_H
 #define EM_LANE_FACTORS_H
 
@@ -13,9 +13,9 @@ EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
 /* Bound on the sum of the squares of the remaining rotations, below which em_refine continues. */
 #define EM_LANE_CONVERGED 1e-6
 
-/* C turned close enough to the eigenfactors of M (n, n) for em_refine, by Jacobi sweeps in the lanes that are `far`
+/* C <- rotated close enough to the eigenfactors of M (n, n) for em_refine, by Jacobi sweeps in the lanes that are `far`
  * from them, as after a step during which C was constant. Each lane makes as many sweeps as it would alone. */
-EM_NOINLINE void em_turn_near(int n, em_truth far, const real *restrict M, real *restrict C) {
+EM_NOINLINE void em_sweep_lanes(int n, em_truth far, const real *restrict M, real *restrict C) {
     real Lambda[n * n];
     em_congruence(n, C, M, Lambda);
     for (int sweep = 0; em_any(far) && sweep < 6; ++sweep) {
@@ -31,14 +31,14 @@ EM_NOINLINE void em_turn_near(int n, em_truth far, const real *restrict M, real 
     }
 }
 
-/* C, s <- eigenfactors of M (n, n), near the C given; eta (NULL: of another root) turns with C. Returns -1 in lanes
- * where they are found, with eigenvalues that are clearly positive. */
+/* C, s <- eigenfactors of M (n, n), close to the given C; eta (NULL: of another root) is rotated with C. Returns -1 in
+ * lanes where they are found, with eigenvalues that are clearly positive. */
 EM_INLINE em_truth em_refresh(int n, const real *restrict M, real *restrict C, real *restrict s, real *restrict eta) {
     real before[n * n];
     if (eta) em_copy(n * n, C, before);
     em_truth found = em_refine(n, ~(em_truth){0}, M, C, s);
     if (em_any(~found)) {
-        em_turn_near(n, ~found, M, C);
+        em_sweep_lanes(n, ~found, M, C);
         found |= em_refine(n, ~found, M, C, s);
     }
     if (eta) em_turn(n, before, C, eta);

@@ -1,5 +1,5 @@
 /* em_lane_run.h: the scalar part of a run in a lane (em_lane_runge_kutta.h): its start, and the steps that need more
- * than the lanes do. A run that a lane cannot continue starts again by em_simulate. */
+ * than lanes can do. If a lane cannot continue a run, em_simulate repeats it from its start. */
 #ifndef EM_LANE_RUN_H
 #define EM_LANE_RUN_H
 
@@ -7,15 +7,15 @@
 
 #define EM_LANE(table, k) (table)[(size_t)(k) * (size_t)width + (size_t)lane]
 
-/* The count of numbers that a lane keeps from a run's last step. It is that of the lanes which hold the run: the
- * lanes that this object is linked with may be for nodes alone, and keep none. */
+/* The number of values that a lane keeps from a run's last step. The caller's model has it: the lanes that this object
+ * is linked with may be for the nodes of one run only, and keep none. */
 static int em_member_remembers(const em_run_state *w) { return w->run->model->lanes->remembered; }
 
 /* Plans when the lane's steps are checked next. */
-static void em_member_plan(const em_run_state *w, em_lane_group *f, int lane) {
+static void em_member_plan_checks(const em_run_state *w, em_lane_group *f, int lane) {
     const em_run *run = w->run;
-    f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_energy_check;
-    f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
+    f->next_check[lane] = w->starts_near ? 0.0 : (double)w->next_energy_check;
+    f->t_check[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
 /* Whether a step would end at a time event, which lanes do not handle. */
@@ -58,8 +58,8 @@ EM_COLD_PATH EM_EXPORT void em_member_load(void *run_state, em_lane_group *f, in
     f->n_rhs[lane] = (double)run->n_rhs;
     f->stiff[lane] = w->stiff;
     f->n_stiff[lane] = (double)run->n_stiff;
-    f->next_judge[lane] = EM_STIFF_EVERY * ceil(steps / EM_STIFF_EVERY);
-    em_member_plan(w, f, lane);
+    f->next_stiffness_check[lane] = EM_STIFF_EVERY * ceil(steps / EM_STIFF_EVERY);
+    em_member_plan_checks(w, f, lane);
 }
 
 /* Reads the stages of the current step from the lane, and the state and time of its last stage. */
@@ -105,8 +105,8 @@ EM_COLD_PATH static void em_member_read(em_run_state *w, const em_lane_group *f,
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 
-/* The checks of em_land for a step that has been settled. 0, or -1 */
-EM_COLD_PATH static int em_member_trusts(em_run_state *w, const em_lane_group *f, int lane) {
+/* The checks of em_finish_step for a step that has been settled. 0, or -1 */
+EM_COLD_PATH static int em_member_check_settled(em_run_state *w, const em_lane_group *f, int lane) {
     if (w->n_events > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
         em_member_read_stages(w, f, lane);
@@ -116,13 +116,13 @@ EM_COLD_PATH static int em_member_trusts(em_run_state *w, const em_lane_group *f
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
-/* em_land, for a step that the lane has not settled, and its result written into the lane. 0, or -1 */
-EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int lane) {
+/* em_finish_step, for a step that the lane has not settled, and its result written into the lane. 0, or -1 */
+EM_COLD_PATH static int em_member_finish_step(em_run_state *w, em_lane_group *f, int lane) {
     const int width = w->lanes->width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
     if (w->n_events > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
-    --w->run->n_rhs; /* the one of the lane is discarded */
-    if (em_land(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* near a singular
+    --w->run->n_rhs; /* the rate that the lane computed is discarded */
+    if (em_finish_step(w) || !(w->error_norm < 1.0) || (w->n_positions > 0 && w->near)) return -1; /* near a singular
                                                                                                position stages are
                                                                                                settled */
     for (int k = 0; k < w->n_state; ++k) {
@@ -134,20 +134,20 @@ EM_COLD_PATH static int em_member_accepts(em_run_state *w, em_lane_group *f, int
     return 0;
 }
 
-/* em_model.check_step: the checks of em_land and em_advance for an accepted step. */
-EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing) {
+/* em_model.check_step: the checks of em_finish_step and em_advance for an accepted step. */
+EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_lane_outcome outcome) {
     em_run_state *const w = run_state;
     int terminal = 0;
     em_member_read(w, f, lane);
     double t_stop = w->t_new;
-    if (landing == EM_UNSETTLED ? em_member_accepts(w, f, lane) : em_member_trusts(w, f, lane)) return -1;
+    if (outcome == EM_UNSETTLED ? em_member_finish_step(w, f, lane) : em_member_check_settled(w, f, lane)) return -1;
     if (em_record(w, &t_stop, &terminal)) return -1;
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) w->run->fault.status = EM_TERMINAL_EVENT;
     if (terminal || w->t == w->run->t_end) return 1;
     if (w->mode != f->mode) return 2;
-    em_member_plan(w, f, lane);
+    em_member_plan_checks(w, f, lane);
     f->n_rhs[lane] += (double)(w->run->n_rhs - (long)f->n_rhs[lane] - EM_DOP853_TABLEAU.stages); /* of the interpolant */
     return 0;
 }

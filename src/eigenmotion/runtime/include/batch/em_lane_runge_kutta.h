@@ -1,8 +1,8 @@
 /* em_lane_runge_kutta.h: dop853 on lanes: one run of an ensemble in each lane of a vector.
  *
- * Included by NAME.c where that is compiled for lanes. Each lane has its own time, step size and error, and does not
- * depend on the others: a member's numbers are the same in any lane and beside any other members. Most steps need no
- * more than this; the others are checked by the scalar code (em_lane_run.h). */
+ * Included by NAME.c if it is compiled for lanes. Each lane has its own time, step size and error, and does not depend
+ * on the others: a member's numbers are the same in any lane and next to any other members. Most steps need no more
+ * than this; the scalar code checks the others (em_lane_run.h). */
 #ifndef EM_LANE_RUNGE_KUTTA_H
 #define EM_LANE_RUNGE_KUTTA_H
 
@@ -15,7 +15,7 @@ enum {
     EM_GROUP_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
     EM_GROUP_STAGES = 12,
     EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
-    EM_GROUP_LOOKS = 64 /* attempts between two checks for a requested end */
+    EM_ATTEMPTS_PER_POLL = 64 /* attempts between two checks whether the caller has requested an end */
 };
 
 /* The arrays of a lane group (em_lanes.h), as vectors. */
@@ -23,7 +23,7 @@ typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_GROUP_STATE];
     real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs;
-    real *stiff, *n_stiff, *next_judge, *next_look, *t_look, *memory, *memory_new;
+    real *stiff, *n_stiff, *next_stiffness_check, *next_check, *t_check, *memory, *memory_new;
 } em_lane_state;
 
 /* The part of xdot that follows from e (n), eta or an error of it; for a state x, xdot it is e itself. */
@@ -168,11 +168,11 @@ EM_INLINE void em_group_rate(const em_lane_group *f, const em_lane_state *w, con
     rhs_on_lanes(f->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
 }
 
-/* Whether stability limits the step size, in the lanes where that is judged now (em_rk_judge); argument: of the last
+/* stiff <- whether stability limits the step size, in the lanes where this is due (em_rk_judge); argument: of the last
  * stage. */
 EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real *weight) {
     const int last = EM_DOP853_TABLEAU.stages - 1;
-    const em_truth judged = *w->n_steps >= *w->next_judge;
+    const em_truth judged = *w->n_steps >= *w->next_stiffness_check;
     real apart = em_real(0.0), driven = em_real(0.0);
     if (!em_any(judged)) return;
     for (int k = 0; k < 2 * N; ++k) {
@@ -194,8 +194,8 @@ typedef struct em_attempts {
 EM_INLINE void em_group_control(const em_lane_state *w, em_attempts *found) {
     enum { ORDER = 8 };
     const real error = log(em_lane_max(*w->error, em_real(1e-300)));
-    const real wanted = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
-    const real factor = em_lane_min(em_real(4.0), em_lane_max(em_real(0.2), 0.9 * exp(wanted / (double)ORDER)));
+    const real log_factor = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
+    const real factor = em_lane_min(em_real(4.0), em_lane_max(em_real(0.2), 0.9 * exp(log_factor / (double)ORDER)));
     found->error = error;
     found->factor = em_where(*w->retries > 0.0, em_lane_min(em_real(1.0), factor), factor);
 }
@@ -224,19 +224,19 @@ static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     return found;
 }
 
-/* -1 in lanes whose `accepted` step is to be checked by the scalar code: the first one, short ones at which a
- * singularity may be near (em_singularity_monitor.h), and those at which the energy, a row or the end is due. */
-EM_INLINE em_truth em_group_due(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
-    em_truth brief = accepted & ((fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0));
+/* -1 in lanes whose `accepted` step the scalar code must check: the first step, short steps at which a singularity may
+ * be near (em_singularity_monitor.h), and steps at which the energy, a row or the end is due. */
+EM_INLINE em_truth em_group_needs_check(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
+    em_truth brief = accepted & ((fabs(*w->h) < EM_CHECKED_STEP * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
     if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
 #endif
-    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_look) |
-           (f->direction * (*w->t_new - *w->t_look) >= 0.0);
+    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_check) |
+           (f->direction * (*w->t_new - *w->t_check) >= 0.0);
 }
 
-/* -1 in lanes whose run is to be repeated from its start by the scalar code: a step is not finite, or was moved far
- * by settling (em_monitors.h), or steps become too short or too many. */
+/* -1 in lanes whose run the scalar code must repeat from its start: a step is not finite, or settling moved it far
+ * (em_monitors.h), or steps become too short or too many. */
 EM_INLINE em_truth em_group_lost(const em_lane_group *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
     return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_group_least(*w->t))) |
            (small & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
@@ -253,7 +253,8 @@ static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     *w->t = em_where(took, *w->t_new, *w->t);
     *w->longest = em_where(took, em_lane_max(*w->longest, fabs(*w->h)), *w->longest);
     *w->n_stiff += em_where(took, *w->stiff, none);
-    *w->next_judge += em_where(took & (*w->n_steps >= *w->next_judge), em_real(EM_STIFF_EVERY), none);
+    const em_truth tested = took & (*w->n_steps >= *w->next_stiffness_check);
+    *w->next_stiffness_check += em_where(tested, em_real(EM_STIFF_EVERY), none);
     *w->n_steps += em_where(took, one, none);
     *w->n_rejected += em_where(tried & ~took, one, none);
     *w->retries = em_where(took, none, *w->retries + em_where(tried, one, none));
@@ -272,30 +273,30 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
     em_group_aim(f, w);
     const em_attempts found = em_group_attempt(f, w);
     const em_truth small = found.sound & (*w->error < 1.0), live = em_group_live(f);
-    const em_truth due = f->always ? small : small & (em_group_due(f, w, small) | ~found.settled);
+    const em_truth due = f->check_always ? small : small & (em_group_needs_check(f, w, small) | ~found.settled);
     *w->h_next = fabs(*w->h) * found.factor;
     *w->last_error = em_where(small, em_lane_max(found.error, em_real(-9.2)), *w->last_error);
     const em_truth lost = em_group_lost(f, w, &found, small), checked = live & (lost | due);
     em_truth stays = live & ~checked;
     for (int lane = 0; lane < EM_LANES && em_any(checked); ++lane) {
-        const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
-        if (checked[lane] && f->check_step(f, lane, landing) == 0) stays[lane] = -1;
+        const em_lane_outcome outcome = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
+        if (checked[lane] && f->check_step(f, lane, outcome) == 0) stays[lane] = -1;
     } /* if its run does not continue, the lane now holds another member, or none */
     em_group_commit(w, stays, stays & small);
 }
 
-/* Steps as long as the group has members and the other group is not to continue first; f->check_step loads members
- * into lanes. */
+/* Makes steps as long as the group has members and does not yield to the other group; f->check_step loads members into
+ * lanes. */
 static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
         (real *)f->longest, (real *)f->n_steps, (real *)f->n_rejected, (real *)f->retries, (real *)f->n_rhs,
-        (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look,
+        (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_stiffness_check, (real *)f->next_check, (real *)f->t_check,
         (real *)f->memory, (real *)f->memory_new};
-    for (unsigned attempt = 1; f->n_live > 0 && !f->pauses; ++attempt) {
+    for (unsigned attempt = 1; f->n_live > 0 && !f->yields; ++attempt) {
         em_group_step(f, &w);
-        if (attempt % EM_GROUP_LOOKS == 0 && f->stopped(f)) return;
+        if (attempt % EM_ATTEMPTS_PER_POLL == 0 && f->stopped(f)) return;
     }
 }
 

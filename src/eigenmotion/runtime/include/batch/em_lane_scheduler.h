@@ -30,8 +30,8 @@ typedef struct em_lane_scheduler {
     size_t next;
 } em_lane_scheduler;
 
-/* Whether runs of this task are made in lanes, apart from members with redundant rows. This depends on the task and
- * the model alone, so that it is the same for all members. */
+/* Whether runs of this task are computed in lanes, except members with redundant rows. This depends only on the task
+ * and the model, so that it is the same for all members. */
 static int em_ensemble_has_lanes(const em_ensemble *e) {
     const em_model *model = e->model;
     if (model->enter == NULL || model->lanes == NULL || model->lanes->run == NULL || model->lanes->width < 2) return 0;
@@ -40,16 +40,15 @@ static int em_ensemble_has_lanes(const em_ensemble *e) {
 }
 
 /* Whether a member's inputs are constant, as lanes require. */
-static int em_ensemble_rests(const em_ensemble *e, size_t member) {
+static int em_has_constant_inputs(const em_ensemble *e, size_t member) {
     const em_signal *inputs = e->inputs ? e->inputs + member * e->inputs_stride : NULL;
     for (int k = 0; k < e->model->n_inputs; ++k)
         if (inputs[k].kind != EM_CONSTANT) return 0;
     return 1;
 }
 
-/* Frees the slot of a run that has ended. kept: its results are stored; else the member is run again by the scalar
- * code. */
-static void em_leave(em_lane_scheduler *w, em_slot *slot, int kept) {
+/* Frees the slot of a run that has ended. kept: its results are stored; otherwise the scalar code repeats the run. */
+static void em_leave_lane(em_lane_scheduler *w, em_slot *slot, int kept) {
     em_ensemble *const e = w->e;
     if (slot->run_state != NULL) e->model->close(slot->run_state);
     if (kept) em_ensemble_keep(e, slot->member, &slot->run);
@@ -64,9 +63,9 @@ static em_slot *em_free_slot(em_lane_scheduler *w) {
     return slot;
 }
 
-/* Starts the next member in a free slot, where it waits for a lane of its mode; or runs it to its end by the scalar
- * code. */
-static void em_arrive(em_lane_scheduler *w) {
+/* Starts the next member in a free slot, where it waits for a lane of its mode; if lanes cannot compute it, the scalar
+ * code runs it to its end. */
+static void em_start_member(em_lane_scheduler *w) {
     em_ensemble *const e = w->e;
     em_slot *const slot = em_free_slot(w);
     em_run *const run = &slot->run;
@@ -75,37 +74,37 @@ static void em_arrive(em_lane_scheduler *w) {
     slot->run_state = NULL;
     slot->taken = 1;
     *run = e->task;
-    if (!em_ensemble_stopped(e) && em_ensemble_rests(e, slot->member) &&
+    if (!em_ensemble_stopped(e) && em_has_constant_inputs(e, slot->member) &&
         em_ensemble_start(e, slot->member, slot->c, slot->y, &run->fault) == 0) {
         run->prepared = slot->c;
         run->y_start = slot->y;
         run->inputs = e->inputs ? e->inputs + slot->member * e->inputs_stride : NULL;
         slot->run_state = e->model->enter(run, &mode);
     }
-    if (slot->run_state == NULL) em_leave(w, slot, 0);
+    if (slot->run_state == NULL) em_leave_lane(w, slot, 0);
     else w->waiting[mode][w->n_waiting[mode]++] = slot;
 }
 
 /* How many lanes of a group could be in use; members not yet started count as of mode 0. */
-static size_t em_ready(const em_lane_scheduler *w, int mode) {
+static size_t em_usable_lanes(const em_lane_scheduler *w, int mode) {
     const size_t here = (size_t)(w->groups[mode].n_live + w->n_waiting[mode]);
     const size_t more = mode == 0 ? w->e->count - w->next : 0;
     return here + more < (size_t)w->width ? here + more : (size_t)w->width;
 }
 
-/* Whether the other group is to continue first. */
+/* Whether the other group should continue first. */
 static int em_yields_lane(const em_lane_scheduler *w, int mode) {
     if (w->modes == 1) return 0;
-    const size_t other = em_ready(w, !mode);
-    return other > em_ready(w, mode) || (mode == 0 && other == (size_t)w->width);
+    const size_t other = em_usable_lanes(w, !mode);
+    return other > em_usable_lanes(w, mode) || (mode == 0 && other == (size_t)w->width);
 }
 
-/* Loads a run into an empty lane, unless the other group is to continue first; without a run left the lane stays
- * idle. */
+/* Loads a run into an empty lane, unless the group yields to the other; if no run is left, the lane stays idle. */
 static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
     em_lane_group *const f = &w->groups[mode];
-    while (!(f->pauses = em_yields_lane(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count) em_arrive(w);
-    f->live[lane] = !f->pauses && w->n_waiting[mode] > 0;
+    while (!(f->yields = em_yields_lane(w, mode)) && mode == 0 && w->n_waiting[0] == 0 && w->next < w->e->count)
+        em_start_member(w);
+    f->live[lane] = !f->yields && w->n_waiting[mode] > 0;
     f->n_live += f->live[lane];
     if (f->live[lane]) {
         em_slot *const slot = w->in_lane[mode][lane] = w->waiting[mode][--w->n_waiting[mode]];
@@ -117,41 +116,41 @@ static void em_fill_lane(em_lane_scheduler *w, int mode, int lane) {
 }
 
 /* em_lane_group.check_step */
-static int em_ensemble_check_step(em_lane_group *f, int lane, em_landing landing) {
-    enum { ANEW = -1, GOES_ON, ENDED, CHANGES };
-    em_lane_scheduler *const w = f->with;
+static int em_ensemble_check_step(em_lane_group *f, int lane, em_lane_outcome outcome) {
+    enum { RESTARTS = -1, CONTINUES, ENDED, CHANGES_MODE };
+    em_lane_scheduler *const w = f->owner;
     em_slot *const slot = w->in_lane[f->mode][lane];
-    const int came = landing == EM_LOST ? ANEW : w->e->model->check_step(slot->run_state, f, lane, landing);
-    if (came == GOES_ON) return 0;
+    const int result = outcome == EM_LOST ? RESTARTS : w->e->model->check_step(slot->run_state, f, lane, outcome);
+    if (result == CONTINUES) return 0;
     f->live[lane] = 0;
     --f->n_live;
-    if (came == CHANGES) w->waiting[!f->mode][w->n_waiting[!f->mode]++] = slot;
-    else em_leave(w, slot, came == ENDED);
+    if (result == CHANGES_MODE) w->waiting[!f->mode][w->n_waiting[!f->mode]++] = slot;
+    else em_leave_lane(w, slot, result == ENDED);
     em_fill_lane(w, f->mode, lane);
     return 1;
 }
 
 /* em_lane_group.stopped */
 static int em_ensemble_all_stop(em_lane_group *f) {
-    em_lane_scheduler *const w = f->with;
+    em_lane_scheduler *const w = f->owner;
     return w->stopped = em_ensemble_stopped(w->e);
 }
 
 /* Ends the runs that were in progress when an end was requested. */
-static void em_ensemble_give_up(em_lane_scheduler *w) {
+static void em_ensemble_interrupt(em_lane_scheduler *w) {
     for (em_slot *slot = w->slots; slot < w->slots + EM_SLOTS; ++slot) {
         if (!slot->taken) continue;
         slot->run.fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
         for (int mode = 0; mode < w->modes; ++mode)
             for (int lane = 0; lane < w->width; ++lane)
                 if (w->in_lane[mode][lane] == slot && w->groups[mode].live[lane]) slot->run.t_reached = w->groups[mode].t[lane];
-        em_leave(w, slot, 1);
+        em_leave_lane(w, slot, 1);
     }
     while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->slots->c, w->slots->y);
 }
 
 /* Takes the next numbers of a block of memory. */
-static double *em_cut_off(double **place, size_t size) {
+static double *em_take_block(double **place, size_t size) {
     double *const piece = *place;
     *place += size;
     return piece;
@@ -175,20 +174,20 @@ static void em_group_tables(em_lane_group *f, const em_model *model, double *pla
                             (size_t)model->n_inputs};
     double **const numbers[EM_GROUP_NUMBERS] = {
         &f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps, &f->n_rejected,
-        &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_judge, &f->next_look, &f->t_look};
-    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_cut_off(&place, sizes[k] * width);
-    for (int k = 0; k < EM_GROUP_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
+        &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_stiffness_check, &f->next_check, &f->t_check};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_take_block(&place, sizes[k] * width);
+    for (int k = 0; k < EM_GROUP_NUMBERS; ++k) *numbers[k] = em_take_block(&place, width);
 }
 
 static void em_group_begin(em_lane_scheduler *w, int mode, double *place) {
     const em_run *const task = &w->e->task;
     em_lane_group *const f = &w->groups[mode];
-    *f = (em_lane_group){.task = task, .mode = mode, .with = w};
+    *f = (em_lane_group){.task = task, .mode = mode, .owner = w};
     f->check_step = em_ensemble_check_step, f->stopped = em_ensemble_all_stop;
     f->rtol = task->rtol > 100.0 * DBL_EPSILON ? task->rtol : 100.0 * DBL_EPSILON;
     f->direction = task->t_end < task->t_start ? -1.0 : 1.0;
     f->stretch = pow(f->rtol, -1.0 / 8.0);
-    f->always = w->e->model->n_events > 0 || f->rtol > 1e-5; /* EM_LOOSE of em_singularity_monitor.h */
+    f->check_always = w->e->model->n_events > 0 || f->rtol > 1e-5; /* EM_LOOSE of em_singularity_monitor.h */
     em_group_tables(f, w->e->model, place);
 }
 
@@ -200,20 +199,20 @@ static double *em_lane_scheduler_open(em_lane_scheduler *w) {
     double *const block = calloc((size_t)w->modes * group + LINE + EM_SLOTS * (c + n), sizeof *block);
     if (block == NULL) return NULL;
     double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
-    for (int mode = 0; mode < w->modes; ++mode) em_group_begin(w, mode, em_cut_off(&place, group));
+    for (int mode = 0; mode < w->modes; ++mode) em_group_begin(w, mode, em_take_block(&place, group));
     for (int k = 0; k < EM_SLOTS; ++k) {
-        w->slots[k].c = em_cut_off(&place, c);
-        w->slots[k].y = em_cut_off(&place, n);
+        w->slots[k].c = em_take_block(&place, c);
+        w->slots[k].y = em_take_block(&place, n);
     }
     return block;
 }
 
 /* Fills the empty lanes and continues the group until it yields to the other. */
-static void em_group_go_on(em_lane_scheduler *w, int mode) {
+static void em_group_continue(em_lane_scheduler *w, int mode) {
     em_lane_group *const f = &w->groups[mode];
     for (int lane = 0; lane < w->width; ++lane)
         if (!f->live[lane]) em_fill_lane(w, mode, lane);
-    if (f->n_live > 0 && !f->pauses) w->e->model->lanes->run(f);
+    if (f->n_live > 0 && !f->yields) w->e->model->lanes->run(f);
 }
 
 /* Runs all members in lanes, as far as possible. 0, or -1 without memory. */
@@ -221,9 +220,9 @@ static int em_ensemble_in_lanes(em_ensemble *e) {
     em_lane_scheduler w = {.e = e, .modes = e->model->lanes->modes, .width = e->model->lanes->width};
     double *const block = em_lane_scheduler_open(&w);
     if (block == NULL) return -1;
-    for (int mode = 0; em_ready(&w, mode) > 0 && !w.stopped; mode = em_yields_lane(&w, mode) ? !mode : mode)
-        em_group_go_on(&w, mode);
-    em_ensemble_give_up(&w);
+    for (int mode = 0; em_usable_lanes(&w, mode) > 0 && !w.stopped; mode = em_yields_lane(&w, mode) ? !mode : mode)
+        em_group_continue(&w, mode);
+    em_ensemble_interrupt(&w);
     free(block);
     return 0;
 }
@@ -231,7 +230,7 @@ static int em_ensemble_in_lanes(em_ensemble *e) {
 /* Runs every member of an ensemble. 0, or -1 without memory. */
 static int em_ensemble_run(em_ensemble *e) {
     timespec_get(&e->polled, TIME_UTC);
-    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_by_numbers(e, 0, e->count);
+    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_scalar(e, 0, e->count);
 }
 
 #endif

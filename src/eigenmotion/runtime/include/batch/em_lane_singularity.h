@@ -13,8 +13,7 @@ EM_INLINE em_truth em_pivot_stays(real before, real after) {
 
 #ifdef EM_PIVOTS
 
-/* -1 in lanes whose step resolves M between x and x_new (n); the others are checked by the scalar code, which names
- * the reason. */
+/* -1 in lanes whose step resolves M between x and x_new (n); the scalar code checks the others, and names the reason. */
 EM_NOINLINE em_truth em_resolved(real t, const real *x, real t_new, const real *x_new, const real *c, double rtol) {
     em_truth resolved = ~(em_truth){0};
     real middle[N], pivots[3][N_PIVOTS], diagonal[N_PIVOTS];
@@ -24,7 +23,7 @@ EM_NOINLINE em_truth em_resolved(real t, const real *x, real t_new, const real *
     EM_PIVOTS(t_new, x_new, c, pivots[2], diagonal);
     for (int k = 0; k < N_PIVOTS; ++k) {
         resolved &= em_pivot_stays(pivots[0][k], pivots[1][k]) & em_pivot_stays(pivots[1][k], pivots[2][k]);
-        resolved &= pivots[2][k] * rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k];
+        resolved &= pivots[2][k] * rtol > EM_PASSAGE_ERROR * DBL_EPSILON * diagonal[k];
     }
     return resolved;
 }

@@ -1,4 +1,4 @@
-/* em_members.h: tasks and results of many runs of one em_model, and a driver that runs one after the other. */
+/* em_members.h: tasks and results of many runs of one em_model, and a driver that computes them one after the other. */
 #ifndef EM_MEMBERS_H
 #define EM_MEMBERS_H
 
@@ -126,7 +126,7 @@ static void em_ensemble_member(em_ensemble *e, size_t member, double *c, double 
 }
 
 /* Runs members first ... last - 1 by the scalar code. 0, or -1 without memory. */
-static int em_ensemble_by_numbers(em_ensemble *e, size_t first, size_t last) {
+static int em_ensemble_scalar(em_ensemble *e, size_t first, size_t last) {
     const size_t width = (size_t)e->model->n_prepared + 1, states = (size_t)e->model->n_state;
     double *const memory = malloc((width + states) * sizeof *memory);
     if (memory == NULL) return -1;

@@ -1,9 +1,9 @@
 /* em_steppers.h: K steppers of one em_model, advanced together.
  *
  * For the runtime, not for generated code. They use lanes (em_fixed_steps.h) if the method has a fixed step size and
- * the model allows it; else each is an em_stepper (em_control.h). Members are independent: the results of one depend
- * neither on their number nor on threads. All memory is allocated as they open. A member that fails, or meets a
- * terminal event, has ended: it stays there until it is restarted. */
+ * the model allows it; otherwise each is an em_stepper (em_control.h). Members are independent: the results of one
+ * depend neither on their number nor on threads. All memory is allocated when they are opened. A member that fails, or
+ * reaches a terminal event, has ended: it stays there until it is restarted. */
 #ifndef EM_STEPPERS_H
 #define EM_STEPPERS_H
 
@@ -92,7 +92,7 @@ static double *em_steppers_of(const em_steppers *s, double *table, size_t member
 }
 
 /* Copies x and v (n) of a member out of its lane: y is x, xdot. */
-static void em_steppers_show(em_steppers *s, size_t member) {
+static void em_steppers_copy_out(em_steppers *s, size_t member) {
     const int n = s->model->n, lane = (int)(member % (size_t)s->width);
     const double *const y = em_steppers_of(s, s->Y, member, s->model->n_state);
     em_lane_out(s->width, lane, n, y, s->x + member * (size_t)n);
@@ -105,11 +105,11 @@ static void em_steppers_put(em_steppers *s, size_t member, double t, const doubl
     em_lane_in(s->width, lane, model->n_state, y, em_steppers_of(s, s->Y, member, model->n_state));
     em_lane_in(s->width, lane, model->n_prepared, c, em_steppers_of(s, s->C, member, model->n_prepared + 1));
     s->t[member] = t;
-    em_steppers_show(s, member);
+    em_steppers_copy_out(s, member);
 }
 
-/* Takes the step of one lane, or ends its member. Returns whether the member is still on its way. */
-static int em_steppers_land(em_steppers *s, const em_fixed_steps *w, size_t member, double t_goal, const double *y,
+/* Accepts the step of one lane, or ends its member. Returns whether the member has not reached its target time. */
+static int em_steppers_take_step(em_steppers *s, const em_fixed_steps *w, size_t member, double t_goal, const double *y,
                             const double *c, const double *u) {
     const int lane = (int)(member % (size_t)s->width), n = s->model->n_state;
     s->n_rhs[member] += w->rk->stages;
@@ -124,7 +124,7 @@ static int em_steppers_land(em_steppers *s, const em_fixed_steps *w, size_t memb
     return s->t[member] != t_goal;
 }
 
-/* Whether an end is requested; calls poll, every 20 ms at the most. */
+/* Whether an end is requested; calls poll at most every 20 ms. */
 static int em_steppers_stopped(const em_steppers *s, struct timespec *polled) {
     struct timespec now;
     if (*s->stop) return 1;
@@ -137,7 +137,7 @@ static int em_steppers_stopped(const em_steppers *s, struct timespec *polled) {
 }
 
 /* Stops the members of a group: for now, or for good. */
-static int em_steppers_leave(em_steppers *s, size_t first, int *live, em_status status) {
+static int em_steppers_stop_group(em_steppers *s, size_t first, int *live, em_status status) {
     for (int lane = 0; lane < s->width; ++lane) {
         if (!live[lane]) continue;
         s->fault[first + (size_t)lane] = (em_fault){status, -1, -1, 0.0};
@@ -150,7 +150,7 @@ static int em_steppers_leave(em_steppers *s, size_t first, int *live, em_status 
 /* Advances one group to its members' times. */
 static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t first, const double *t_goal,
                               struct timespec *polled) {
-    enum { LOOKS = 256 };
+    enum { STEPS_PER_POLL = 256 };
     const em_model *const model = s->model;
     const int width = s->width;
     double *const y = em_steppers_of(s, s->Y, first, model->n_state), *const u = em_steppers_of(s, s->U, first, model->n_inputs + 1);
@@ -172,13 +172,14 @@ static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t fi
         }
         em_fixed_any(width, w, t, y, c, u);
         for (int lane = 0; lane < width; ++lane)
-            if (live[lane] && !em_steppers_land(s, w, first + (size_t)lane, t_goal[first + (size_t)lane], y, c, u))
+            if (live[lane] && !em_steppers_take_step(s, w, first + (size_t)lane, t_goal[first + (size_t)lane], y, c, u))
                 live[lane] = 0, --n_live;
-        if (n_live > 0 && step >= s->task.max_steps) n_live = em_steppers_leave(s, first, live, EM_TOO_MANY_STEPS);
-        if (n_live > 0 && step % LOOKS == 0 && em_steppers_stopped(s, polled))
-            n_live = em_steppers_leave(s, first, live, EM_INTERRUPTED);
+        if (n_live > 0 && step >= s->task.max_steps) n_live = em_steppers_stop_group(s, first, live, EM_TOO_MANY_STEPS);
+        if (n_live > 0 && step % STEPS_PER_POLL == 0 && em_steppers_stopped(s, polled))
+            n_live = em_steppers_stop_group(s, first, live, EM_INTERRUPTED);
     }
-    for (int lane = 0; lane < width && first + (size_t)lane < s->count; ++lane) em_steppers_show(s, first + (size_t)lane);
+    for (int lane = 0; lane < width && first + (size_t)lane < s->count; ++lane)
+        em_steppers_copy_out(s, first + (size_t)lane);
 }
 
 /* --- one by one --- */
@@ -198,7 +199,7 @@ static void em_steppers_read(em_steppers *s, size_t member) {
 
 /* Moves a member from the end of its last step back to the terminal event within it: `row` (n_state) at t. Its
  * counts are kept, but not its step size and history: it does not continue from there. */
-static void em_steppers_stand(em_steppers *s, size_t member, double t, const double *row) {
+static void em_steppers_move_to_event(em_steppers *s, size_t member, double t, const double *row) {
     em_stepper *const one = s->steppers[member];
     const int events = s->model->n_events;
     const double *const c = one->run.prepared == one->c ? NULL : one->run.prepared;
@@ -221,7 +222,7 @@ static void em_steppers_end_at_event(em_steppers *s, size_t member) {
     for (int k = 0; k < s->model->n_events; ++k) {
         const em_rows *const rows = &run->events[k];
         if (!run->event_terminal[k] || rows->count == 0 || rows->t[rows->count - 1] != run->t_reached) continue;
-        em_steppers_stand(s, member, run->t_reached, rows->y + (rows->count - 1) * rows->width);
+        em_steppers_move_to_event(s, member, run->t_reached, rows->y + (rows->count - 1) * rows->width);
         return;
     }
 }

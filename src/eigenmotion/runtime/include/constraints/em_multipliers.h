@@ -69,9 +69,9 @@ EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
     return -1;
 }
 
-/* Rows that do not hold in the mode are zero, and so are their right-hand sides. With the largest number of the
- * diagonal in their place, their multipliers are zero, too. */
-EM_INLINE void em_rest_rows(int m, real *restrict Delta) {
+/* Delta <- with a non-zero diagonal for inactive rows. Rows that do not hold in the mode are zero, and so are their
+ * right-hand sides; with the largest diagonal entry in their place, Delta is regular and their multipliers are zero. */
+EM_INLINE void em_fill_inactive_rows(int m, real *restrict Delta) {
 #ifdef EM_SWITCHED_ROWS
     real largest = em_real(0.0);
     for (int i = 0; i < m; ++i) largest = em_where(em_value(Delta[i * m + i]) > em_value(largest), Delta[i * m + i], largest);
@@ -114,9 +114,10 @@ EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict r
     return -1;
 }
 
-/* The same; if dependent rows are allowed and none are kept, the multipliers of least norm. 0, or -1 and *fault. */
+/* The same; if dependent rows are allowed and the kept rows are not known, the multipliers of least norm. 0, or -1 and
+ * *fault. */
 EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
-    em_rest_rows(m, Delta);
+    em_fill_inactive_rows(m, Delta);
 #ifdef EM_ON_LANES
     return (void)fault, em_solve_independent(m, Delta, rhs, flags), 0;
 #else
@@ -153,7 +154,7 @@ EM_NOINLINE void em_swap_rows(int m, double *Delta, double *rhs, double *unit, i
 EM_NOINLINE int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
     double unit[m], y[m];
     int column[m];
-    em_rest_rows(m, Delta);
+    em_fill_inactive_rows(m, Delta);
     for (int i = 0; i < m; ++i) {
         const int kept = flags < EM_FIRST_KEPT || (flags & EM_FIRST_KEPT << i);
         for (int j = 0; j < m && !kept; ++j) Delta[i * m + j] = Delta[j * m + i] = i == j;
@@ -198,11 +199,11 @@ EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, i
     real whole[m];
 #ifndef EM_ON_LANES
     if (em_is_square_of_rows(m, Delta)) return em_solve_delta(m, Delta, rhs, flags, fault);
-    real given[m * m], right[m];
-    memcpy(given, Delta, sizeof given);
+    real original[m * m], right[m];
+    memcpy(original, Delta, sizeof original);
     memcpy(right, rhs, sizeof right);
 #endif
-    em_rest_rows(m, Delta);
+    em_fill_inactive_rows(m, Delta);
     for (int i = 0; i < m; ++i) whole[i] = Delta[i * m + i];
     for (int i = 0; i < m && flags >= EM_FIRST_KEPT; ++i) {
         if (flags & EM_FIRST_KEPT << i) continue;
@@ -216,7 +217,7 @@ EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, i
 #ifdef EM_ON_LANES
             return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, em_number(pivot));
 #else
-            return em_solve_pushed_pivoted(m, given, right, rhs, flags, fault);
+            return em_solve_pushed_pivoted(m, original, right, rhs, flags, fault);
 #endif
         for (int i = k + 1; i < m; ++i) {
             const real part = Delta[i * m + k] / pivot;

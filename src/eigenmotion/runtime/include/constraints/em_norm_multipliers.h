@@ -1,4 +1,4 @@
-/* em_norm_multipliers.h: multipliers under friction in proportion to norms of them, as in a bearing.
+/* em_norm_multipliers.h: multipliers with friction that is proportional to norms of them, as in a bearing.
  *
  *     Delta lambda + sum_f g_f rho_f = load,   rho_f = sqrt(sum of lambda_k^2 over the rows of f)
  *
@@ -77,9 +77,9 @@ EM_INLINE int em_solve_signed(int m, real *A, const double *unit, real *x) {
     return sign;
 }
 
-/* The same of the rows that are kept or of all; rows that do not hold are zero. */
+/* The same for the kept rows, or for all; rows that do not hold are zero. */
 EM_INLINE int em_solve_norm_friction(int m, real *A, const double *unit, real *x, int flags) {
-    em_rest_rows(m, A);
+    em_fill_inactive_rows(m, A);
     for (int i = 0; i < m && flags >= EM_FIRST_KEPT && i < EM_MOST_ROWS; ++i) {
         if (flags & EM_FIRST_KEPT << i) continue;
         for (int j = 0; j < m; ++j) A[i * m + j] = A[j * m + i] = em_real(i == j ? 1.0 / (unit[i] * unit[i]) : 0.0);

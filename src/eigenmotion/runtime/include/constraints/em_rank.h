@@ -18,7 +18,7 @@
                                each other */
 #define EM_NOTHING 1e-290   /* below this, the rounding of a number is not proportional to it */
 
-enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
+enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM }; /* the flags that concern constraint rows */
 
 /* Units (m) in which the rows of B have length one; rows that vanish relative to the others keep their unit. */
 EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {

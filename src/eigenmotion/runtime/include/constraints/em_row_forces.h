@@ -1,5 +1,5 @@
-/* em_row_forces.h: multipliers where friction is proportional to them, so that reactions act along other rows than
- * those that hold. */
+/* em_row_forces.h: multipliers with friction that is proportional to them, so that reactions act along other rows than
+ * those of the constraints. */
 #ifndef EM_ROW_FORCES_H
 #define EM_ROW_FORCES_H
 
@@ -16,8 +16,8 @@ EM_NOINLINE void em_push(double t, const double *x, const double *v, const doubl
 }
 
 #ifdef EM_NORMALS
-/* lambda (m) <- (B Q^T)^-1 lambda with Q at the direction of the multipliers found, if norms of multipliers act,
- * too. 0, or -1 and *fault. */
+/* lambda (m) <- (B Q^T)^-1 lambda if norms of multipliers act, too; Q <- at the direction of the resulting multipliers.
+ * 0, or -1 and *fault. */
 EM_NOINLINE int em_solve_push_anew(em_root *root, double *lambda, int flags, em_fault *fault) {
     double all[EM_PUSHED], toward[N_NORMALS * N_ROWS];
     memcpy(all, lambda, N_ROWS * sizeof *lambda);

@@ -2,8 +2,8 @@
  * conditions that end it.
  *
  * A mode is the set of constraint rows that hold. It is encoded in the prepared parameters: a switched row has a
- * parameter as a factor, 1 or 0, and a row that is 0 has no multiplier (em_rest_rows). A contact holds until it
- * would pull, a friction sticks until its force would exceed its limit. Both conditions are functions of the
+ * parameter as a factor, 1 or 0, and a row that is 0 has no multiplier (em_fill_inactive_rows). A contact holds until
+ * it would pull, a friction sticks until its force would exceed its limit. Both conditions are functions of the
  * multiplier, which is then their event function.
  *
  * A contact that touches, or a friction at its limit without slip, is idle if other rows keep it so: its row depends
@@ -14,7 +14,7 @@
 
 #include "dynamics/em_mechanics.h"
 
-enum { EM_IMPACT_ROWS = N_ROWS + 1, EM_IMPACT_SIZE = N + 2 /* numbers an impact is stated by: N (n), rate, e */ };
+enum { EM_IMPACT_ROWS = N_ROWS + 1, EM_IMPACT_SIZE = N + 2 /* the data of an impact: N (n), rate, e */ };
 
 /* N v + rate */
 EM_NOINLINE double em_approach(const double *impact_data, const double *v) {
@@ -67,7 +67,7 @@ typedef struct em_state_of_switch {
     double idles, shift[2];
 } em_state_of_switch;
 
-/* c <- prepared again for this mode (n_switches). 0, or -1 and *fault. */
+/* c <- the constants of this mode (n_switches). 0, or -1 and *fault. */
 EM_NOINLINE int em_set_mode(double *c, const em_state_of_switch *mode, em_fault *fault) {
     double parameters[N_PARAMETERS + 1];
     int same = 1;
@@ -118,9 +118,9 @@ EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const d
     return 0;
 }
 
-/* em_model.acceleration: the multipliers of idle frictions are their forces, as if their rows held, so that results
- * contain them in every mode. */
-EM_EXPORT int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u,
+/* em_model.acceleration: the same as em_acceleration, but the multipliers of idle frictions are their forces, as if
+ * their rows held, so that results contain them in every mode. */
+EM_EXPORT int em_acceleration_with_idle(double t, const double *x, const double *v, const double *c, const double *u,
                                     int least_norm, double *a, double *lambda, em_fault *fault) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
@@ -178,7 +178,7 @@ EM_NOINLINE int em_shared_normal(const em_all_rows *r) {
     const int rank = em_rank(EM_SOME_ROWS, Delta);
     for (int k = 0; k < N_SWITCHES; ++k)
         for (int row = 0; row < N_ROWS && em_norm_of(&switches[k]) >= 0; ++row) {
-            if (switched[row] || !em_is_among(em_norm_of(&switches[k]), row)) continue;
+            if (switched[row] || !em_is_in_norm(em_norm_of(&switches[k]), row)) continue;
             em_unswitched(r, row, Delta, switched);
             if (em_rank(EM_SOME_ROWS, Delta) == rank) return row;
         }
@@ -209,7 +209,7 @@ EM_NOINLINE int em_all_rows_at(double t, const double *x, const double *v, const
     return 0;
 }
 
-/* The problem with the rows alone that hold in every mode. G is for all rows. */
+/* Initialises the problem with only the rows that hold in every mode. G is for all rows. */
 EM_NOINLINE void em_begin_mixed(const em_all_rows *r, em_mixed *s) {
     *s = (em_mixed){.k = EM_IMPACT_ROWS};
     for (int i = 0; i < EM_IMPACT_ROWS; ++i) {
@@ -238,12 +238,12 @@ EM_NOINLINE void em_friction_row(em_mixed *s, int k, const double *level, const 
     const int norm = em_norm_of(friction), presses = friction->over >= 0 || norm >= 0, cone = em_is_cone(friction);
     for (int row = friction->row; row <= friction->row + cone; ++row) {
         const int first = row == friction->row;
-        s->kind[row] = rate ? EM_ROW_SLIDES : !cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_TOO;
+        s->kind[row] = rate ? EM_ROW_SLIDES : !cone ? EM_ROW_FRICTION : first ? EM_ROW_CONE : EM_ROW_CONE_SECOND;
         s->side[row] = 0.0;
         s->choice[row] = EM_HOLDS_ROW;
         if (friction->over >= 0) s->over[row * EM_IMPACT_ROWS + switches[friction->over].row] = 1.0;
         s->rooted[row] = norm >= 0;
-        for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_IMPACT_ROWS + j] = em_is_among(norm, j);
+        for (int j = 0; j < N_ROWS && norm >= 0; ++j) s->over[row * EM_IMPACT_ROWS + j] = em_is_in_norm(norm, j);
         (presses ? s->coefficient : s->level)[row] = level[EM_LEVELS * k];
         (presses ? s->coefficient_at_rest : s->at_rest)[row] = fmax(level[EM_LEVELS * k], level[EM_LEVELS * k + 1]);
     }

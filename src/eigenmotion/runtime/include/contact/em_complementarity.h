@@ -1,7 +1,7 @@
 /* em_complementarity.h: the mixed linear complementarity problem of contacts and frictions, solved by enumeration or
  * by pivoting.
  *
- *     w = q + G p      G (k, k) = B B^T; p what rows push with, w the acceleration (or the velocity after an impact) along them
+ *     w = q + G p      G (k, k) = B B^T; p the forces along the rows, w the accelerations (or velocities after an impact)
  *
  *     free row        w = 0
  *     contact         p >= 0, w >= 0, p w = 0
@@ -15,8 +15,8 @@
  * are dependent the forces are not unique: the modes tried are basic solutions, in which the rows with unbounded
  * forces are independent; or, if cones stick, all rows with shared forces (em_force_sharing.h).
  *
- * If several modes are consistent (Painleve), the one that changes the fewest of the given choices is taken, and of
- * those the first in the order of rows. If none is, `clash` says which conditions conflict. */
+ * If several modes are consistent (Painleve), the result is the one that changes the fewest of the initial choices, and
+ * among those the first in the order of rows. If none is, `clash` has the conditions that conflict. */
 #ifndef EM_COMPLEMENTARITY_H
 #define EM_COMPLEMENTARITY_H
 
@@ -28,9 +28,9 @@
 enum { EM_ENUMERATED = 8, EM_MOST_TRIED = 200000 }; /* up to so many rows modes are enumerated before pivoting; modes
                                                        tried before giving up */
 
-/* The second row of a cone is EM_ROW_CONE_TOO, after the first; their choice is the same. */
+/* The second row of a cone is EM_ROW_CONE_SECOND, after the first; their choice is the same. */
 typedef enum em_row_kind {
-    EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_TOO, EM_ROW_SLIDES
+    EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_SECOND, EM_ROW_SLIDES
 } em_row_kind;
 
 /* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
@@ -49,17 +49,18 @@ struct em_mixed {
     double last[EM_MIXED_ROWS];       /* of a cone whose force has reached its limit: the direction opposite to it,
                                          else 0 */
     int by_last;                      /* whether such cones slide in that direction */
-    int rests[EM_MIXED_ROWS];         /* rows that hold because others do: without a force in a basic solution */
-    double beside[EM_MIXED_ROWS];     /* normal forces of rooted rows beside p */
+    int rests[EM_MIXED_ROWS];         /* rows that hold because others do; their force in a basic solution is zero */
+    double known_p[EM_MIXED_ROWS];    /* known forces that are added to p in the norms of rooted rows */
     double level[EM_MIXED_ROWS], at_rest[EM_MIXED_ROWS];    /* of the limit of sliding, and of sticking */
     double coefficient[EM_MIXED_ROWS], coefficient_at_rest[EM_MIXED_ROWS], side[EM_MIXED_ROWS];
     double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
     double size[EM_MIXED_ROWS];       /* the sum of the magnitudes of the terms in q */
-    double p[EM_MIXED_ROWS + 1], w[EM_MIXED_ROWS + 1]; /* and one, for compilers that take every row for a cone's */
+    double p[EM_MIXED_ROWS + 1], w[EM_MIXED_ROWS + 1]; /* one more, because compilers assume that any row may be the
+                                                          first of a cone */
     double tolerance, unit[EM_MIXED_ROWS], least; /* 1 / length of each row; the smallest violation of any mode */
     int clash[2], tried;              /* rows whose conditions are violated in the closest modes */
-    int (*lasts)(const void *where, const em_mixed *s); /* whether resting rows follow from others nearby, too; or
-                                                           NULL */
+    int (*follow_nearby)(const void *where, const em_mixed *s); /* whether resting rows follow from others at
+                                                                   neighbouring positions, too; or NULL */
     const void *where;
 };
 
@@ -81,7 +82,7 @@ EM_NOINLINE int em_is_unloaded(const em_mixed *s, int i) {
 
 EM_NOINLINE int em_row_holds(const em_mixed *s, int i) {
     if (s->kind[i] == EM_ROW_FREE) return 1;
-    if (s->kind[i] == EM_ROW_CONE_TOO) return em_row_holds(s, i - 1);
+    if (s->kind[i] == EM_ROW_CONE_SECOND) return em_row_holds(s, i - 1);
     return em_is_choice_row(s, i) && s->choice[i] == EM_HOLDS_ROW && !em_is_unloaded(s, i);
 }
 
@@ -89,7 +90,7 @@ EM_NOINLINE int em_row_holds(const em_mixed *s, int i) {
 EM_NOINLINE double em_limit_sign(const em_mixed *s, int i) {
     if (em_is_unloaded(s, i)) return 0.0;
     if (s->kind[i] == EM_ROW_SLIDES) return -s->side[i];
-    if (s->kind[i] == EM_ROW_CONE || s->kind[i] == EM_ROW_CONE_TOO)
+    if (s->kind[i] == EM_ROW_CONE || s->kind[i] == EM_ROW_CONE_SECOND)
         return s->choice[s->kind[i] == EM_ROW_CONE ? i : i - 1] == EM_FORWARD ? -s->side[i] : 0.0;
     if (s->kind[i] != EM_ROW_FRICTION) return 0.0;
     return s->choice[i] == EM_FORWARD ? -1.0 : s->choice[i] == EM_BACK ? 1.0 : 0.0;
@@ -100,15 +101,15 @@ EM_NOINLINE double em_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
     for (int j = 0; j < s->k; ++j) {
         const double over = s->over[i * s->k + j];
-        sum = s->rooted[i] ? hypot(sum, over * (s->p[j] + s->beside[j])) : sum + over * s->p[j];
+        sum = s->rooted[i] ? hypot(sum, over * (s->p[j] + s->known_p[j])) : sum + over * s->p[j];
     }
     return sum;
 }
 
-/* The known part of it, at the direction of the norm. */
-EM_NOINLINE double em_pressed_beside(const em_mixed *s, int i) {
+/* The part of it that comes from known_p, at the current direction of the norm. */
+EM_NOINLINE double em_known_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
-    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->beside[j];
+    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->known_p[j];
     return sum;
 }
 
@@ -132,7 +133,7 @@ EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
         for (int f = 0; f < k; ++f) {
             const double sign = em_limit_sign(s, f);
             if (sign == 0.0) continue;
-            x[i] -= sign * (s->level[f] + s->coefficient[f] * em_pressed_beside(s, f)) * s->G[rows[i] * k + f];
+            x[i] -= sign * (s->level[f] + s->coefficient[f] * em_known_normal_force(s, f)) * s->G[rows[i] * k + f];
             for (int j = 0; j < count; ++j)
                 A[i * count + j] += sign * s->coefficient[f] * s->toward[f * k + rows[j]] * s->G[rows[i] * k + f];
         }
@@ -141,7 +142,7 @@ EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
     for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
     for (int f = 0; f < k; ++f) {
         const double sign = em_limit_sign(s, f);
-        double presses = em_pressed_beside(s, f);
+        double presses = em_known_normal_force(s, f);
         for (int j = 0; j < k && sign != 0.0; ++j) presses += s->toward[f * k + j] * s->p[j];
         if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * presses);
     }
@@ -193,7 +194,7 @@ EM_NOINLINE int em_has_direction(const em_mixed *s, int i, double terms) {
 }
 
 /* Whether the chosen mode has a solution that satisfies all conditions. */
-EM_NOINLINE int em_is_consistent_so(em_mixed *s) {
+EM_NOINLINE int em_is_mode_consistent(em_mixed *s) {
     if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
     double most = 0.0;
@@ -218,13 +219,13 @@ EM_NOINLINE int em_is_consistent(em_mixed *s) {
     int slide[EM_MIXED_ROWS], some = 0;
     ++s->tried;
     s->by_last = 0;
-    if (em_is_consistent_so(s)) return 1;
+    if (em_is_mode_consistent(s)) return 1;
     for (int c = em_sliding_cones(s, slide) - 1; c >= 0; --c) some |= em_has_last(s, slide[c]);
     s->by_last = some;
-    return some && em_is_consistent_so(s);
+    return some && em_is_mode_consistent(s);
 }
 
-/* Whether there is a consistent mode that differs from the one given in `left` of the rows from `from` on. */
+/* Whether there is a consistent mode that differs from the current one in `left` of the rows from `from` on. */
 EM_NOINLINE int em_try_changes(em_mixed *s, int from, int left, int bars) {
     if (s->tried > EM_MOST_TRIED) return 0;
     if (left == 0) {
@@ -254,7 +255,7 @@ EM_NOINLINE void em_scale_mixed(em_mixed *s, int back) {
     for (int i = 0; i < s->k; ++i) {
         const double square = s->G[i * s->k + i];
         if (!back) s->unit[i] = square > 0.0 && s->kind[i] != EM_ROW_OUT ? 1.0 / sqrt(square) : 1.0;
-        if (!back && s->kind[i] == EM_ROW_CONE_TOO) /* one unit for both, so that the length of the vector is
+        if (!back && s->kind[i] == EM_ROW_CONE_SECOND) /* one unit for both, so that the length of the vector is
                                                        meaningful */
             s->unit[i] = s->unit[i - 1] = sqrt(2.0) / hypot(1.0 / s->unit[i], 1.0 / s->unit[i - 1]);
     }
@@ -264,7 +265,7 @@ EM_NOINLINE void em_scale_mixed(em_mixed *s, int back) {
     for (int i = 0; i < s->k; ++i) {
         for (int j = 0; j < s->k; ++j)
             s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j], s->toward[i * s->k + j] *= by[j];
-        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i], s->beside[i] /= by[i];
+        s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i], s->known_p[i] /= by[i];
         s->level[i] /= by[i], s->at_rest[i] /= by[i];
         s->coefficient[i] /= by[i], s->coefficient_at_rest[i] /= by[i];
     }

@@ -5,7 +5,7 @@
 #ifndef EM_CONE_DIRECTIONS_H
 #define EM_CONE_DIRECTIONS_H
 
-#define EM_TURN 6.283185307179586
+#define EM_TWO_PI 6.283185307179586
 
 enum { EM_DIRECTIONS = 8, EM_DIRECTION_STEPS = 40, EM_RELAXATIONS = 100 };
 
@@ -22,7 +22,7 @@ EM_NOINLINE int em_sliding_cones(const em_mixed *s, int *cones) {
 
 /* off (count) <- the angles from d to w if d has these angles. Returns the largest, or -1: the mode's rows are
  * dependent. */
-EM_NOINLINE double em_off_directions(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
+EM_NOINLINE double em_direction_errors(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
     double largest = 0.0;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = cos(angle[c]), s->side[cones[c] + 1] = sin(angle[c]);
     if (em_forces_of_mode(s)) return -1.0;
@@ -42,8 +42,8 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
     for (int c = 0; c < count; ++c) {
         memcpy(near, angle, count * sizeof *near);
         near[c] += apart;
-        if (em_off_directions(s, count, cones, near, there) < 0.0) return -1;
-        for (int i = 0; i < count; ++i) A[i * count + c] = remainder(there[i] - off[i], EM_TURN) / apart;
+        if (em_direction_errors(s, count, cones, near, there) < 0.0) return -1;
+        for (int i = 0; i < count; ++i) A[i * count + c] = remainder(there[i] - off[i], EM_TWO_PI) / apart;
     }
     for (int c = 0; c < count; ++c) step[c] = -off[c];
     int sign;
@@ -53,20 +53,20 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
 /* Newton's iteration from these angles. Returns whether it converged. */
 EM_NOINLINE int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
     double off[EM_MIXED_ROWS], step[EM_MIXED_ROWS], next[EM_MIXED_ROWS], then[EM_MIXED_ROWS];
-    double size = em_off_directions(s, count, cones, angle, off);
+    double size = em_direction_errors(s, count, cones, angle, off);
     for (int k = 0; k < EM_DIRECTION_STEPS && size > 4.0 * DBL_EPSILON; ++k) {
         if (size < 0.0 || em_direction_step(s, count, cones, angle, off, step)) return 0;
         double part = 1.0, after = INFINITY;
         for (; part > 1e-3; part *= 0.5) {
             for (int c = 0; c < count; ++c) next[c] = angle[c] + part * fmax(-1.0, fmin(1.0, step[c]));
-            after = em_off_directions(s, count, cones, next, then);
+            after = em_direction_errors(s, count, cones, next, then);
             if (after >= 0.0 && after < size) break;
         }
         if (!(after >= 0.0 && after < size)) break;
         size = after;
         memcpy(angle, next, count * sizeof *next), memcpy(off, then, count * sizeof *then);
     }
-    em_off_directions(s, count, cones, angle, off);
+    em_direction_errors(s, count, cones, angle, off);
     return size >= 0.0 && size < 1e-9;
 }
 
@@ -111,10 +111,10 @@ EM_NOINLINE int em_relax_directions(em_mixed *s, int count, const int *cones, do
 
 /* angle (count) <- initial guess number `start`; the guesses fill all angles evenly, by powers of an irrational
  * number. */
-EM_NOINLINE void em_some_directions(int start, int count, const double *first, double *angle) {
+EM_NOINLINE void em_initial_directions(int start, int count, const double *first, double *angle) {
     const double root = 1.0 / pow(2.0, 1.0 / (count + 1));
     double step = root;
-    for (int c = 0; c < count; ++c, step *= root) angle[c] = first[c] + EM_TURN * fmod(start * step, 1.0);
+    for (int c = 0; c < count; ++c, step *= root) angle[c] = first[c] + EM_TWO_PI * fmod(start * step, 1.0);
 }
 
 /* side of the sliding cones <- their directions: by relaxation first, then from the directions without friction,
@@ -127,7 +127,7 @@ EM_NOINLINE int em_find_directions(em_mixed *s) {
     if (em_directions_without_friction(s, count, cones, first)) return -1;
     for (int start = -1; start < starts; ++start) {
         if (start < 0 && em_relax_directions(s, count, cones, angle)) continue;
-        if (start >= 0) em_some_directions(start, count, first, angle);
+        if (start >= 0) em_initial_directions(start, count, first, angle);
         if (em_iterate_directions(s, count, cones, angle)) return 0;
     }
     return -1;

@@ -15,7 +15,7 @@
 /* Detects events that accumulate: each follows the one before without time passing. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
     enum { MANY = 200 };
-    const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
+    const double soon = EM_SIMULTANEOUS_SPACINGS * DBL_EPSILON * fabs(a->t);
     for (int i = 0; i < N_EVENTS; ++i) {
         if (!a->fired[i]) continue;
         pile[i].count = pile[i].count > 0 && fabs(a->t - pile[i].t) <= soon ? pile[i].count + 1 : 1;
@@ -28,7 +28,7 @@ EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
 /* --- impacts --- */
 
 /* Whether an event that has fired is an impact that does not belong to a contact. */
-EM_NOINLINE int em_hits(const em_acting *a, int event) {
+EM_NOINLINE int em_is_event_impact(const em_acting *a, int event) {
     return a->fired[event] && event_actions[event].impact >= 0 && event_actions[event].held < 0;
 }
 
@@ -37,7 +37,7 @@ EM_NOINLINE int em_hits(const em_acting *a, int event) {
 EM_NOINLINE int em_impact_round(em_acting *a, em_all_rows *r, double *side) {
     int any = 0;
     for (int i = 0; i < N_EVENTS; ++i) {
-        if (!em_hits(a, i)) continue;
+        if (!em_is_event_impact(a, i)) continue;
         const int any_here = em_impact_event(a, r, i, &side[i]);
         if (any_here < 0) return -1;
         any |= any_here;
@@ -46,7 +46,7 @@ EM_NOINLINE int em_impact_round(em_acting *a, em_all_rows *r, double *side) {
     return any_here < 0 ? -1 : any | any_here;
 }
 
-/* All impacts. 0, or -1 and *fault. */
+/* Applies all impacts. 0, or -1 and *fault. */
 EM_NOINLINE int em_impact_all(em_acting *a, em_all_rows *r) {
     enum { ROUNDS = 1000 };
     double side[N_EVENTS] = {0.0};
@@ -66,13 +66,13 @@ EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
     double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
     position(a->t, a->x, a->c, phi, terms);
     for (int row = 0; row < N_POSITIONS; ++row)
-        if (!(fabs(phi[row]) <= EM_RESET_MAY * terms[row]))
+        if (!(fabs(phi[row]) <= EM_RESET_TOLERANCE * terms[row]))
             return em_fail(a->fault, EM_RESET_OFF, event, row, phi[row]);
     pfaffian(a->t, a->x, a->c, A, b);
     for (int row = 0; row < N_ROWS; ++row) {
         double rate = b[row], size = fabs(b[row]);
         for (int k = 0; k < N; ++k) rate += A[row * N + k] * a->v[k], size += fabs(A[row * N + k] * a->v[k]);
-        if (!(fabs(rate) <= EM_RESET_MAY * size)) return em_fail(a->fault, EM_RESET_OFF, event, row, rate);
+        if (!(fabs(rate) <= EM_RESET_TOLERANCE * size)) return em_fail(a->fault, EM_RESET_OFF, event, row, rate);
     }
     return 0;
 }
@@ -99,8 +99,7 @@ EM_NOINLINE int em_reset(em_acting *a, int event) {
 
 /* --- the mode afterwards --- */
 
-/* The same for cones: those that share a load reach their limits at once, but for rounding. Also finds the direction
- * opposite to their forces. */
+/* released and last <- of sticking cones: cones that share a load reach their limits at once, but for rounding. */
 EM_NOINLINE void em_find_released_cones(em_acting *a) {
     double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     em_fault fault;
@@ -110,7 +109,7 @@ EM_NOINLINE void em_find_released_cones(em_acting *a) {
         const em_switch *const one = &switches[k];
         if (!em_is_cone(one) || !em_holds(one, a->c)) continue;
         const double force = em_along_switch(one, lambda), limit = em_limit(one, level[EM_LEVELS * k + 1], lambda);
-        a->lets_go[k] |= force > 0.0 && force >= (1.0 - EM_AT_LIMIT) * limit;
+        a->released[k] |= force > 0.0 && force >= (1.0 - EM_AT_LIMIT) * limit;
         for (int i = 0; i < 2 && force > 0.0; ++i) a->last[2 * k + i] = lambda[one->row + i] / force;
     }
 }
@@ -119,34 +118,35 @@ EM_NOINLINE void em_find_released_cones(em_acting *a) {
 EM_NOINLINE void em_find_released(em_acting *a) {
     int cones = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
-        a->lets_go[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
-        cones |= a->lets_go[k] && em_is_cone(&switches[k]);
+        a->released[k] = a->fired[switches[k].event] && em_holds(&switches[k], a->c);
+        cones |= a->released[k] && em_is_cone(&switches[k]);
     }
     if (cones) em_find_released_cones(a);
 }
 
 /* Whether a friction may have a normal force: from a contact at rest, a constraint, or the terms of its limit. */
-EM_NOINLINE int em_may_rub(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
+EM_NOINLINE int em_may_have_normal_force(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
     const int norm = em_norm_of(friction);
     int switched[EM_SOME_ROWS] = {0};
     if (norm < 0) return friction->over < 0 || em_is_at_rest(a, r, friction->over);
     for (int k = 0; k < N_SWITCHES; ++k) {
         switched[switches[k].row] = 1;
-        if (em_is_contact(&switches[k]) && em_is_among(norm, switches[k].row) && em_is_at_rest(a, r, k)) return 1;
+        if (em_is_contact(&switches[k]) && em_is_in_norm(norm, switches[k].row) && em_is_at_rest(a, r, k)) return 1;
     }
     for (int row = 0; row < N_ROWS; ++row)
-        if (!switched[row] && em_is_among(norm, row)) return 1;
+        if (!switched[row] && em_is_in_norm(norm, row)) return 1;
     return 0;
 }
 
-/* v <- without the speed, which is rounding, along the rows at rest; friction on a contact that opens stops nothing.
+/* v <- without the speed along the rows at rest, which is rounding. A friction on a contact that opens stops nothing.
  * 0, or -1 and *fault. */
 EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     double c[N_PREPARED + 1];
     memcpy(c, a->c, N_PREPARED * sizeof *c);
     for (int k = 0; k < N_SWITCHES; ++k) {
-        const int stops = em_is_at_rest(a, r, k) && (em_is_contact(&switches[k]) || em_may_rub(a, r, &switches[k]));
+        const em_switch *const s = &switches[k];
+        const int stops = em_is_at_rest(a, r, k) && (em_is_contact(s) || em_may_have_normal_force(a, r, s));
         mode[k] = (em_state_of_switch){.holds = stops};
     }
     if (em_set_mode(c, mode, a->fault)) return -1;
@@ -155,11 +155,12 @@ EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     return 0;
 }
 
-/* The rounding of a gap or a slip; of a slip at rest also its remaining value; of a cone also its shift. */
-EM_NOINLINE void em_round(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
+/* rounding <- of a gap or a slip; for a slip at rest plus its remaining value; for a cone also its shift. */
+EM_NOINLINE void em_set_rounding(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
-    a->rounding[switches[k].event] = EM_ROUNDS * (contact ? r->gap_terms : r->rate_terms)[row];
-    if (em_is_cone(&switches[k])) a->rounding[switches[k].event] = 2.0 * EM_CONE_BEGINS * em_cone_stops(a, r, &switches[k]);
+    a->rounding[switches[k].event] = EM_GAP_ROUNDING * (contact ? r->gap_terms : r->rate_terms)[row];
+    if (em_is_cone(&switches[k]))
+        a->rounding[switches[k].event] = 2.0 * EM_CONE_SHIFT * em_cone_stop_slip(a, r, &switches[k]);
     else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
 }
 
@@ -170,8 +171,8 @@ EM_NOINLINE int em_settle_modes(em_acting *a) {
     em_all_rows r;
     if (N_SWITCHES == 0) return 0;
     if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
-    em_find_still(a, &r);
-    em_find_parts(a);
+    em_find_rest_rates(a, &r);
+    em_find_separation_rates(a);
     if (em_stop_at_rest(a, &r)) return -1;
     em_mode_of(a->c, before);
     for (int k = 0; k < N_SWITCHES; ++k) rests[k] = em_is_at_rest(a, &r, k);
@@ -183,7 +184,7 @@ EM_NOINLINE int em_settle_modes(em_acting *a) {
     if (em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault)) return -1;
     pfaffian(a->t, a->x, r.c, r.A, r.b);
     em_rates_along(&r, a->v);
-    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_round(a, &r, k, rests[k]);
+    for (int k = 0; a->rounding && k < N_SWITCHES; ++k) em_set_rounding(a, &r, k, rests[k]);
     return 0;
 }
 
@@ -213,10 +214,10 @@ EM_NOINLINE int em_starts_inside(em_acting *a, const em_all_rows *r) {
     int inside = 0;
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
-        if (!em_is_contact(s) || em_holds(s, a->c) || !(r->gap[s->row] < -EM_TOUCHES * r->gap_terms[s->row])) continue;
+        if (!em_is_contact(s) || em_holds(s, a->c) || !(r->gap[s->row] < -EM_CLOSED_GAP * r->gap_terms[s->row])) continue;
         if (a->atol && -r->gap[s->row] > em_reach(a, r->A + s->row * N, a->x, EM_START_STEPS, em_start_tolerance(a->rtol)))
             return em_fail(a->fault, EM_START_REFUSED, s->event, EM_INSIDE_CONTACT, r->gap[s->row]);
-        a->deep = fmax(a->deep, -r->gap[s->row] / em_length(N, r->root.B + s->row * N));
+        a->depth = fmax(a->depth, -r->gap[s->row] / em_length(N, r->root.B + s->row * N));
         inside = 1;
     }
     return inside;
@@ -224,7 +225,7 @@ EM_NOINLINE int em_starts_inside(em_acting *a, const em_all_rows *r) {
 
 /* At the start of a run: moves a state that is inside contacts by less than its tolerance onto their surfaces. 0, or
  * -1 and *fault. */
-EM_NOINLINE int em_put_outside(em_acting *a, em_all_rows *r) {
+EM_NOINLINE int em_move_outside_contacts(em_acting *a, em_all_rows *r) {
     enum { STEPS = 20 };
     double before[EM_SOME_ROWS];
     memcpy(before, r->rate, sizeof before);
@@ -233,7 +234,7 @@ EM_NOINLINE int em_put_outside(em_acting *a, em_all_rows *r) {
         if (inside < 1) return inside;
         if (em_push_out(r, a->x)) break;
         if (em_all_rows_at(a->t, a->x, a->v, a->c, r, a->fault)) return -1;
-        for (int row = 0; row < N_ROWS; ++row) a->stirred[row] = fabs(r->rate[row] - before[row]);
+        for (int row = 0; row < N_ROWS; ++row) a->rate_shift[row] = fabs(r->rate[row] - before[row]);
     }
     const int event = em_first_inside(r);
     return em_fail(a->fault, EM_START_REFUSED, event, event < 0 ? -1 : EM_INSIDE_CONTACT, NAN);
@@ -242,7 +243,8 @@ EM_NOINLINE int em_put_outside(em_acting *a, em_all_rows *r) {
 /* Whether a contact that touches approaches. */
 EM_NOINLINE int em_approaches(const em_acting *a, const em_all_rows *r) {
     for (int k = 0; k < N_SWITCHES; ++k)
-        if (em_is_contact(&switches[k]) && a->closed[k] && r->rate[switches[k].row] < -a->still[switches[k].row]) return 1;
+        if (em_is_contact(&switches[k]) && a->closed[k] && r->rate[switches[k].row] < -a->rest_rate[switches[k].row])
+            return 1;
     return 0;
 }
 
@@ -254,9 +256,9 @@ EM_NOINLINE int em_act_on_all(em_acting *a, em_pile *pile) {
     if (N_SWITCHES > 0 || N_IMPACTS > 0) {
         if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
         em_find_released(a);
-        if (a->starts && em_put_outside(a, &r)) return -1;
+        if (a->starts && em_move_outside_contacts(a, &r)) return -1;
         em_find_closed(a, &r);
-        em_find_still(a, &r);
+        em_find_rest_rates(a, &r);
         em_find_landed(a, &r, before);
         if (a->starts && em_approaches(a, &r)) return 0; /* its impact happens first, as an event */
         if (!a->starts && em_impact_all(a, &r)) return -1;
@@ -271,18 +273,18 @@ EM_NOINLINE int em_none_fired(const int *fired) {
     return 1;
 }
 
-/* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; if none fired: at
- * the start of a run. Events whose function jumps are added to `fired`; pile (n_events) belongs to the run. 0, or -1
- * and *fault. */
+/* x, v (n) and c (the mode) <- after the events `fired` (n_events) at t, in the order of the model; if none has fired,
+ * at the start of a run. Events whose function jumps are added to `fired`; pile (n_events) belongs to the run. 0, or
+ * -1 and *fault. */
 EM_EXPORT int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, const em_act_limits *within,
                      int *fired, em_pile *pile, em_fault *fault) {
     em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
-                   .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .deep = *within->deep,
+                   .rtol = within->rtol, .atol = within->atol, .rounding = within->rounding, .depth = *within->depth,
                    .starts = em_none_fired(fired)};
-    memcpy(a.stirred, within->stirred, N_ROWS * sizeof *a.stirred);
+    memcpy(a.rate_shift, within->rate_shift, N_ROWS * sizeof *a.rate_shift);
     const int failed = em_act_on_all(&a, pile);
-    *within->deep = a.deep;
-    memcpy(within->stirred, a.stirred, N_ROWS * sizeof *a.stirred);
+    *within->depth = a.depth;
+    memcpy(within->rate_shift, a.rate_shift, N_ROWS * sizeof *a.rate_shift);
     return failed;
 }
 

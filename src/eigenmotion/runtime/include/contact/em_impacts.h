@@ -18,7 +18,7 @@
 #include "contact/em_mode_selection.h"
 
 #define EM_SEPARATING 1e-13 /* the part of the largest speed below which bodies count as separating */
-#define EM_RAISES 1e-12 /* the part of the work of impulses by which rounding may raise the energy */
+#define EM_ENERGY_ROUNDING 1e-12 /* the part of the work of impulses by which rounding may raise the energy */
 
 /* The problem of one impact: which rows strike, their restitutions (0 if they land), and impacts; rates before; the
  * results. The last row is that of an event's impact, without a contact, if there is one: oriented so that it
@@ -37,7 +37,7 @@ typedef struct em_impact {
 EM_NOINLINE int em_takes_impact(const em_mixed *s, const em_switch *friction) {
     int any = friction->over >= 0 && s->kind[switches[friction->over].row] == EM_ROW_CONTACT;
     for (int row = 0; row < N_ROWS && em_norm_of(friction) >= 0; ++row)
-        any |= em_is_among(em_norm_of(friction), row) && s->kind[row] != EM_ROW_OUT;
+        any |= em_is_in_norm(em_norm_of(friction), row) && s->kind[row] != EM_ROW_OUT;
     return any;
 }
 
@@ -58,7 +58,7 @@ EM_NOINLINE void em_impact_rows(const em_acting *a, const em_all_rows *r, em_imp
         const int row = one->row;
         if (em_is_contact(one) != contacts) continue;
         b->rest[row] = level[EM_LEVELS * k];
-        if (contacts && a->closed[k] && r->rate[row] <= a->still[row])
+        if (contacts && a->closed[k] && r->rate[row] <= a->rest_rate[row])
             s->kind[row] = EM_ROW_CONTACT, s->choice[row] = EM_HOLDS_ROW;
         else if (!contacts && em_takes_impact(s, one))
             em_friction_row(s, k, level, NULL, a->c), s->coefficient_at_rest[row] = s->coefficient[row];
@@ -88,25 +88,25 @@ EM_NOINLINE double em_impact_work(const em_impact *b) {
 /* Expansion after compression: impulse (m + 1) so far, rates s.w. As em_solve_mixed. */
 EM_NOINLINE int em_impact_expands(em_impact *b) {
     em_mixed *const s = &b->s;
-    double given[EM_IMPACT_ROWS], level[EM_IMPACT_ROWS], at_rest[EM_IMPACT_ROWS];
+    double least_impulse[EM_IMPACT_ROWS], level[EM_IMPACT_ROWS], at_rest[EM_IMPACT_ROWS];
     memcpy(level, s->level, sizeof level), memcpy(at_rest, s->at_rest, sizeof at_rest);
     for (int row = 0; row < EM_IMPACT_ROWS; ++row)
-        given[row] = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] * b->impulse[row] : 0.0;
+        least_impulse[row] = b->strikes[row] && !b->lands[row] ? b->lowered * b->e[row] * b->impulse[row] : 0.0;
     for (int row = 0; row < EM_IMPACT_ROWS; ++row) {
         double presses = 0.0;
         s->q[row] = s->w[row];
         for (int j = 0; j < EM_IMPACT_ROWS; ++j) {
-            const double part = s->G[row * EM_IMPACT_ROWS + j] * given[j];
+            const double part = s->G[row * EM_IMPACT_ROWS + j] * least_impulse[j];
             s->q[row] += part, s->size[row] += fabs(part);
-            presses += s->over[row * EM_IMPACT_ROWS + j] * given[j];
+            presses += s->over[row * EM_IMPACT_ROWS + j] * least_impulse[j];
         }
         if (s->rooted[row]) continue;
         s->level[row] += s->coefficient[row] * presses, s->at_rest[row] += s->coefficient_at_rest[row] * presses;
     }
-    memcpy(s->beside, given, sizeof given);
+    memcpy(s->known_p, least_impulse, sizeof least_impulse);
     const int found = em_solve_mixed(s);
-    memset(s->beside, 0, sizeof s->beside);
-    for (int row = 0; row < EM_IMPACT_ROWS; ++row) b->impulse[row] += given[row] + s->p[row];
+    memset(s->known_p, 0, sizeof s->known_p);
+    for (int row = 0; row < EM_IMPACT_ROWS; ++row) b->impulse[row] += least_impulse[row] + s->p[row];
     memcpy(s->level, level, sizeof level), memcpy(s->at_rest, at_rest, sizeof at_rest);
     return found;
 }
@@ -128,10 +128,10 @@ EM_NOINLINE int em_impact_solve(em_impact *b, double lowered) {
 EM_NOINLINE int em_impact_within_energy(em_impact *b) {
     double low = 0.0, high = 1.0;
     const int found = em_impact_solve(b, high);
-    if (found < 1 || em_impact_work(b) <= EM_RAISES) return found;
+    if (found < 1 || em_impact_work(b) <= EM_ENERGY_ROUNDING) return found;
     while (high - low > 4.0 * DBL_EPSILON) {
         const double middle = 0.5 * (low + high);
-        if (em_impact_solve(b, middle) == 1 && em_impact_work(b) <= EM_RAISES) low = middle;
+        if (em_impact_solve(b, middle) == 1 && em_impact_work(b) <= EM_ENERGY_ROUNDING) low = middle;
         else high = middle;
     }
     return em_impact_solve(b, low);
@@ -183,12 +183,13 @@ EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
     double impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE];
     int first = -1;
     em_rates_along(r, a->v);
-    em_find_still(a, r);
+    em_find_rest_rates(a, r);
     impacts(a->t, a->x, a->v, a->c, a->u, impact_data);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
         const int impact = event_actions[one->event].impact;
-        if (!em_is_contact(one) || impact < 0 || !a->closed[k] || !(r->rate[one->row] < -a->still[one->row])) continue;
+        if (!em_is_contact(one) || impact < 0 || !a->closed[k]) continue;
+        if (!(r->rate[one->row] < -a->rest_rate[one->row])) continue;
         b.strikes[one->row] = 1, b.poisson |= one->poisson;
         b.impact[one->row] = impact;
         b.e[one->row] = impact_data[impact * EM_IMPACT_SIZE + N + 1];
@@ -200,7 +201,7 @@ EM_NOINLINE int em_impact_contacts(em_acting *a, em_all_rows *r) {
     return em_apply_impact(a, r, &b, first);
 }
 
-/* The impact of an event without a contact, from the side on which it is. Returns whether it approaches, or -1 and
+/* The impact of an event without a contact; *side: the sign of the approach. Returns whether it approaches, or -1 and
  * *fault. */
 EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double *side) {
     em_impact b = {.lowered = 1.0};
@@ -212,7 +213,7 @@ EM_NOINLINE int em_impact_event(em_acting *a, em_all_rows *r, int event, double 
     if (first) *side = event_actions[event].keeps_apart || approach < 0.0 ? -1.0 : 1.0;
     if (!(*side * approach > (first ? 0.0 : EM_SEPARATING * em_fastest(&r->root, at, a->v)))) return 0;
     em_rates_along(r, a->v);
-    em_find_still(a, r);
+    em_find_rest_rates(a, r);
     em_impact_rows(a, r, &b);
     b.side = -*side, b.strikes[N_ROWS] = 1, b.impact[N_ROWS] = event_actions[event].impact;
     b.e[N_ROWS] = at[N + 1], b.rest[N_ROWS] = -INFINITY;

@@ -1,12 +1,13 @@
 /* em_lemke.h: Lemke's complementary pivoting, for active sets of many contacts and frictions.
  *
- * Lemke (1965), with the ratio test lexicographic, so that nothing cycles. The mixed problem of em_complementarity.h is
- * brought to s = b + A z, s >= 0, z >= 0, s z = 0: free rows are solved for, a friction is split in two,
+ * Lemke (1965), with a lexicographic ratio test, which prevents cycling. The mixed problem of em_complementarity.h is
+ * transformed to s = b + A z, s >= 0, z >= 0, s z = 0: free rows are eliminated, and each friction is split in two,
  *
  *     z = (p of contacts, L + p of frictions, -w of frictions where that is negative)
  *     s = (w of contacts, w of frictions where that is positive, L - p of frictions)                 (Glocker and Pfeiffer)
  *
- * It ends at a solution, or on a ray, which says nothing where friction is large: modes are then tried one after the other. */
+ * It ends at a solution, or on a ray. With large friction, a ray does not mean that there is no solution: modes are then
+ * tried one after the other. */
 #ifndef EM_LEMKE_H
 #define EM_LEMKE_H
 

@@ -11,20 +11,20 @@
 #include "contact/em_reset.h"
 #include "constraints/em_start_tolerance.h"
 
-#define EM_AT_ONCE 4096.0        /* spacings of t: events closer than that are simultaneous */
-#define EM_RESTS 1e-12           /* the part of the terms of a speed below which it counts as zero */
-#define EM_TOUCHES (256.0 * DBL_EPSILON) /* the part of the terms of a gap below which it counts as closed */
-#define EM_MODE_AGREES 1e-8       /* the allowed part of the terms in the rate of a dependent row */
-#define EM_ROUNDS (8.0 * DBL_EPSILON) /* the rounding of a gap, as a part of its terms */
-#define EM_CONE_ROUNDS 1e-11     /* the part of its terms below which the slip of a cone has no direction */
-#define EM_CONE_STOPS 4.0        /* times a tolerance: slips that errors reverse, as dopri5 does at 3 */
-#define EM_CONE_BEGINS 8.0        /* times that slip: the shift of the slip of a cone that begins to slide */
-#define EM_ELSEWHERE 3e-4            /* distance of a neighbouring position, as a part of the displacement that
-                                        changes a row entirely */
-#define EM_IDLE 1e-3             /* the tolerance of idle rows, as a part of the run's */
+#define EM_SIMULTANEOUS_SPACINGS 4096.0     /* spacings of t: events closer than that are simultaneous */
+#define EM_ZERO_SPEED 1e-12                 /* a speed counts as zero below this part of its terms */
+#define EM_CLOSED_GAP (256.0 * DBL_EPSILON) /* a gap counts as closed below this part of its terms */
+#define EM_DEPENDENT_RATE 1e-8              /* the allowed rate of a dependent row, as a part of its terms */
+#define EM_GAP_ROUNDING (8.0 * DBL_EPSILON) /* the rounding of a gap, as a part of its terms */
+#define EM_CONE_ROUNDING 1e-11              /* the slip of a cone has no direction below this part of its terms */
+#define EM_CONE_STOP_SLIP 4.0               /* in tolerances: errors may reverse such a slip, as those of dopri5 do at 3 */
+#define EM_CONE_SHIFT 8.0                   /* the shift of the slip of a cone that begins to slide, in units of that slip */
+#define EM_NEIGHBOUR_DISTANCE 3e-4          /* distance of a neighbouring position, as a part of the displacement that
+                                               changes a row entirely */
+#define EM_IDLE 1e-3                        /* the tolerance of idle rows, as a part of the run's */
 
-/* The event actions at one time, with the state and the mode that they act on; `along`: directions mapped along, or
- * NULL. rtol, atol (n): of the run, or NULL; starts: whether the run starts here. */
+/* The event actions at one time, with the state and the mode that they change; `along`: directions that are mapped
+ * across them, or NULL. rtol, atol (n): of the run, or NULL; starts: whether the run starts here. */
 typedef struct em_acting {
     double t, *x, *v, *c;
     const double *u;
@@ -34,50 +34,52 @@ typedef struct em_acting {
     double rtol;
     const double *atol;
     int starts;
-    double deep;                       /* depth inside contacts at the start, rows at length one */
-    double stirred[EM_SOME_ROWS];      /* change of rates made by moving the start outside */
+    double depth;                       /* depth inside contacts at the start, rows at length one */
+    double rate_shift[EM_SOME_ROWS];   /* change of rates caused by moving the start outside */
     double *rounding;                  /* (n_events) <- rounding of gaps and slips, or NULL */
     int moved;                         /* whether velocities, or positions, have jumped */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
-    int lets_go[EM_SOME_SWITCHES];     /* switches that held and have fired */
+    int released[EM_SOME_SWITCHES];    /* switches that held and have fired */
     double last[2 * EM_SOME_SWITCHES]; /* of released cones: the direction opposite to their forces */
-    double still[EM_SOME_ROWS];        /* rates below which rows are at rest */
-    double parts[EM_SOME_SWITCHES];    /* rates below which contacts do not separate, if no impact has separated them */
+    double rest_rate[EM_SOME_ROWS];    /* rates below which rows are at rest */
+    double separation_rate[EM_SOME_SWITCHES]; /* rates below which contacts stay closed, unless an impact has separated
+                                                 them */
 } em_acting;
 
-/* The change of a row that a change of x (or of v, with the same scale) within tolerances makes. */
+/* The change of a row that a change of x (or of v, with the same scale) within tolerances causes. */
 EM_NOINLINE double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {
     double sum = 0.0;
     for (int k = 0; k < N; ++k) sum += fabs(row[k]) * (times * a->atol[k] + rtol * fabs(z[k]));
     return sum;
 }
 
-/* still <- the rates that count as zero: the rounding of their terms, now or before; the rates of rows that hold,
- * unless an action has changed velocities; the change that moving the start outside has made; and at the start of a
- * run a part of its tolerances. */
-EM_NOINLINE void em_find_still(em_acting *a, const em_all_rows *r) {
+/* rest_rate <- the rates that count as zero: the rounding of their terms, now or before; the rates of rows that hold,
+ * unless an action has changed velocities; the change caused by moving the start outside; and at the start of a run a
+ * part of its tolerances. */
+EM_NOINLINE void em_find_rest_rates(em_acting *a, const em_all_rows *r) {
     for (int row = 0; row < N_ROWS; ++row) {
-        a->still[row] = fmax(a->still[row], fmax(EM_RESTS * r->rate_terms[row], 2.0 * a->stirred[row]));
-        if (a->starts && a->atol) a->still[row] = fmax(a->still[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
+        a->rest_rate[row] = fmax(a->rest_rate[row], fmax(EM_ZERO_SPEED * r->rate_terms[row], 2.0 * a->rate_shift[row]));
+        if (!a->starts || !a->atol) continue;
+        a->rest_rate[row] = fmax(a->rest_rate[row], em_reach(a, r->A + row * N, a->v, EM_IDLE, 0.0));
     }
     for (int k = 0; k < N_SWITCHES && !a->moved; ++k) {
         const int row = switches[k].row;
         if (!em_holds(&switches[k], a->c) && !em_is_idle(&switches[k], a->c)) continue;
         for (int also = row; also <= row + em_is_cone(&switches[k]); ++also)
-            a->still[also] = fmax(a->still[also], 2.0 * fabs(r->rate[also]));
+            a->rest_rate[also] = fmax(a->rest_rate[also], 2.0 * fabs(r->rate[also]));
     }
 }
 
 /* closed <- contacts that touch: those that held, and those whose gap has just closed or closes at the same time. */
 EM_NOINLINE void em_find_closed(em_acting *a, const em_all_rows *r) {
-    const double soon = EM_AT_ONCE * DBL_EPSILON * fabs(a->t);
+    const double soon = EM_SIMULTANEOUS_SPACINGS * DBL_EPSILON * fabs(a->t);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const s = &switches[k];
         if (!em_is_contact(s)) continue;
         const double *const A = r->A + s->row * N;
-        double within = EM_TOUCHES * r->gap_terms[s->row] + soon * fabs(r->rate[s->row]);
+        double within = EM_CLOSED_GAP * r->gap_terms[s->row] + soon * fabs(r->rate[s->row]);
         if (a->starts && a->atol) within = fmax(within, em_reach(a, A, a->x, EM_IDLE, 0.0));
-        within = fmax(within, 4.0 * a->deep * em_length(N, r->root.B + s->row * N));
+        within = fmax(within, 4.0 * a->depth * em_length(N, r->root.B + s->row * N));
         a->closed[k] = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event] || r->gap[s->row] <= within;
     }
 }
@@ -106,18 +108,19 @@ EM_NOINLINE int em_has_left(const em_acting *a, const em_all_rows *r, int k) {
     return (em_is_contact(s) ? r->gap[s->row] : fabs(r->rate[s->row])) >= 0.5 * a->c[s->idles];
 }
 
-/* parts <- `rest` of contacts in flight: a contact that opens no faster and still touches at an event stays closed.
- * Otherwise bounces that follow each other ever faster become smaller than rounding can resolve. */
-EM_NOINLINE void em_find_parts(em_acting *a) {
+/* separation_rate <- `rest` of contacts, if nothing has moved: a contact that touches at an event and opens no faster
+ * than that stays closed. Otherwise ever faster bounces would become smaller than rounding can resolve. */
+EM_NOINLINE void em_find_separation_rates(em_acting *a) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts || a->moved) return;
     levels(a->t, a->x, a->v, a->c, a->u, level);
-    for (int k = 0; k < N_SWITCHES; ++k) a->parts[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
+    for (int k = 0; k < N_SWITCHES; ++k)
+        a->separation_rate[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
 }
 
-/* A contact that comes down no faster than `rest`, and whose gap has stayed within rounding since it last fired, is
- * at rest: this ends a sequence of ever faster bounces. The height of a flight that ends with this rate is a quarter
- * of the rate times its duration. */
+/* rest_rate <- with the rates of contacts that have landed: a contact that closes no faster than `rest`, and whose gap
+ * has stayed within rounding since it last fired, is at rest. This ends a sequence of ever faster bounces. The height
+ * of a flight that ends with this rate is a quarter of the rate times its duration. */
 EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
     double level[EM_LEVELS * EM_SOME_SWITCHES];
     if (a->starts) return;
@@ -127,8 +130,8 @@ EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pil
         const em_pile last = before[switches[k].event];
         if (!em_is_contact(&switches[k]) || !a->closed[k] || last.count == 0.0) continue;
         const double high = 0.25 * fabs(r->rate[row]) * fabs(a->t - last.t);
-        if (-r->rate[row] <= level[EM_LEVELS * k] && high <= EM_TOUCHES * r->gap_terms[row])
-            a->still[row] = fmax(a->still[row], -r->rate[row]);
+        if (-r->rate[row] <= level[EM_LEVELS * k] && high <= EM_CLOSED_GAP * r->gap_terms[row])
+            a->rest_rate[row] = fmax(a->rest_rate[row], -r->rate[row]);
     }
 }
 
@@ -138,7 +141,8 @@ EM_NOINLINE int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     const em_switch *const s = &switches[k];
     const int came = em_holds(s, a->c) || em_is_idle(s, a->c) || a->fired[s->event];
     if ((em_is_contact(s) && !a->closed[k]) || em_has_left(a, r, k)) return 0;
-    return (came && !a->moved) || em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->still), a->parts[k]);
+    if (came && !a->moved) return 1;
+    return em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->rest_rate), a->separation_rate[k]);
 }
 
 /* Sets up the problem of the rows at rest. 0, or -1 and *fault. */
@@ -164,13 +168,13 @@ EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mix
         if (em_is_contact(one)) {
             if (!at_rest) continue;
             s->kind[one->row] = EM_ROW_CONTACT;
-            s->choice[one->row] = em_holds(one, a->c) != a->lets_go[k] ? EM_HOLDS_ROW : EM_OPENS;
+            s->choice[one->row] = em_holds(one, a->c) != a->released[k] ? EM_HOLDS_ROW : EM_OPENS;
         } else {
             em_friction_row(s, k, level, at_rest ? NULL : r->rate, a->c);
             if (at_rest && a->c[one->slides] != 0.0 && !a->fired[one->event])
                 s->choice[one->row] = a->c[one->slides] > 0.0 ? EM_FORWARD : EM_BACK;
         }
-        if (!a->lets_go[k] || a->moved) continue;
+        if (!a->released[k] || a->moved) continue;
         s->barred[one->row] = EM_HOLDS_ROW;
         if (em_is_cone(one)) memcpy(s->last + one->row, a->last + 2 * k, 2 * sizeof *s->last);
     }
@@ -197,20 +201,22 @@ EM_NOINLINE int em_held_directions(const em_all_rows *r, const em_mixed *s, doub
     return count;
 }
 
-/* em_mixed.lasts: whether the mode has the same number of independent rows at neighbouring positions that it allows. */
-typedef struct em_here {
+/* The state at which em_mixed.follow_nearby is evaluated. */
+typedef struct em_mode_at_state {
     const em_acting *a;
     const em_all_rows *r;
-} em_here;
+} em_mode_at_state;
 
-EM_NOINLINE int em_rests_last(const void *where, const em_mixed *s) {
-    const em_here *const here = where;
+/* em_mixed.follow_nearby: whether the mode has the same number of independent rows at neighbouring positions that it
+ * allows. */
+EM_NOINLINE int em_resting_rows_follow(const void *where, const em_mixed *s) {
+    const em_mode_at_state *const here = where;
     const em_acting *const a = here->a;
     double Q[N * N], there_Q[N * N], unit[N];
     em_all_rows there;
     em_fault fault;
     const int held = em_held_directions(here->r, s, Q);
-    em_turns_over(a->t, a->x, here->r->c, unit);
+    em_coordinate_scales(a->t, a->x, here->r->c, unit);
     for (int k = 0, count = held; k < N && count < N; ++k) {
         double way[N] = {0.0}, x[N], size = 0.0;
         way[k] = 1.0;
@@ -219,7 +225,7 @@ EM_NOINLINE int em_rests_last(const void *where, const em_mixed *s) {
         memcpy(way, Q + count * N, sizeof way), count = more;
         em_backward(N, here->r->root.L, here->r->root.r, way);
         for (int i = 0; i < N; ++i) size = fmax(size, fabs(way[i]) / unit[i]);
-        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_ELSEWHERE / size * way[i];
+        for (int i = 0; i < N; ++i) x[i] = a->x[i] + EM_NEIGHBOUR_DISTANCE / size * way[i];
         if (em_all_rows_at(a->t, x, a->v, a->c, &there, &fault) || em_held_directions(&there, s, there_Q) > held) return 0;
     }
     return 1;
@@ -240,19 +246,20 @@ EM_NOINLINE int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int 
 EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
     double terms = s->size[row];
     for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
-    if (fabs(s->w[row]) > EM_MODE_AGREES * terms || !em_depends_on_mode(r, s, row)) return 0.0;
-    const double slack = EM_RESTS * (contact ? r->gap_terms[row] : r->rate_terms[row]);
+    if (fabs(s->w[row]) > EM_DEPENDENT_RATE * terms || !em_depends_on_mode(r, s, row)) return 0.0;
+    const double slack = EM_ZERO_SPEED * (contact ? r->gap_terms[row] : r->rate_terms[row]);
     if (a->atol == NULL) return fmax(slack, DBL_MIN);
     return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
 }
 
 /* The slip below which a cone has stopped: the tolerances cannot distinguish it from zero. If the slip is a
  * difference of speeds, its errors are parts of these speeds: steps would alternate around zero. */
-EM_NOINLINE double em_cone_stops(const em_acting *a, const em_all_rows *r, const em_switch *s) {
+EM_NOINLINE double em_cone_stop_slip(const em_acting *a, const em_all_rows *r, const em_switch *s) {
     double slip = 1e-150;
     for (int row = s->row; row <= s->row + 1 && row < N_ROWS; ++row) {
-        slip = fmax(slip, EM_CONE_ROUNDS * r->rate_terms[row]);
-        if (a->atol) slip = fmax(slip, em_reach(a, r->A + row * N, a->v, EM_CONE_STOPS, EM_CONE_STOPS * a->rtol));
+        slip = fmax(slip, EM_CONE_ROUNDING * r->rate_terms[row]);
+        if (!a->atol) continue;
+        slip = fmax(slip, em_reach(a, r->A + row * N, a->v, EM_CONE_STOP_SLIP, EM_CONE_STOP_SLIP * a->rtol));
     }
     return slip;
 }
@@ -265,10 +272,10 @@ EM_NOINLINE void em_cone_slides(const em_acting *a, const em_all_rows *r, const 
     const int row = one->row, begins = s->kind[row] == EM_ROW_CONE, slid = !begins && a->c[one->slides] != 0.0;
     const double one_slack = begins ? em_idle_slack(a, r, s, row, 0) : 0.0;
     const double other = one_slack > 0.0 ? em_idle_slack(a, r, s, row + 1, 0) : 0.0;
-    const double stops = em_cone_stops(a, r, one);
+    const double stops = em_cone_stop_slip(a, r, one);
     after->slides = 1;
     for (int i = 0; i < 2; ++i)
-        after->shift[i] = begins ? EM_CONE_BEGINS * stops * s->side[row + i] : slid ? a->c[one->shift + i] : 0.0;
+        after->shift[i] = begins ? EM_CONE_SHIFT * stops * s->side[row + i] : slid ? a->c[one->shift + i] : 0.0;
     const double slip = hypot(r->rate[row] + after->shift[0], r->rate[row + 1] + after->shift[1]);
     after->idles = other > 0.0 ? fmax(one_slack, other) : -fmin(stops, 0.25 * slip);
 }
@@ -296,9 +303,9 @@ EM_NOINLINE int em_event_of_row(int row) {
 EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
     em_mixed s;
-    const em_here here = {a, r};
+    const em_mode_at_state here = {a, r};
     if (em_mode_problem(a, r, &s)) return -1;
-    s.lasts = em_rests_last, s.where = &here;
+    s.follow_nearby = em_resting_rows_follow, s.where = &here;
     const int found = em_solve_mixed(&s);
     if (found < 1) {
         const int first = em_event_of_row(s.clash[0]), second = found < 0 ? EM_TOO_MANY_MODES : em_event_of_row(s.clash[1]);

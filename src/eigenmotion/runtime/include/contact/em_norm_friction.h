@@ -11,7 +11,7 @@
 EM_NOINLINE int em_norm_of(const em_switch *s) { return s->over < -1 ? -2 - s->over : -1; }
 
 /* Whether a row belongs to a norm. */
-EM_NOINLINE int em_is_among(int norm, int row) {
+EM_NOINLINE int em_is_in_norm(int norm, int row) {
 #ifdef EM_NORMALS
     return normals[norm][row];
 #else
@@ -22,7 +22,7 @@ EM_NOINLINE int em_is_among(int norm, int row) {
 EM_NOINLINE double em_norm_of_multipliers(int norm, const double *lambda) {
     double sum = 0.0;
     for (int row = 0; row < N_ROWS; ++row)
-        if (em_is_among(norm, row)) sum = hypot(sum, lambda[row]);
+        if (em_is_in_norm(norm, row)) sum = hypot(sum, lambda[row]);
     return sum;
 }
 
@@ -33,7 +33,7 @@ EM_NOINLINE double em_norm_along(int norm, const double *lambda, const double *d
     double sum = 0.0;
     for (int row = 0; row < N_ROWS; ++row) {
         const double part = dlambda[row * width];
-        if (em_is_among(norm, row)) sum = whole > 0.0 ? sum + lambda[row] / whole * part : hypot(sum, part);
+        if (em_is_in_norm(norm, row)) sum = whole > 0.0 ? sum + lambda[row] / whole * part : hypot(sum, part);
     }
     return sum;
 }
@@ -46,15 +46,16 @@ EM_NOINLINE int em_some_rooted(const em_mixed *s) {
     return some;
 }
 
-/* toward <- at p. Returns the largest change, over rooted rows at their limit. */
-EM_NOINLINE double em_turn_to_forces(em_mixed *s) {
+/* toward <- the gradients of the norms at p. Returns the largest change, over rooted rows at their limit. */
+EM_NOINLINE double em_update_norm_gradients(em_mixed *s) {
     const int k = s->k;
     double change = 0.0;
     for (int f = 0; f < k; ++f) {
         if (!s->rooted[f]) continue;
         const double whole = em_normal_force(s, f);
         for (int j = 0; j < k; ++j) {
-            const double over = s->over[f * k + j], now = whole > 0.0 ? over * (over * (s->p[j] + s->beside[j]) / whole) : 0.0;
+            const double over = s->over[f * k + j], part = over * (s->p[j] + s->known_p[j]);
+            const double now = whole > 0.0 ? over * (part / whole) : 0.0;
             if (em_limit_sign(s, f) != 0.0 && over > 0.0) change = fmax(change, fabs(now - s->toward[f * k + j]) / over);
             s->toward[f * k + j] = now;
         }
@@ -70,7 +71,7 @@ EM_NOINLINE int em_forces_of_independent(em_mixed *s) {
         int sign;
         if (em_forces_toward(s, &sign) || sign * first < 0) return -1;
         first = sign;
-        if (em_turn_to_forces(s) <= EM_NORM_TOLERANCE) return 0;
+        if (em_update_norm_gradients(s) <= EM_NORM_TOLERANCE) return 0;
     }
     return -1;
 }
@@ -92,11 +93,11 @@ EM_NOINLINE int em_some_rest(const em_mixed *s) {
     return some;
 }
 
-/* Whether resting rows hold nevertheless, here and nearby; if so, p <- shared with them. */
+/* Whether resting rows hold although they have no force, here and nearby; if so, p <- shared with them. */
 EM_NOINLINE int em_share_with_resting(em_mixed *s, double terms) {
     for (int i = 0; i < s->k; ++i)
         if (s->rests[i] && !(fabs(s->w[i]) <= EM_MODE_VERIFIED * terms)) return 0;
-    return (s->lasts == NULL || s->lasts(s->where, s)) && em_share(s) == 0;
+    return (s->follow_nearby == NULL || s->follow_nearby(s->where, s)) && em_share(s) == 0;
 }
 
 #endif

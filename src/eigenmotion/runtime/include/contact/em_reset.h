@@ -4,11 +4,11 @@
 
 #include "contact/em_active_set.h"
 
-#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may violate a constraint */
+#define EM_RESET_TOLERANCE 1e-8 /* the part of its terms by which a reset may violate a constraint */
 
 enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
 
-/* S (2 n, columns) of x, v, and P (n_given, columns) of inputs, parameters, time. */
+/* S (2 n, columns) of x, v, and P (n_forcing, columns) of inputs, parameters, time. */
 typedef struct em_directions {
     int columns;
     double *S;
@@ -20,7 +20,7 @@ EM_NOINLINE void em_along(const em_directions *d, int rows, const double *D, dou
     memset(W, 0, (size_t)rows * d->columns * sizeof *W);
     for (int row = 0; row < rows; ++row) {
         em_add_products(1, 2 * N, d->columns, D + row * N_ARGUMENTS, d->S, W + row * d->columns);
-        em_add_products(1, N_GIVEN, d->columns, D + row * N_ARGUMENTS + 2 * N, d->P, W + row * d->columns);
+        em_add_products(1, N_FORCING, d->columns, D + row * N_ARGUMENTS + 2 * N, d->P, W + row * d->columns);
     }
 }
 
@@ -82,7 +82,7 @@ EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x
             const double *const row = by + i * N_ARGUMENTS;
             column[i] = d->S[(N + i) * d->columns + j];
             for (int k = 0; k < N; ++k) P[i * N + k] = row[N + k], column[i] -= row[k] * d->S[k * d->columns + j];
-            for (int k = 0; k < N_GIVEN; ++k) column[i] -= row[2 * N + k] * d->P[k * d->columns + j];
+            for (int k = 0; k < N_FORCING; ++k) column[i] -= row[2 * N + k] * d->P[k * d->columns + j];
         }
         if (em_eliminate(P, column)) return -1;
         for (int i = 0; i < N; ++i) W[i * d->columns + j] = column[i];
@@ -92,8 +92,8 @@ EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x
 }
 #endif
 
-/* Whether resets, the last of `event`, have moved x beyond an impact's surface, further than at `from` and by more
- * than rounding: -1 and *fault. */
+/* Checks that resets, the last of which is that of `event`, have not moved x beyond the surface of an impact, further
+ * than at `from` and by more than rounding. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
                            const double *u, int event, em_fault *fault) {
     double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
@@ -104,7 +104,7 @@ EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, co
         double reach = 2.0 * fmax(0.0, -before[i] * event_actions[i].keeps_apart);
         for (int k = 0; k < N; ++k) {
             memcpy(near, x, sizeof near);
-            near[k] += EM_RESET_MAY * fabs(near[k]);
+            near[k] += EM_RESET_TOLERANCE * fabs(near[k]);
             model_events(t, near, v, c, u, there);
             reach += fabs(there[i] - g[i]);
         }

@@ -8,18 +8,18 @@
 #include "mass/em_root_switching.h"
 
 /* The location of the root of a block. L stands for L and 1 / diag L. */
-typedef enum em_home {
+typedef enum em_root_location {
     EM_IN_STATE,         /* C and s; in mode 1 L in the run's memory */
     EM_IN_MEMORY,        /* L */
     EM_PREPARED_FACTORS, /* C and s, constant */
     EM_PREPARED_ROOT     /* L, constant */
-} em_home;
+} em_root_location;
 
 typedef struct em_block {
     int n, size;
     const int *coordinate; /* (size), of n */
     const double *scales;  /* (n): units in which it is factored; NULL: none */
-    em_home home;
+    em_root_location location;
     int C, s, L, r; /* offsets there */
 } em_block;
 
@@ -84,12 +84,12 @@ EM_NOINLINE int em_velocity_of_root(const em_block *b, const double *M, double *
     return 0;
 }
 
-/* eta (size) <- the velocities, by a root that is available without M(x); mode 1, memory: see em_home */
+/* eta (size) <- the velocities, with a root that is known without computing M(x) (em_root_location) */
 EM_INLINE void em_velocity_in_run(const em_block *b, int mode, const double *y, const double *c, const double *memory,
                                   double *eta) {
-    if (b->home == EM_PREPARED_FACTORS) em_velocity_of_eta(b->size, c + b->C, c + b->s, eta);
-    else if (b->home == EM_PREPARED_ROOT) em_backward(b->size, c + b->L, c + b->r, eta);
-    else if (b->home == EM_IN_MEMORY || mode) em_backward(b->size, memory + b->L, memory + b->r, eta);
+    if (b->location == EM_PREPARED_FACTORS) em_velocity_of_eta(b->size, c + b->C, c + b->s, eta);
+    else if (b->location == EM_PREPARED_ROOT) em_backward(b->size, c + b->L, c + b->r, eta);
+    else if (b->location == EM_IN_MEMORY || mode) em_backward(b->size, memory + b->L, memory + b->r, eta);
     else em_velocity_of_eta(b->size, y + b->C, y + b->s, eta);
 }
 
@@ -107,7 +107,7 @@ EM_INLINE int em_velocity_at(const em_block *b, int mode, const double *M, const
                              em_fault *fault) {
     double part[b->size];
     em_take(b, y + b->n, part);
-    if (b->home == EM_IN_MEMORY || (b->home == EM_IN_STATE && mode)) {
+    if (b->location == EM_IN_MEMORY || (b->location == EM_IN_STATE && mode)) {
         if (em_velocity_of_root(b, M, part, fault)) return -1;
     } else
         em_velocity_in_run(b, 0, y, c, NULL, part);
@@ -136,8 +136,9 @@ EM_INLINE int em_keep_root(const em_block *b, const double *M, double *memory, e
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
 
-/* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 eta belongs to the root that is
- * stored in memory. If Omega was extrapolated (`continued`), C^T S eta is the known quantity, and not C^T S^-1 eta. */
+/* y <- with the eigenfactors of M (size, size). eta is rotated with them; in mode 1 it belongs to the root that is
+ * stored in memory, and is unchanged. If Omega was extrapolated (`continued`), the momenta C^T S eta are correct, and
+ * not the velocities C^T S^-1 eta. */
 EM_INLINE int em_settle_factors(const em_block *b, int mode, int continued, const double *M, double *y, double *memory,
                                 em_fault *fault) {
     double eta[b->size];
@@ -170,9 +171,9 @@ EM_COLD_PATH EM_NOINLINE int em_change_mode(const em_block *b, int mode, const d
 /* B (m, size) <- the rows A (m, size) in terms of eta (28) */
 EM_INLINE void em_rows_of_block(const em_block *b, int mode, int m, const double *y, const double *c,
                                 const double *memory, const double *A, double *B) {
-    if (b->home == EM_PREPARED_FACTORS) em_rows_of_factors(m, b->size, c + b->C, c + b->s, A, B);
-    else if (b->home == EM_PREPARED_ROOT) em_rows_of_root(m, b->size, c + b->L, c + b->r, A, B);
-    else if (b->home == EM_IN_MEMORY || mode) em_rows_of_root(m, b->size, memory + b->L, memory + b->r, A, B);
+    if (b->location == EM_PREPARED_FACTORS) em_rows_of_factors(m, b->size, c + b->C, c + b->s, A, B);
+    else if (b->location == EM_PREPARED_ROOT) em_rows_of_root(m, b->size, c + b->L, c + b->r, A, B);
+    else if (b->location == EM_IN_MEMORY || mode) em_rows_of_root(m, b->size, memory + b->L, memory + b->r, A, B);
     else em_rows_of_factors(m, b->size, y + b->C, y + b->s, A, B);
 }
 
@@ -218,7 +219,7 @@ EM_INLINE void em_remember_group(const em_group *g, int m, const double *Delta_d
     em_remember_omega(g->size, y + g->s, beta, elapsed, memory + g->kept);
 }
 
-/* The published right-hand side does not exist where two eigenvalues of a block are equal. */
+/* Whether two eigenvalues are equal: the published right-hand side does not exist there. */
 EM_NOINLINE int em_coincident(int size, const double *s, int *first, int *second) {
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < i; ++j)
@@ -238,14 +239,14 @@ EM_NOINLINE int em_coincident_group(const em_group *g, const double *y, em_fault
     return em_fail(fault, EM_COINCIDENT_EIGENVALUES, -1, g->rows[0], 0.0);
 }
 
-/* How far C and s in the state are from the eigenfactors of M (n, n), relative to each eigenvalue; *first: a coordinate
- * of the block that is farthest off. `blocks` ends with NULL. */
+/* The largest error of C and s in the state as eigenfactors of M (n, n), relative to each eigenvalue; *first <- a
+ * coordinate of that block. `blocks` ends with NULL. */
 EM_NOINLINE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first) {
     double worst = 0.0;
     for (; *blocks; ++blocks) {
         const em_block *const b = *blocks;
         double part[b->size * b->size];
-        if (b->home != EM_IN_STATE) continue;
+        if (b->location != EM_IN_STATE) continue;
         em_block_of(b, M, part);
         const double error = em_factor_error(b->size, part, y + b->C, y + b->s);
         if (error <= worst) continue;

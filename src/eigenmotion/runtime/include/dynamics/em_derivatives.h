@@ -2,11 +2,11 @@
  *
  *   r = M a + P^T lambda - bias = 0,  s = A a + gamma = 0                                                     (11) (39)
  *
- * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same system as they themselves, with the same
- * factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
- * (derivatives/derivatives.c.jinja); P is A, but where friction takes part of multipliers. Of rows that depend on each other those
- * count that are independent here: off the constraints
- * these are the smooth system whose motion is the same. */
+ * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same linear system as a and lambda, with the
+ * same factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
+ * (derivatives/derivatives.c.jinja). P is A, unless friction is proportional to multipliers. If rows depend on each
+ * other, only the rows that are independent at this state are used: off the constraints they form the smooth system
+ * that has the same motion. */
 #ifndef EM_DERIVATIVES_H
 #define EM_DERIVATIVES_H
 
@@ -19,7 +19,7 @@ typedef struct em_factors {
     int rows;
 } em_factors;
 
-/* least_norm: 0, 1 or flags that say which rows are kept */
+/* least_norm: 0, 1, or the flags of the kept rows */
 EM_NOINLINE int em_factors_at(double t, const double *x, const double *c, int least_norm, em_factors *f, em_fault *fault) {
     double unused[EM_SOME_ROWS] = {0.0};
     double *const Delta = f->root.Delta;
@@ -37,7 +37,7 @@ EM_NOINLINE int em_factors_at(double t, const double *x, const double *c, int le
     return row < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
 }
 
-/* Of W (n + m, columns): row k += factor times row i. */
+/* to (columns) += factor from */
 EM_INLINE void em_add_row(int columns, double factor, const double *restrict from, double *restrict to) {
     EM_ALONG
     for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
@@ -98,16 +98,16 @@ EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
 
 EM_NOINLINE EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
 
-/* Partial derivatives with respect to the state (n + m, 2 n) and to the other arguments (n + m, n_given) -> da (n,
+/* Partial derivatives with respect to the state (n + m, 2 n) and to the other arguments (n + m, n_forcing) -> da (n,
  * n_arguments), dlambda (m, n_arguments). Rows are padded to full vectors, a length that the compiler knows. */
-EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
-                                       double *dlambda) {
+EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_forcing,
+                                           double *da, double *dlambda) {
     enum { WIDTH = (N_ARGUMENTS + 3) / 4 * 4 };
     double W[(N + N_ROWS) * WIDTH];
     for (int row = 0; row < N + N_ROWS; ++row) {
         double *const to = W + row * WIDTH;
         memcpy(to, by_state + row * 2 * N, 2 * N * sizeof *to);
-        memcpy(to + 2 * N, by_given + row * N_GIVEN, N_GIVEN * sizeof *to);
+        memcpy(to + 2 * N, by_forcing + row * N_FORCING, N_FORCING * sizeof *to);
         for (int j = N_ARGUMENTS; j < WIDTH; ++j) to[j] = 0.0;
     }
     em_solve_columns(f, WIDTH, W);
@@ -142,11 +142,11 @@ EM_EXPORT int em_motion_derivatives(double t, const double *x, const double *v, 
                                     int least_norm, double *a, double *lambda, double *da, double *dlambda,
                                     em_fault *fault) {
     em_factors factors;
-    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    double by_state[(N + N_ROWS) * 2 * N], by_forcing[(N + N_ROWS) * N_FORCING];
     if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
     state_partials(t, x, v, a, lambda, c, u, by_state);
-    forcing_partials(t, x, v, a, lambda, c, u, by_given);
-    em_solve_arguments(&factors, by_state, by_given, da, dlambda);
+    forcing_partials(t, x, v, a, lambda, c, u, by_forcing);
+    em_solve_arguments(&factors, by_state, by_forcing, da, dlambda);
     return 0;
 }
 
@@ -157,19 +157,19 @@ EM_NOINLINE void em_add_products(int rows, int inner, int columns, const double 
             if (D[i * inner + k] != 0.0) em_add_row(columns, D[i * inner + k], S + k * columns, W + i * columns);
 }
 
-/* Along `columns` directions, S (2 n, columns) of x, v and P (n_given, columns) of inputs, parameters, time:
+/* Along `columns` directions, S (2 n, columns) of x, v and P (n_forcing, columns) of inputs, parameters, time:
  * W (n + m, columns) <- the changes of a and lambda; a (n), lambda (m). */
 EM_EXPORT int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
                               int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
                               double *W, em_fault *fault) {
     em_factors factors;
-    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    double by_state[(N + N_ROWS) * 2 * N], by_forcing[(N + N_ROWS) * N_FORCING];
     if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
     state_partials(t, x, v, a, lambda, c, u, by_state);
-    forcing_partials(t, x, v, a, lambda, c, u, by_given);
+    forcing_partials(t, x, v, a, lambda, c, u, by_forcing);
     memset(W, 0, (size_t)(N + N_ROWS) * columns * sizeof *W);
     em_add_products(N + N_ROWS, 2 * N, columns, by_state, S, W);
-    em_add_products(N + N_ROWS, N_GIVEN, columns, by_given, P, W);
+    em_add_products(N + N_ROWS, N_FORCING, columns, by_forcing, P, W);
     em_solve_motion(&factors, columns, W);
     return 0;
 }

@@ -41,7 +41,7 @@ EM_NOINLINE int em_root_at(double t, const double *x, const double *c, em_root *
             root->Delta[row * N_ROWS + column] = sum;
         }
     }
-    em_rest_rows(N_ROWS, root->Delta);
+    em_fill_inactive_rows(N_ROWS, root->Delta);
     return 0;
 }
 
@@ -57,7 +57,7 @@ EM_NOINLINE int em_rows_at(double t, const double *x, const double *c, double *B
 /* em_dynamics.worst_factors */
 EM_NOINLINE double em_worst_factors_of(const double *M, const double *y, int *first) { return em_worst_factors(blocks, M, y, first); }
 
-/* Flags for a solution with Delta; least_norm: em_dependent, or flags that say which rows are kept. */
+/* Flags for a solution with Delta; least_norm: em_dependent, or the flags of the kept rows. */
 EM_NOINLINE int em_flags_at(const em_root *root, int least_norm) {
     if (least_norm == EM_SHARED_FROM_START) return em_rank(EM_SOME_ROWS, root->Delta) < N_ROWS ? EM_LEAST_NORM : 0;
     return least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
@@ -137,18 +137,18 @@ EM_NOINLINE int em_correct(em_root *root, double *x, double *residual, const dou
     return 0;
 }
 
-/* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
+/* C (n, n), s (n) of M(x) in units of `scales`, block by block; close to the given C, or from scratch if C is 0. */
 EM_NOINLINE int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
     double M[N * N], Mb[N * N], Cb[N * N], sb[N];
     factored(t, x, c, M);
     for (int k = 0; k < N * N; ++k) M[k] *= scales[k / N] * scales[k % N];
     for (const em_block *const *next = blocks; *next; ++next) {
         const em_block *const b = *next;
-        double given = 0.0;
+        double size = 0.0;
         em_gather(N, b->size, b->coordinate, M, Mb);
         em_gather(N, b->size, b->coordinate, C, Cb);
-        for (int k = 0; k < b->size * b->size; ++k) given += fabs(Cb[k]);
-        const int singular = given > 0.0 ? em_refresh_any(b->size, Mb, Cb, sb) : em_eigenfactors(b->size, Mb, Cb, sb);
+        for (int k = 0; k < b->size * b->size; ++k) size += fabs(Cb[k]);
+        const int singular = size > 0.0 ? em_refresh_any(b->size, Mb, Cb, sb) : em_eigenfactors(b->size, Mb, Cb, sb);
         if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
         em_spread(N, b->size, b->coordinate, Cb, C);
         em_put(b, sb, s);

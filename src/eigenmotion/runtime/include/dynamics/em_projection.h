@@ -63,7 +63,7 @@ EM_NOINLINE void em_row_lengths(const em_root *root, double *lengths) {
 }
 
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` iterations at most. If rows may be
- * dependent and none are said to be kept, each iteration keeps those that add more than `tolerance` to others.
+ * dependent and the kept rows are not given, each iteration keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
 EM_NOINLINE int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
@@ -95,8 +95,8 @@ EM_NOINLINE int em_newton(double t, double *x, const double *c, int steps, int l
     return em_newton_of(t, x, c, steps, least_norm, EM_DEPENDENT, fault);
 }
 
-/* The same from far away. Rows that are dependent on the constraints differ slightly off them. So only clearly
- * independent rows are used first, which is right unless phi = 0 is not reached with them. */
+/* The same from far away. Rows that are dependent on the constraints differ slightly off them. So the first attempts
+ * use only clearly independent rows; later ones use more, if phi = 0 was not reached. */
 EM_COLD_PATH EM_NOINLINE int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
     enum { STEPS = 50 };
     static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};

@@ -29,18 +29,18 @@ EM_EXPORT int em_tangent(double t, const double *x, const double *v, const doubl
                          double *S, const double *P, em_fault *fault) {
     enum { ALL = N_POSITIONS + N_ROWS };
     em_factors f;
-    double D[ALL * N_ARGUMENTS], by_state[ALL * 2 * N], by_given[ALL * N_GIVEN], E[EM_SOME_ROWS * columns];
+    double D[ALL * N_ARGUMENTS], by_state[ALL * 2 * N], by_forcing[ALL * N_FORCING], E[EM_SOME_ROWS * columns];
     if (em_factors_at(t, x, c, least_norm, &f, fault)) return -1;
     constraint_partials(t, x, v, c, D);
     for (int row = 0; row < ALL; ++row) {
         memcpy(by_state + row * 2 * N, D + row * N_ARGUMENTS, 2 * N * sizeof *D);
-        memcpy(by_given + row * N_GIVEN, D + row * N_ARGUMENTS + 2 * N, N_GIVEN * sizeof *D);
+        memcpy(by_forcing + row * N_FORCING, D + row * N_ARGUMENTS + 2 * N, N_FORCING * sizeof *D);
     }
     for (int level = N_POSITIONS ? 0 : 1; level < 2; ++level) { /* positions, then velocities */
         const int first = level * N_POSITIONS, rows = level ? N_ROWS : N_POSITIONS;
         memset(E, 0, (size_t)rows * columns * sizeof *E);
         em_add_products(rows, 2 * N, columns, by_state + first * 2 * N, S, E);
-        em_add_products(rows, N_GIVEN, columns, by_given + first * N_GIVEN, P, E);
+        em_add_products(rows, N_FORCING, columns, by_forcing + first * N_FORCING, P, E);
         em_correct_along(&f, rows, columns, E, S + level * N * columns);
     }
     return 0;

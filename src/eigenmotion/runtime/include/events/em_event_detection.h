@@ -7,7 +7,7 @@
 
 /* w->found <- the sign changes in the current step, and the signs after it. 0, or -1 and w->reason. */
 static int em_detect_events(em_run_state *w) {
-    double screened[EM_SCREENED_STATES * w->n_events], end[w->n_events], g[EM_PLACES * w->n_events], probe[w->n_events];
+    double screened[EM_SCREENED_STATES * w->n_events], end[w->n_events], g[EM_POINTS * w->n_events], probe[w->n_events];
     em_isolation isolation = {.n_events = w->n_events, .g = g, .probe = probe};
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
@@ -19,7 +19,7 @@ static int em_detect_events(em_run_state *w) {
         if (!em_may_cross(w, count, screened, i) && end[i] * w->side[i] >= 0.0) continue;
         if (isolation.count == 0 && (w->scheme.interpolate(w) || em_isolate_roots(w, &isolation))) return -1;
         if (em_search(w, &isolation, i)) return -1;
-        em_arrive(w, &isolation, i, end[i]);
+        em_event_at_run_end(w, &isolation, i, end[i]);
     }
     w->has_interpolant = isolation.count > 0;
     return 0;

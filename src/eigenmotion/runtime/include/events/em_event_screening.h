@@ -1,11 +1,11 @@
-/* em_event_screening.h: event screening: may g_i change its sign in this step? Called at every step, before dense
+/* em_event_screening.h: event screening: whether g_i may change its sign in a step. Called at every step, before dense
  * output is built. */
 #ifndef EM_EVENT_SCREENING_H
 #define EM_EVENT_SCREENING_H
 
 #include "events/em_event_functions.h"
 
-#define EM_SLACK 0.25 /* g, relative to its variation, is safely off zero beyond this */
+#define EM_SCREENING_MARGIN 0.25 /* g, relative to its variation, is safely off zero beyond this */
 
 /* g (EM_SCREENED_STATES, n_events) on the approximate interpolant. Returns the number of states, or 0: unknown. */
 static int em_screen_event(em_run_state *w, double *g) {
@@ -51,18 +51,20 @@ static int em_may_cross(const em_run_state *w, int count, const double *g, int i
         high = em_max(high, side * here);
         leaves |= em_side_of(here, noise) != 0;
     }
-    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_undersampled(w, g, i);
+    if (count == 0) return 1;
+    if (w->side[i] == 0) return leaves;
+    return !(low > EM_SCREENING_MARGIN * (high - low)) || em_is_undersampled(w, g, i);
 }
 
-/* Whether g_i, of an impact that has not happened, is beyond zero by rounding alone: of bodies that touch at rest or
- * fall side by side, or by the rounding of one impact after another. */
-static int em_touches(const em_run_state *w, int i) {
+/* Whether g_i of an impact that has not happened is beyond zero only by rounding: of bodies that touch at rest or fall
+ * side by side, or of successive impacts. */
+static int em_is_touching(const em_run_state *w, int i) {
     const int through = w->run->event_direction[i];
     return w->fresh != EM_FIRST_SEGMENT && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
-/* A condition of the mode holds at the start of the segment, or may be zero: a value beyond that ends the mode at
- * once, whatever follows. */
+/* At the start of a segment a condition of the mode holds, or is zero to rounding: a value beyond that ends the mode
+ * immediately, whatever follows. */
 static void em_begin_condition(em_run_state *w, int i, double zero) {
     w->side[i] = w->g[i] > zero || w->g[i] < -zero;
     w->quiet[i] = zero;
@@ -76,8 +78,8 @@ static void em_begin_sides(em_run_state *w, int count, const double *g) {
     for (int i = 0; i < w->n_events; ++i) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j * w->n_events + i]));
-        const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
-        const int meant = w->fresh == EM_FIRST_SEGMENT || w->fired[i], touches = em_touches(w, i);
+        const double rounding = w->noise[i] + (isfinite(size) ? EM_INPUT_ROUNDING * size : 0.0);
+        const int meant = w->fresh == EM_FIRST_SEGMENT || w->fired[i], touches = em_is_touching(w, i);
         const int side = em_side_of(w->g[i], meant ? em_max(rounding, w->zero[i]) : rounding);
         if (touches) w->side[i] = 0;
         else if (meant || side) w->side[i] = side;

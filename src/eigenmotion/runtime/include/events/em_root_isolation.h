@@ -12,9 +12,9 @@
  * and at one more point, EM_PROBE, which is no node. */
 typedef struct em_isolation {
     int count, near;
-    double t[EM_PLACES];
+    double t[EM_POINTS];
     int n_events;
-    double *g, *probe; /* (EM_PLACES, n_events), (n_events) */
+    double *g, *probe; /* (EM_POINTS, n_events), (n_events) */
 } em_isolation;
 
 /* The Chebyshev nodes, in [0, 1]. */
@@ -78,10 +78,10 @@ static double em_polynomial_at(const double *a, double theta) {
     return a[0] + z * b - before;
 }
 
-/* Whether nine nodes do not represent g_i: its coefficients, `size` the sum of their magnitudes, do not decay, or
- * the polynomial differs from g_i at the probe. A shorter step may represent g_i, but not a jump: a step that is
- * short relative to others is accepted. So is a g_i that is rounding throughout. */
-static int em_is_wild(const em_run_state *w, int i, const double *a, double size, double probe) {
+/* Whether nine nodes do not represent g_i: its coefficients, `size` the sum of their magnitudes, do not decay, or the
+ * polynomial differs from g_i at the probe. A shorter step may represent g_i, unless it jumps: a step that is short
+ * relative to others is accepted. So is a g_i that is all rounding. */
+static int em_is_unresolved(const em_run_state *w, int i, const double *a, double size, double probe) {
     enum { RETRIES = 5 };
     const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
     const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
@@ -91,21 +91,21 @@ static int em_is_wild(const em_run_state *w, int i, const double *a, double size
 }
 
 /* The interval between two points, divided into equal parts. */
-typedef struct em_way {
+typedef struct em_subinterval {
     double left, right, part; /* in theta */
     int next;                 /* index of the next part */
-} em_way;
+} em_subinterval;
 
 enum { EM_PARTS = 8 };
 
-static em_way em_way_to(const em_run_state *w, const em_isolation *s, int k) {
+static em_subinterval em_subinterval_to(const em_run_state *w, const em_isolation *s, int k) {
     const double left = (s->t[k - 1] - w->t) / w->h, right = (s->t[k] - w->t) / w->h;
-    return (em_way){left, right, (right - left) / EM_PARTS, 0};
+    return (em_subinterval){left, right, (right - left) / EM_PARTS, 0};
 }
 
 /* *theta <- the next local minimum of the polynomial, times `side`, on the interval; *low <- its value. Returns
  * whether there is one: a minimum close to an end of the interval may lie on either side of it. */
-static int em_next_low(const double *a, em_way *way, double side, double *theta, double *low) {
+static int em_next_minimum(const double *a, em_subinterval *way, double side, double *theta, double *low) {
     double before = side * em_polynomial_at(a, way->left + (way->next - 1) * way->part);
     double here = side * em_polynomial_at(a, way->left + way->next * way->part);
     while (way->next <= EM_PARTS) {
@@ -149,7 +149,7 @@ static int em_enters(const em_run_state *w, int i, double g) {
  * shorter step. */
 static int em_first_step_too_long(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
-    return w->fresh == EM_NEXT_SEGMENT && em_lets_go(w, i) && w->retries < RETRIES && em_enters(w, i, g);
+    return w->fresh == EM_NEXT_SEGMENT && em_is_contact_event(w, i) && w->retries < RETRIES && em_enters(w, i, g);
 }
 
 /* Compares two successive signs: if they differ, g_i has passed zero between `before` and `after`. */
@@ -165,14 +165,15 @@ static void em_pass(em_run_state *w, int i, const em_point *before, const em_poi
     w->side_new[i] = sign;
 }
 
-/* The crossings of event i in the interval that ends at point k, where the polynomial turns back before or beyond
- * zero: each minimum towards zero from the side on which g_i then is, in order. *before <- the last point evaluated.
- * 0, or -1 and w->reason. */
-static int em_search_way(em_run_state *w, const em_isolation *s, int i, int k, const double *a, double size, em_point *before) {
+/* Finds the crossings of event i in the interval that ends at point k and whose ends do not show them: it examines each
+ * minimum of the polynomial towards zero, from the side on which g_i then is, in order. *before <- the last point
+ * evaluated. 0, or -1 and w->reason. */
+static int em_search_subinterval(em_run_state *w, const em_isolation *s, int i, int k, const double *a, double size,
+                                 em_point *before) {
     const double coarse = 1.0 / 128.0, close = 0.05; /* of the step; of `size` */
-    em_way way = em_way_to(w, s, k);
+    em_subinterval way = em_subinterval_to(w, s, k);
     double theta = 0.0, low;
-    while (w->side_new[i] != 0 && em_next_low(a, &way, w->side_new[i], &theta, &low)) {
+    while (w->side_new[i] != 0 && em_next_minimum(a, &way, w->side_new[i], &theta, &low)) {
         em_point minimum;
         if (!(low < close * size)) continue;
         const int crosses = em_crosses_at_minimum(w, i, w->side_new[i], em_min(coarse, 0.5 * way.part), &theta, &minimum.g);
@@ -192,12 +193,12 @@ static int em_search(em_run_state *w, const em_isolation *s, int i) {
     double a[EM_NODES], size = 0.0;
     em_polynomial(s, i, a);
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
-    if (em_is_wild(w, i, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+    if (em_is_unresolved(w, i, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
     em_point before = {w->t, w->g[i]};
     em_pass(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
         const em_point here = {s->t[k], s->g[k * s->n_events + i]};
-        if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
+        if (k > 0 && em_search_subinterval(w, s, i, k, a, size, &before)) return -1;
         if (em_first_step_too_long(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
         em_pass(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
@@ -214,7 +215,7 @@ static void em_events_at_end(em_run_state *w, double *g) {
 
 /* At the end of the run, where g_i is g: a g_i that is zero has reached zero there, unless it was zero before; one
  * of the other sign has jumped there. */
-static void em_arrive(em_run_state *w, const em_isolation *s, int i, double g) {
+static void em_event_at_run_end(em_run_state *w, const em_isolation *s, int i, double g) {
     const em_point end = {w->t_new, g};
     const int sign = em_side_of(g, 0.0);
     if (w->t_new != w->run->t_end || sign == w->side_new[i] || w->side[i] == 0) return;

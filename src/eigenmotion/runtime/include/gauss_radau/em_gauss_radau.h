@@ -16,24 +16,24 @@
 #include "gauss_radau/em_node_predictor.h"
 
 enum {
-    EM_LAST_LOOK = 4,    /* after this iteration, a step that is too long is completed all the same */
-    EM_SIZES_ORDER = 13  /* after em_aimed the error falls with the power 1 + 8 + 5 of the step's size, at least */
+    EM_LAST_ABORT = 4,      /* after this iteration, a step that is too long is not abandoned any more */
+    EM_STEP_SIZE_ORDER = 13 /* after em_target_iterations the error is of the order 1 + 8 + 5 in the step size, or more */
 };
 
-#define EM_BLIND 0.01 /* the smallest error that controls the size if the step before was unknown */
-#define EM_ITERATED (16.0 * DBL_EPSILON) /* relative change of a rate that is rounding */
-#define EM_ROUNDED 0.1 /* the error norm then, which cannot become smaller */
-#define EM_SMOOTH 1e3 /* in tolerances: a first change below this means a good predictor, */
-#define EM_SLOW 0.25  /* after which the iteration should contract by more than this factor */
-#define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
+#define EM_ERROR_UNPREDICTED 0.01 /* the error that controls the step size, if there was no predictor */
+#define EM_RATE_ROUNDING (16.0 * DBL_EPSILON) /* a smaller relative change of a rate is rounding */
+#define EM_ROUNDING_NORM 0.1      /* the error norm if the changes are rounding: it cannot become smaller */
+#define EM_GOOD_PREDICTOR 1e3     /* in tolerances: the first change is below this if the predictor is good; */
+#define EM_SLOW_CONTRACTION 0.25  /* later changes should then decrease by this factor, or faster */
+#define EM_DIVERGES 3748.0        /* (2 * 0.9)^14: the error norm that halves the step */
 
 /* The number of iterations that a step is designed for: more if they are cheaper. One fewer shows whether the
  * iteration converges slowly. */
-EM_INLINE int em_aimed(const em_run_state *w) { return w->second_order ? 6 : 5; }
+EM_INLINE int em_target_iterations(const em_run_state *w) { return w->second_order ? 6 : 5; }
 
-/* The part of the tolerances left to the iteration: one more iteration costs less than the shorter steps that it
- * saves. */
-EM_INLINE double em_may_be_left(const em_run_state *w) { return w->second_order ? 0.01 : 0.03; }
+/* The error of the iteration that is allowed, in tolerances: it is small because one more iteration costs less than
+ * the shorter steps that it saves. */
+EM_INLINE double em_iteration_tolerance(const em_run_state *w) { return w->second_order ? 0.01 : 0.03; }
 
 /* --- the iteration --- */
 
@@ -66,8 +66,8 @@ static void em_weigh_rates(em_run_state *w) {
     for (int k = 2 * w->n; k < w->n_state; ++k) weight[k] = counts ? w->weight[k] : 0.0;
 }
 
-/* Numbers of the state that are constant within the step. */
-static void em_rest(em_run_state *w) {
+/* Y, F, a, series <- of the numbers of the state that are constant within the step. */
+static void em_fill_constant_states(em_run_state *w) {
     em_nodes *q = &w->nodes;
     for (int b = 0; b < EM_NODE_VECTORS; ++b)
         for (int k = em_rates_end(w); k < w->n_state; ++k) {
@@ -76,7 +76,7 @@ static void em_rest(em_run_state *w) {
         }
 }
 
-/* x and v of Y, of rows from k on, <- by the integral of the rates of v and the integral of that. */
+/* Y <- v by the integral of its rates, and x by the integral of v, for `rows` coordinates from k on. */
 EM_INLINE void em_motion_states(em_run_state *w, int rows, int k) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
@@ -163,7 +163,7 @@ static double em_power(double base, int times) {
 
 /* The estimated remaining error after an iteration with this change, if the one before changed the rates by
  * `before`. */
-static double em_left(double change, double before) {
+static double em_remaining_error(double change, double before) {
     return change < 0.9 * before ? change * change / (before - change) : change > 0.0 ? EM_DIVERGES : 0.0;
 }
 
@@ -173,26 +173,27 @@ static double em_left(double change, double before) {
  * one. */
 static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
-    const int aimed_for = em_aimed(w);
+    const int target = em_target_iterations(w);
     *aimed = EM_DIVERGES;
     w->nodes.slow = 0;
     for (int k = 1; k <= most; ++k) {
         const double change = em_iterate(w);
         if (!isfinite(change)) return NAN;
         if (k == 1) first = change;
-        else left = em_left(change, before);
-        if (k >= aimed_for - 1) w->nodes.slow = first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
-        if (k == aimed_for) *aimed = left;
-        if (left < em_may_be_left(w)) {
-            if (k < aimed_for) *aimed = left * em_power(em_max(change / (before + DBL_MIN), 1e-3), aimed_for - k);
+        else left = em_remaining_error(change, before);
+        if (k >= target - 1)
+            w->nodes.slow = first < EM_GOOD_PREDICTOR && change > first * em_power(EM_SLOW_CONTRACTION, k - 1);
+        if (k == target) *aimed = left;
+        if (left < em_iteration_tolerance(w)) {
+            if (k < target) *aimed = left * em_power(em_max(change / (before + DBL_MIN), 1e-3), target - k);
             return left;
         }
-        if (k >= 2 && k <= EM_LAST_LOOK && left >= 1.0) {
-            const double foreseen = em_foreseen(w, change);
+        if (k >= 2 && k <= EM_LAST_ABORT && left >= 1.0) {
+            const double foreseen = em_predicted_error(w, change);
             if (foreseen >= 1.0) return em_find_series(w), em_keep_series(w), foreseen;
         }
-        if (k == aimed_for) rounding = EM_ITERATED * em_rates_size(w);
-        if (k >= aimed_for && change <= rounding) return EM_ROUNDED;
+        if (k == target) rounding = EM_RATE_ROUNDING * em_rates_size(w);
+        if (k >= target && change <= rounding) return EM_ROUNDING_NORM;
         if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change alternately */
         earlier = before, before = change;
     }
@@ -203,7 +204,7 @@ static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
 
 /* The norm that controls the step size. */
 static double em_size_of_nodes(const em_run_state *w, double truncation) {
-    return em_max(w->nodes.blind ? EM_BLIND : w->nodes.aimed, em_size_by_truncation(truncation));
+    return em_max(w->nodes.unpredicted ? EM_ERROR_UNPREDICTED : w->nodes.aimed, em_size_by_truncation(truncation));
 }
 
 /* y_new, the series of the rates, and the norm that controls the next size unless the end of the step changes it. */
@@ -218,11 +219,11 @@ static void em_finish_nodes(em_run_state *w) {
         w->y_new[k] = w->y[k] + h * (w->y[w->n + k] + h * twice);
     }
     em_keep_series(w);
-    w->size_norm = em_size_of_nodes(w, em_error_of_series(w, em_usually_missed(w)));
+    w->size_norm = em_size_of_nodes(w, em_error_of_series(w, em_estimated_end_difference(w)));
 }
 
-/* w->error <- the change of the rates in a step that does not converge: the largest names the coordinate. */
-EM_COLD_PATH EM_NOINLINE void em_note_changes(em_run_state *w) {
+/* w->error <- the change of the rates in a step that does not converge; its largest entry names the coordinate. */
+EM_COLD_PATH EM_NOINLINE void em_record_changes(em_run_state *w) {
     double ev[w->n];
     memset(w->error, 0, (size_t)w->width * sizeof *w->error);
     for (int k = w->first_rate; k < 2 * w->n; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];
@@ -233,10 +234,10 @@ EM_COLD_PATH EM_NOINLINE void em_note_changes(em_run_state *w) {
 static int em_nodes_step(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const int most = em_predict(w);
-    q->blind = most == EM_MOST_AT_START; /* the number of iterations says nothing about the next step */
+    q->unpredicted = most == EM_MOST_AT_START; /* the number of iterations says nothing about the next step */
     q->converged = 0;
     em_weigh_rates(w);
-    em_rest(w);
+    em_fill_constant_states(w);
     em_begin_nodes(w);
     q->drifted = 0;
     const double left = em_solve_nodes(w, most, &q->aimed);
@@ -246,21 +247,21 @@ static int em_nodes_step(em_run_state *w) {
     if (left != left) return -1;
     em_copy_state(w, w->y_new, w->y);
     if (left < 1.0) em_finish_nodes(w);
-    else em_note_changes(w);
+    else em_record_changes(w);
     return 0;
 }
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
 static int em_nodes_judge(em_run_state *w) {
-    const double *f = w->f_new, usual = em_usually_missed(w);
+    const double *f = w->f_new, usual = em_estimated_end_difference(w);
     if (w->mode_new != w->mode) {
         if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
         f = w->K[1];
     }
-    const double missed = em_missed(w, f), truncation = em_error_of_series(w, missed);
+    const double missed = em_end_difference(w, f), truncation = em_error_of_series(w, missed);
     w->error_norm = em_max(w->error_norm, truncation);
     w->stiff = w->nodes.slow && truncation < 1.0;
-    if (!(truncation < 1.0)) em_note_changes(w);
+    if (!(truncation < 1.0)) em_record_changes(w);
     if (missed > usual) w->size_norm = em_size_of_nodes(w, truncation);
     return 0;
 }

@@ -1,5 +1,5 @@
 /* em_legendre_series.h: the Legendre series of the rates within a step, and its error: from the decay of its
- * coefficients, and from the rate it misses at the end of the step. */
+ * coefficients, and from its difference to the rate at the end of the step. */
 #ifndef EM_LEGENDRE_SERIES_H
 #define EM_LEGENDRE_SERIES_H
 
@@ -9,8 +9,8 @@
 
 #define EM_INTEGRAL_SHARE 0.03 /* ratio of the first missing term of a polynomial of rates to its integral within the
                                   step */
-#define EM_TURNS 20.0 /* in weights of its last coefficients: a change that may still alter the polynomial
-                         considerably */
+#define EM_MINOR_CHANGE 20.0 /* relative to the last coefficients: a smaller change no longer alters the polynomial
+                                considerably */
 
 static int em_rates_count(const em_run_state *w) { return w->second_order ? w->n : em_count(w); }
 
@@ -64,19 +64,19 @@ EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
     return term * at->weight[k];
 }
 
-/* The error of the polynomial that the iteration is converging to, as predicted by its coefficients, if the last
- * change no longer alters it considerably; else 0. If that is too large the iteration is stopped. */
-static double em_foreseen(em_run_state *w, double change) {
+/* The predicted error of the polynomial to which the iteration converges, from its coefficients; 0 if the last change
+ * may still alter it considerably. If the prediction is too large, the iteration is abandoned. */
+static double em_predicted_error(em_run_state *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
     const em_tables at = em_tables_of(w);
     for (int b = EM_UPPER; b < EM_NODE_VECTORS; ++b)
         *(em_node_vector *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
-    return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
+    return change < EM_MINOR_CHANGE * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }
 
 /* The difference between the polynomial and the rate f at the end of the step. */
-static double em_missed(em_run_state *w, const double *f) {
+static double em_end_difference(em_run_state *w, const double *f) {
     em_nodes *const q = &w->nodes;
     double missed = 0.0;
     for (int k = w->first_rate; k < em_rates_end(w); ++k) {
@@ -89,8 +89,8 @@ static double em_missed(em_run_state *w, const double *f) {
     return sqrt(missed);
 }
 
-/* The error of a polynomial with this difference at the end of the step. A kink after the last node shows only
- * there; one at 0.64 of the step shows weakly in both estimates, which are therefore added. */
+/* The error of a polynomial with this difference at the end of the step. Only this difference shows a kink after the
+ * last node; a kink at 0.64 of the step shows weakly in both estimates, which are therefore added. */
 static double em_error_of_series(em_run_state *w, double missed) {
     const double *const size = w->nodes.size;
     const double before = sqrt(size[4] * size[4] + size[5] * size[5]), last = sqrt(size[6] * size[6] + size[7] * size[7]);
@@ -99,7 +99,7 @@ static double em_error_of_series(em_run_state *w, double missed) {
 
 /* An estimate of that difference by the last coefficients, which a smooth polynomial hardly exceeds: it controls the
  * size before the difference is known. */
-static double em_usually_missed(const em_run_state *w) {
+static double em_estimated_end_difference(const em_run_state *w) {
     const double *const size = w->nodes.size;
     return sqrt(size[6] * size[6] + size[7] * size[7]);
 }

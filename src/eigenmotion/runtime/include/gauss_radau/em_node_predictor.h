@@ -1,12 +1,12 @@
-/* em_node_predictor.h: the predictor of ra15: rates at the nodes, extrapolated from the polynomial of the step
- * before. */
+/* em_node_predictor.h: the predictor of ra15: rates at the nodes, extrapolated from the polynomial of the previous
+ * step. */
 #ifndef EM_NODE_PREDICTOR_H
 #define EM_NODE_PREDICTOR_H
 
 #include "gauss_radau/em_node_vectors.h"
 
 enum {
-    EM_MOST = 9,          /* iterations that a step may take, */
+    EM_MOST_ITERATIONS = 9,          /* iterations that a step may take, */
     EM_MOST_AT_START = 14 /* the same if no predictor is known */
 };
 
@@ -27,13 +27,13 @@ EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT
     }
 }
 
-#define EM_GROWN 10.0 /* relative to the smallest term, a last term with which a series must not be extrapolated */
+#define EM_GROWN 10.0 /* a series is not extrapolated with a last term above this multiple of its smallest term */
 
-/* The number of terms of the series that are extrapolated beyond the step before, with P_l(end) there. All of them,
- * unless they grow, as after steps with the largest allowed error; then those up to the smallest, as in any
- * asymptotic series. If stability limits the steps all terms are used: a slow convergence despite a good start then
- * shows it. */
-static int em_terms_to_continue(const em_run_state *w, double (*P)[EM_NODE_COUNT]) {
+/* The number of terms of the series that are extrapolated beyond the previous step; P: the polynomials there. All of
+ * them, unless they grow, as after steps with the largest allowed error; then those up to the smallest, as in any
+ * asymptotic series. If stability limits the steps, all terms are used: slow convergence despite a good predictor is
+ * then visible. */
+static int em_terms_to_extrapolate(const em_run_state *w, double (*P)[EM_NODE_COUNT]) {
     if (w->nodes.slow) return EM_NODE_COUNT;
     double least = INFINITY, last = 0.0;
     int terms = EM_NODE_COUNT;
@@ -46,11 +46,11 @@ static int em_terms_to_continue(const em_run_state *w, double (*P)[EM_NODE_COUNT
 
 /* a <- the polynomial of `series` at start + ratio nodes, in units of its step, shifted to begin with the current
  * rate. */
-static void em_continue(em_run_state *w, em_node_vector *const *series, double start, double ratio) {
+static void em_extrapolate_series(em_run_state *w, em_node_vector *const *series, double start, double ratio) {
     double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[w->n_state];
     const int end = em_rates_end(w);
     em_legendre(start, ratio, P);
-    const int terms = start > 0.0 ? em_terms_to_continue(w, P) : EM_NODE_COUNT;
+    const int terms = start > 0.0 ? em_terms_to_extrapolate(w, P) : EM_NODE_COUNT;
     if (terms < EM_NODE_COUNT) memset(P[terms], 0, (size_t)(EM_NODE_COUNT - terms) * sizeof *P);
     for (int k = w->first_rate; k < end; ++k) {
         jump[k] = w->K[0][k];
@@ -77,9 +77,10 @@ static void em_remember(em_run_state *w) {
 static int em_predict(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_remember(w);
-    if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
+    if (q->converged && q->t == w->t && q->mode == w->mode)
+        return em_extrapolate_series(w, q->series, 0.0, w->h / q->h), EM_MOST_ITERATIONS;
     if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
-        return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
+        return em_extrapolate_series(w, q->before, 1.0, w->h / q->before_h), EM_MOST_ITERATIONS;
     for (int b = 0; b < EM_NODE_VECTORS; ++b)
         for (int k = w->first_rate; k < w->n_state; ++k) q->a[b][k] = (em_node_vector){0.0} + w->K[0][k];
     return EM_MOST_AT_START;

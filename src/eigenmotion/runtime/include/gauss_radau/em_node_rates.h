@@ -19,7 +19,7 @@ EM_NOINLINE int em_rates_one_by_one(em_run_state *w) {
 
 /* Whether the model's lanes can be used: they are linked for the same machine, stages are not settled, and no
  * multipliers of least norm are needed. */
-static int em_lanes_serve(const em_run_state *w) {
+static int em_can_use_lanes(const em_run_state *w) {
     const int flags = em_constraint_flags(w->run), least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
     return w->lanes->width == EM_LANES && !least_norm && !(w->n_positions > 0 && w->near);
 }
@@ -27,7 +27,7 @@ static int em_lanes_serve(const em_run_state *w) {
 /* Data that are constant during the iteration of a step: times, signals, parameters. */
 static void em_begin_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
-    q->on_lanes = em_lanes_serve(w);
+    q->on_lanes = em_can_use_lanes(w);
     for (int i = 0; q->on_lanes && i < EM_NODE_COUNT; ++i) {
         const int b = i / EM_LANES, lane = i % EM_LANES;
         const double t = w->t + em_node_place[i] * w->h;
@@ -53,7 +53,7 @@ static int em_rates_at_nodes(em_run_state *w) {
 
 /* x of Y <- the integral of Y's velocities, before the forces are evaluated; velocities that depend on x use the
  * former x. */
-static void em_drift(em_run_state *w) {
+static void em_positions_at_nodes(em_run_state *w) {
     em_nodes *q = &w->nodes;
     em_map(w->n, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
     q->drifted = 1;
@@ -65,7 +65,7 @@ static void em_velocities_at_nodes(em_run_state *w) {
     if (!q->on_lanes || w->mode != 0 || w->lanes->velocity == NULL) return;
     for (int b = 0; b < EM_NODE_VECTORS; ++b)
         w->lanes->velocity((double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->a[b]);
-    em_drift(w);
+    em_positions_at_nodes(w);
 }
 
 #endif

@@ -17,7 +17,7 @@ EM_INLINE void em_put_at(em_node_vector *const *at, int k, int j, double number)
     ((double *)&at[j / EM_LANES][k])[j % EM_LANES] = number;
 }
 
-/* Written out: a loop would go through memory, and wait. */
+/* Unrolled by hand: a loop would store the vector to memory and wait for it. */
 EM_INLINE double em_sum_of(em_node_vector a) {
 #if EM_LANES == 8
     return ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]));

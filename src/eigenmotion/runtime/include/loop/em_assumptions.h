@@ -16,7 +16,8 @@ static inline int em_is_declared(int bits, double value) {
 }
 
 /* -1 and *fault if one of `count` values, of the symbols from place `first` on, violates its assumption; else 0. */
-static inline int em_refuse(const em_declared *declared, int first, int count, const double *values, em_fault *fault) {
+static inline int em_check_declared(const em_declared *declared, int first, int count, const double *values,
+                                    em_fault *fault) {
     for (int k = 0; k < count; ++k) {
         if (em_is_declared(declared[first + k].bits, values[k])) continue;
         *fault = (em_fault){EM_VALUE_REFUSED, first + k, -1, values[k]};

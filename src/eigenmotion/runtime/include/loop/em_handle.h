@@ -9,11 +9,11 @@
 static size_t em_saved_prepared(const em_model *model) { return model->n_switches > 0 ? (size_t)model->n_prepared : 0; }
 
 /* The counts and the mode of a run: the part of it that is saved after the blocks of its run state. */
-typedef struct em_tally {
+typedef struct em_run_counts {
     int kept, least_norm;
     long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
     double t_reached;
-} em_tally;
+} em_run_counts;
 
 /* em_model.open */
 EM_EXPORT void *em_handle_open(const em_model *model, em_run *run) { return em_open(model, run); }
@@ -39,7 +39,7 @@ EM_EXPORT int em_handle_again(void *run_state) {
 }
 
 /* Reverses the direction of time. The intervals of signals are then entered from their other ends. */
-static void em_turn_back(em_run_state *w) {
+static void em_reverse_time(em_run_state *w) {
     w->direction = -w->direction;
     w->stale |= em_enter_interval(w);
 }
@@ -51,10 +51,10 @@ EM_EXPORT int em_handle_advance(void *run_state, double t, int jumped) {
     em_run *run = w->run;
     if (w->refused) return EM_END;
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    w->ended = EM_GO_ON;
+    w->ended = EM_CONTINUE;
     w->most_steps = run->n_steps + run->max_steps;
     w->stale |= jumped && w->begun;
-    if (w->direction * (t - w->t) < 0.0) em_turn_back(w);
+    if (w->direction * (t - w->t) < 0.0) em_reverse_time(w);
     if (w->stale && w->t != t) {
         if (em_resume(w)) return EM_END;
         if (!em_all_finite(w, w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
@@ -82,7 +82,7 @@ EM_EXPORT int em_handle_publish(const void *run_state, double *y, em_fault *faul
 
 /* em_model.saved */
 EM_EXPORT size_t em_handle_saved(const em_model *model) {
-    return em_saved_size(model) + sizeof(em_tally) + em_saved_prepared(model) * sizeof(double);
+    return em_saved_size(model) + sizeof(em_run_counts) + em_saved_prepared(model) * sizeof(double);
 }
 
 /* em_model.save */
@@ -90,7 +90,7 @@ EM_EXPORT void em_handle_save(const void *run_state, void *saved) {
     em_run_state *const w = (em_run_state *)run_state; /* which is only read */
     const em_run *run = w->run;
     em_memory_block piece[EM_PIECES];
-    em_tally tally;
+    em_run_counts tally;
     char *to = saved;
     memset(&tally, 0, sizeof tally); /* the padding too, so that the same motion gives the same bytes */
     tally.kept = run->kept, tally.least_norm = run->least_norm, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
@@ -106,7 +106,7 @@ EM_EXPORT void em_handle_restore(void *run_state, const void *saved) {
     em_run_state *w = run_state;
     em_run *run = w->run;
     em_memory_block piece[EM_PIECES];
-    em_tally tally;
+    em_run_counts tally;
     const char *from = saved;
     em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; from += piece[i].size, ++i) memcpy(piece[i].at, from, piece[i].size);

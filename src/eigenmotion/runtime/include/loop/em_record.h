@@ -12,7 +12,7 @@ static int em_append(em_run_state *w, em_rows *rows, int mode, double t, const d
     double *row = em_rows_next(rows, &fault);
     if (row == NULL || em_publish(w->model, w->run, mode, t, y, memory, row, &fault)) return em_end_with(w, fault);
     em_rows_keep(rows, t);
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 /* The same at t, within the current step or at its end. */
@@ -32,11 +32,11 @@ static int em_row_is_due(const em_run_state *w, double t) {
 /* Appends the rows of this step up to t_stop. */
 static int em_append_rows(em_run_state *w, double t_stop) {
     em_run *run = w->run;
-    if (run->t_eval == NULL) return t_stop == w->t ? EM_GO_ON : em_append_at(w, &run->rows, t_stop);
+    if (run->t_eval == NULL) return t_stop == w->t ? EM_CONTINUE : em_append_at(w, &run->rows, t_stop);
     while (em_row_is_due(w, t_stop)) {
         if (em_append_at(w, &run->rows, run->t_eval[w->next_t_eval++]) || em_poll(w)) return EM_END;
     }
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 static int em_append_first_rows(em_run_state *w) {
@@ -44,15 +44,15 @@ static int em_append_first_rows(em_run_state *w) {
     if (run->t_eval == NULL) return em_append(w, &run->rows, w->mode, w->t, w->y, w->memory);
     for (; em_row_is_due(w, w->t); ++w->next_t_eval)
         if (em_append(w, &run->rows, w->mode, run->t_eval[w->next_t_eval], w->y, w->memory)) return EM_END;
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 /* Events that act within this many spacings of the time act at once. */
-#define EM_AT_ONE_TIME (8.0 * DBL_EPSILON)
+#define EM_SAME_TIME (8.0 * DBL_EPSILON)
 
-/* Whether a crossing at t is to be recorded, if the run stops at t_stop when it `stops`. */
+/* Whether a crossing at t is recorded; stops: whether the step ends at t_stop. */
 static int em_is_reached(const em_run_state *w, double t, double t_stop, int stops) {
-    return !stops || t == t_stop || (w->acting && fabs(t - t_stop) <= EM_AT_ONE_TIME * fabs(t_stop));
+    return !stops || t == t_stop || (w->acting && fabs(t - t_stop) <= EM_SAME_TIME * fabs(t_stop));
 }
 
 /* Records the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and the others at that
@@ -74,7 +74,7 @@ static int em_append_crossings(em_run_state *w, double *t_stop, int *terminal) {
         w->side[event] = -w->side[event];
         if (em_append_at(w, &w->run->events[event], stops ? *t_stop : list[i].t)) return EM_END;
     }
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 /* Records an accepted step; *t_stop is the time of a terminal event that ends it. */
@@ -84,7 +84,8 @@ static int em_record(em_run_state *w, double *t_stop, int *terminal) {
     em_fault fault;
     if (w->n_events > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;
-    return w->run->dense && *t_stop != w->t && em_dense_keep(w->run, (size_t)w->n_state, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_GO_ON;
+    if (!w->run->dense || *t_stop == w->t) return EM_CONTINUE;
+    return em_dense_keep(w->run, (size_t)w->n_state, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_CONTINUE;
 }
 
 #endif

@@ -7,14 +7,14 @@
 
 static int em_begin(em_run_state *w);
 
-/* Whether rows that hold may be dependent in some modes, because cones stick. */
-static int em_may_share(const em_run_state *w) { return w->of->cones && w->asked != EM_REFUSED; }
+/* Whether rows may be dependent in some modes, because cones stick. */
+static int em_may_share(const em_run_state *w) { return w->of->cones && w->requested_least_norm != EM_REFUSED; }
 
 /* run->least_norm <- for the current mode. 0, or -1 and w->reason. */
 static int em_share_in_mode(em_run_state *w, const double *y) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
-    if (!em_may_share(w) || w->shares) return 0;
+    if (!em_may_share(w) || w->base_least_norm) return 0;
     if (w->of->rows(w->t, y, w->run->prepared, B, Delta, &w->reason)) return -1;
     w->run->least_norm = em_rank(m, Delta) < m ? EM_SHARED : EM_REFUSED;
     return 0;
@@ -37,7 +37,7 @@ static int em_segment_begin(em_run_state *w, const double *c) {
 }
 
 /* row (n_state), published <- the state after the events w->fired at t; begins a segment. 0, or -1 and w->reason. */
-static int em_act_on(em_run_state *w, double t, double *row) {
+static int em_apply_events(em_run_state *w, double t, double *row) {
     const em_run *run = w->run;
     double x[w->n], v[w->n], c[w->model->n_prepared + 1];
     memset(c, 0, sizeof c);
@@ -45,7 +45,7 @@ static int em_act_on(em_run_state *w, double t, double *row) {
     memcpy(c, run->prepared, (size_t)w->model->n_prepared * sizeof *c);
     if (w->of->velocity(0, t, row, c, v, &w->reason)) return -1;
     em_signals(w, t);
-    const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->deep, w->stirred};
+    const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->depth, w->rate_shift};
     const int least_norm = run->least_norm || em_may_share(w) ? EM_LEAST_NORM : 0;
     if (w->of->act(t, x, v, c, w->u, least_norm, &within, w->fired, w->pile, &w->reason)) return -1;
     w->t = t;
@@ -56,12 +56,12 @@ static int em_act_on(em_run_state *w, double t, double *row) {
 static int em_first_segment(em_run_state *w) {
     if (w->model->n_switches == 0) return 0;
     em_enter_interval(w);
-    if (em_act_on(w, w->t, w->y)) return -1;
-    return w->run->least_norm && !w->shares ? em_keep_constraints_at_start(w) : 0;
+    if (em_apply_events(w, w->t, w->y)) return -1;
+    return w->run->least_norm && !w->base_least_norm ? em_keep_constraints_at_start(w) : 0;
 }
 
 /* Discards the history of earlier steps: it belongs to another motion. */
-static void em_forget(em_run_state *w) {
+static void em_discard_history(em_run_state *w) {
     memset(&w->nodes, 0, offsetof(em_nodes, Y));
     memset(w->node_tables, 0, w->node_tables_size);
     w->c_is_known = 0;
@@ -73,7 +73,7 @@ static void em_forget(em_run_state *w) {
     memset(w->memory, 0, (size_t)w->n_memory * sizeof *w->memory);
     w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
     w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
-    w->seen = 0;
+    w->pivots_known = 0;
     w->next_energy_check = 0;
     w->fresh = EM_NEXT_SEGMENT;
 }
@@ -82,7 +82,7 @@ static int em_append_after(em_run_state *w) {
     em_run *run = w->run;
     for (int i = 0; i < w->n_events; ++i)
         if (w->acted[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
-    return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
+    return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_CONTINUE;
 }
 
 /* Ends the step at t, where events act, and begins the next segment. */
@@ -95,8 +95,8 @@ static int em_next_segment(em_run_state *w, double t, int terminal) {
     ++run->n_steps;
     run->t_reached = t;
     memcpy(w->acted, w->fired, (size_t)w->n_events * sizeof *w->acted);
-    if (em_act_on(w, t, row)) return em_end_with(w, w->reason);
-    em_forget(w);
+    if (em_apply_events(w, t, row)) return em_end_with(w, w->reason);
+    em_discard_history(w);
     memcpy(w->y, row, sizeof row);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_end_with(w, w->reason);
     if (em_enter_mode(w) < 0) return em_end_with(w, w->reason);

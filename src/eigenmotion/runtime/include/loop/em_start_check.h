@@ -1,6 +1,6 @@
 /* em_start_check.h: consistency check of a start (x, v), for any em_model.
  *
- * For the runtime, not for generated code. simulation/initial_state/consistency.py words the reasons. */
+ * For the runtime, not for generated code. simulation/initial_state/consistency.py writes the messages. */
 #ifndef EM_START_CHECK_H
 #define EM_START_CHECK_H
 
@@ -21,7 +21,7 @@ typedef enum em_refusal {
     EM_WITHOUT_STATE     /* C, s and eta cannot be found, or are not finite */
 } em_refusal;
 
-#define EM_LAST_PLACES_OF_ALL 8.0 /* spacings of x and v in the mass metric: a smaller change is rounding, whatever
+#define EM_STATE_ROUNDING 8.0 /* spacings of x and v in the mass metric: a smaller change is rounding, whatever
                                      it changes in a row */
 
 /* M (n, n) <- the matrix that is factored: the mass matrix, or the model's replacement. */
@@ -67,15 +67,15 @@ static int em_is_off(double residual, double limit, double *off) {
     return wrong;
 }
 
-/* Whether A v + b = 0 and phi = 0 are violated. Allowed are: em_start_tolerance of the terms that cancel in a row;
- * the residual that a change of x and v by EM_START_STEPS atol (n) makes; and that of a change in the last places of
- * x and v as a whole, because if all that cancels in a row is rounding, so is its residual. Returns em_refusal. off
+/* Whether A v + b = 0 and phi = 0 are violated. The allowed residual is the sum of: em_start_tolerance of the terms that
+ * cancel in a row; the effect of a change of x and v by EM_START_STEPS atol (n); and the effect of a change in the last
+ * digits of x and v as a whole, because the residual is rounding if all terms of a row are. Returns em_refusal. off
  * (m), unless NULL <- the residuals of violated rows */
 static int em_constraints_refuse(const em_model *model, double t, const double *x, const double *v, const double *c,
                                  const double *L, const double *r, double rtol, const double *atol, double *off) {
     const int n = model->n, m = model->m;
     if (m == 0) return EM_MAY_START;
-    const double tolerance = em_start_tolerance(rtol), last = EM_LAST_PLACES_OF_ALL * DBL_EPSILON;
+    const double tolerance = em_start_tolerance(rtol), last = EM_STATE_ROUNDING * DBL_EPSILON;
     const double all_x = last * em_mass_length(n, L, x), all_v = last * em_mass_length(n, L, v);
     double A[m * n], b[m], phi[m], terms[m], reach[m], length[m];
     int wrong = 0;
@@ -100,17 +100,18 @@ static int em_constraints_refuse(const em_model *model, double t, const double *
     return wrong ? EM_OFF_VELOCITY : EM_MAY_START;
 }
 
-/* Whether an event is an impact where phi passes zero, downwards, and does not belong to a contact. */
+/* Whether an event is an impact that happens where phi falls through zero, and does not belong to a contact. */
 static int em_impact_is_alone(const em_event_action *action) { return action->impact >= 0 && action->keeps_apart && action->held < 0; }
 
-static int em_keeps_anything_apart(const em_model *model) {
+static int em_has_contacts(const em_model *model) {
     for (int i = 0; model->event_actions != NULL && i < model->n_events; ++i)
         if (em_impact_is_alone(&model->event_actions[i])) return 1;
     return model->n_switches > 0;
 }
 
 /* Whether an impact's phi grows: a start that is inside by rounding then causes no impact. */
-static int em_comes_out(const em_model *model, int event, double t, const double *x, const double *v, const double *c) {
+static int em_leaves_contact(const em_model *model, int event, double t, const double *x, const double *v,
+                             const double *c) {
     const int n = model->n, width = model->n_arguments;
     double D[model->n_events * width];
     model->event_partials(t, x, v, c, model->input_defaults, D);
@@ -119,12 +120,11 @@ static int em_comes_out(const em_model *model, int event, double t, const double
     return model->event_actions[event].keeps_apart * rate > 0.0;
 }
 
-/* The event of the contact or impact that x is inside of; -1: none. The gap may be as far off as the constraints
- * may, that is, by the change that the allowed changes of x make. With rtol 0 the state is not a start, and this is
- * not checked. */
+/* The event of the contact or impact that x is inside of; -1: none. A gap may be negative by the effect of the allowed
+ * changes of x, as for constraints. With rtol 0 the state is not an initial state, and this is not checked. */
 static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
                              double rtol, const double *atol) {
-    if (!em_keeps_anything_apart(model) || rtol == 0.0) return -1;
+    if (!em_has_contacts(model) || rtol == 0.0) return -1;
     const int n = model->n, events = model->n_events;
     double gap[events], elsewhere[events], reach[events], near[n];
     model->event(t, x, v, c, model->input_defaults, gap);
@@ -141,7 +141,7 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
     }
     for (int i = 0; i < events; ++i)
         if (em_impact_is_alone(&model->event_actions[i]) && model->event_actions[i].keeps_apart * gap[i] < 0.0 &&
-            (fabs(gap[i]) > reach[i] || !em_comes_out(model, i, t, x, v, c))) return i;
+            (fabs(gap[i]) > reach[i] || !em_leaves_contact(model, i, t, x, v, c))) return i;
     return -1;
 }
 
@@ -150,7 +150,8 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
                     double rtol, const double *atol, double *y, int *at, double *off) {
     em_fault fault;
-    if (model->declared && em_refuse(model->declared, model->n_parameters, model->n, x, &fault)) return EM_UNDECLARED;
+    if (model->declared && em_check_declared(model->declared, model->n_parameters, model->n, x, &fault))
+        return EM_UNDECLARED;
     double L[model->n * model->n], r[model->n];
     const int lacking = em_lacks_inertia(model, t, x, c, L, r);
     if (at != NULL) *at = lacking;

@@ -30,18 +30,18 @@ static void em_aim(em_run_state *w, double size) {
 }
 
 /* Whether a state inside the step is requested. */
-static int em_asks_within(const em_run_state *w) {
+static int em_needs_state_within(const em_run_state *w) {
     const em_run *run = w->run;
     if (run->dense == EM_DENSE || w->n_found > 0) return 1;
     return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
 }
 
 static int em_needs_interpolant(const em_run_state *w) {
-    return !w->has_interpolant && (w->run->dense || em_asks_within(w));
+    return !w->has_interpolant && (w->run->dense || em_needs_state_within(w));
 }
 
 /* Finishes a step whose error is small enough. 0, or -1 and w->reason. */
-static int em_land(em_run_state *w) {
+static int em_finish_step(em_run_state *w) {
     w->mode_new = w->mode;
     em_copy_memory(w, w->memory_new, w->memory);
     em_copy_state(w, w->y_raw, w->y_new);
@@ -57,7 +57,7 @@ static int em_land(em_run_state *w) {
     if (!(w->error_norm < 1.0)) return 0;
     if (!w->scheme.fixed && em_check_step(w)) return -1;
     if (w->n_events > 0 && em_detect_events(w)) return -1;
-    if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
+    if (w->scheme.within != NULL && em_needs_state_within(w)) w->scheme.within(w);
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
@@ -66,7 +66,7 @@ static int em_attempt(em_run_state *w) {
     w->error_norm = w->size_norm = INFINITY;
     if (w->scheme.step(w)) return -1;
     if (!isfinite(w->error_norm) || !em_all_finite(w, w->y_new)) return em_not_finite(w, w->y_new, w->error);
-    return w->error_norm < 1.0 ? em_land(w) : 0;
+    return w->error_norm < 1.0 ? em_finish_step(w) : 0;
 }
 
 /* No step size is small enough: the fault that prevented the step, if it was not the error alone. */
@@ -93,7 +93,7 @@ static int em_step_forward(em_run_state *w) {
         em_aim(w, size);
         w->retries = rejected;
         const int failed = em_attempt(w) != 0;
-        if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_GO_ON;
+        if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_CONTINUE;
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (failed) obstacle = w->reason;
@@ -102,11 +102,12 @@ static int em_step_forward(em_run_state *w) {
         if (!failed && w->error_norm < 1.0) size = search.size;
         ++run->n_rejected;
     }
-    /* A step that was cut at the end of an interval or at the target time tells little: the earlier proposal stands. */
+    /* The error of a step that was cut at the end of an interval or at the target time says little about the next size:
+     * the earlier proposal is kept. */
     const int ends = w->t_new == w->pieces_end || w->t_new == w->t_goal || shortened || search.aims > 0;
     const int cut = ends && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 #endif

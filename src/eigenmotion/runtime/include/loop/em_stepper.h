@@ -1,8 +1,8 @@
 /* em_stepper.h: a run as a handle: opened, advanced and closed; em_simulate does all three.
  *
- * The stepper uses a model through em_model alone. It is compiled once for all models (em_stepper.c), or at the end of a
- * NAME.c that is compiled whole (docs/architecture.md). It has no state of its own: all memory belongs to the run and is
- * allocated as the run opens, apart from tables of rows. From the inside out: em_run_state.h (the state of a run),
+ * The stepper uses a model only through em_model. It is compiled once for all models (em_stepper.c), or at the end of a
+ * NAME.c that is compiled as a whole (docs/architecture.md). It has no state of its own: all memory belongs to the run
+ * and is allocated when the run is opened, except tables of rows. From the inside out: em_run_state.h (the state of a run),
  * em_model_calls.h, em_error_norm.h, em_methods.h (the methods), em_dense_output.h, em_event_detection.h (events),
  * em_monitors.h (checks of an accepted step), em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
  */
@@ -21,14 +21,14 @@ static int em_enter(em_run_state *w) {
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y);
     if (!em_all_finite(w, w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
-    run->least_norm = em_shares(w);
+    run->least_norm = em_choose_dependent(w);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
-    w->shares = run->least_norm;
+    w->base_least_norm = run->least_norm;
     if (w->of->act != NULL && em_first_segment(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_enter_mode(w);
     if (settled < 0) memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
-    return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
+    return settled < 0 ? em_end_with(w, w->reason) : EM_CONTINUE;
 }
 
 /* Computes the first right-hand side, event values and step size. */
@@ -42,7 +42,7 @@ static int em_begin(em_run_state *w) {
     if (em_begin_energy_monitor(w) || (w->n_events > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w);
     w->begun = 1;
-    return EM_GO_ON;
+    return EM_CONTINUE;
 }
 
 /* Initialises a zeroed run state from its run. */
@@ -63,12 +63,12 @@ static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
     em_run_state *const w = em_run_state_allocate(model);
     if (w == NULL) return NULL;
     w->run = run;
-    w->asked = run->least_norm;
+    w->requested_least_norm = run->least_norm;
     w->scheme = em_scheme_of(run->method);
     em_run_state_prepare(w);
-    w->looks_every = 1;
-    timespec_get(&w->looked, TIME_UTC);
-    w->polled = w->looked;
+    w->clock_interval = 1;
+    timespec_get(&w->clock_read, TIME_UTC);
+    w->polled = w->clock_read;
     return w;
 }
 
@@ -92,8 +92,8 @@ static void em_commit(em_run_state *w) {
         memcpy(w->side, w->side_new, (size_t)w->n_events * sizeof *w->side);
     }
     w->fresh = 0;
-    w->deep = 0.0;
-    if (w->of->act != NULL) memset(w->stirred, 0, (size_t)w->n_rows * sizeof *w->stirred);
+    w->depth = 0.0;
+    if (w->of->act != NULL) memset(w->rate_shift, 0, (size_t)w->n_rows * sizeof *w->rate_shift);
 }
 
 /* Recomputes rates and event values where the rates have jumped, at the start of another smooth interval. */
@@ -101,17 +101,17 @@ static int em_resume(em_run_state *w) {
     if (w->crosses < 0 || (w->crosses && em_cross_time_event(w))) return em_end_with(w, w->reason);
     w->crosses = 0;
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
-    return w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
+    return w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_CONTINUE;
 }
 
-/* Enters the next smooth interval; if the run may end there, only when it continues. */
-static int em_go_over(em_run_state *w) {
-    if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_GO_ON;
+/* Resumes at the start of the next smooth interval; at the target time, this is deferred until the run continues. */
+static int em_enter_next_interval(em_run_state *w) {
+    if (w->crosses && w->t == w->t_goal) return w->stale = 1, EM_CONTINUE;
     return em_resume(w);
 }
 
 /* Makes one accepted step. */
-static int em_go_on(em_run_state *w) {
+static int em_accepted_step(em_run_state *w) {
     if (em_step_forward(w)) return EM_END;
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
@@ -121,7 +121,7 @@ static int em_go_on(em_run_state *w) {
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
-    return w->t == w->pieces_end && em_enter_interval(w) ? em_go_over(w) : EM_GO_ON;
+    return w->t == w->pieces_end && em_enter_interval(w) ? em_enter_next_interval(w) : EM_CONTINUE;
 }
 
 /* --- the handle --- */
@@ -143,7 +143,7 @@ static em_run_state *em_open(const em_model *model, em_run *run) {
 static int em_advance(em_run_state *w, double t_goal) {
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
-    while (!w->ended && w->t != w->t_goal) w->ended = em_go_on(w);
+    while (!w->ended && w->t != w->t_goal) w->ended = em_accepted_step(w);
     return w->ended;
 }
 

@@ -1,9 +1,9 @@
-/* em_table_joins.h: steps that end where the pieces of a table join less smoothly than a step needs.
+/* em_table_joins.h: steps that end where the pieces of a table join less smoothly than a step requires.
  *
- * A join is rough where the force itself or its slope jumps: the derivative that jumps is at most one higher than the
- * highest that motion takes of the table. A step that would pass one ends just beyond it, so that the next one begins on
- * its other side. What varies with the time alone is known before the step; for the rest the step is repeated, with a
- * size that is found by the rule of false position (Illinois). */
+ * A join is rough if the force or its slope jumps there: the derivative that jumps is at most one higher than the
+ * highest derivative of the table in the equations. A step that would pass a rough join ends just beyond it, so that
+ * the next step begins on its other side. If the argument depends on time only, the step is shortened beforehand.
+ * Otherwise it is repeated with a size from the method of false position (Illinois). */
 #ifndef EM_TABLE_JOINS_H
 #define EM_TABLE_JOINS_H
 
@@ -11,8 +11,8 @@
 
 enum { EM_MOST_AIMS = 20 };
 
-/* A search for the size of a step that ends at a join: sizes that are too short and too long, and how far the argument
- * is from its goal there; the size to try next. */
+/* A search for the size of a step that ends at a join: a size that is too short and one that is too long, with the
+ * signed distances of the argument from its goal; the size to try next. */
 typedef struct em_join_search {
     double low, below, high, above, size;
     int aims, use, side;
@@ -43,20 +43,21 @@ static double em_next_join(const em_axis *axis, const em_table_use *use, int rep
     return em_join_within(axis, use, begin, direction) + other;
 }
 
-/* How far behind a join steps end at most; the goal is in the middle. */
-static double em_landing_zone(const em_axis *axis, double join) {
+/* The length of the interval behind a join in which steps may end; the goal is its middle. */
+static double em_join_zone(const em_axis *axis, double join) {
     const double range = fabs(axis->knots[0]) + fabs(axis->knots[axis->count]);
     return 64.0 * DBL_EPSILON * (fabs(join) > range ? fabs(join) : range);
 }
 
-/* The distance of `to` from the goal behind the first rough join after `from`, positive if it is passed by more than
- * the zone; else 0. *below <- that of `from`. */
-static double em_passed(const em_run_state *w, const em_table_use *use, double from, double to, double *below) {
+/* The distance of `to` from the goal behind the first rough join after `from`, if `to` is beyond the zone of the join;
+ * else 0. *below <- the (negative) distance of `from`. */
+static double em_distance_past_join(const em_run_state *w, const em_table_use *use, double from, double to,
+                                    double *below) {
     const double *const table = em_table_of_use(w->model, w->run->prepared, use), direction = to > from ? 1.0 : -1.0;
     if (!em_is_rough(use, table[10 + use->axis]) || !isfinite(to - from) || to == from) return 0.0;
     const em_axis axis = em_axis_of(table, use->axis);
     const double join = em_next_join(&axis, use, (em_outside)(int)table[1] == EM_REPEATS, from, direction);
-    const double zone = em_landing_zone(&axis, join), goal = join + direction * 0.5 * zone;
+    const double zone = em_join_zone(&axis, join), goal = join + direction * 0.5 * zone;
     if (!(direction * (to - join) > zone)) return 0.0;
     *below = direction * (from - goal);
     return direction * (to - goal);
@@ -70,7 +71,7 @@ static int em_has_rough_tables(const em_run_state *w) {
     return 0;
 }
 
-/* The size of a step after which no argument that varies with the time alone has passed a rough join. */
+/* The size of a step in which no argument that depends on time only passes a rough join. */
 static double em_size_to_join(em_run_state *w, double size) {
     const int uses = w->model->n_table_uses;
     double at[em_some(uses)], ahead[em_some(uses)], below, least = 1.0, v[w->n];
@@ -79,14 +80,15 @@ static double em_size_to_join(em_run_state *w, double size) {
     em_arguments_at(w, w->t + w->direction * size, w->y, v, ahead);
     for (int k = 0; k < uses; ++k) {
         if (!w->model->table_uses[k].timed) continue;
-        const double above = em_passed(w, &w->model->table_uses[k], at[k], ahead[k], &below);
+        const double above = em_distance_past_join(w, &w->model->table_uses[k], at[k], ahead[k], &below);
         if (above > 0.0) least = em_min(least, below / (below - above));
     }
     return least * size;
 }
 
-/* Notes that a step of this size ends `way` from the goal, and proposes another (Illinois). */
-static void em_aim_between(em_join_search *s, double size, double way) {
+/* Updates the search with a step of this size, which ends at a distance `way` from the goal, and proposes the next size
+ * (Illinois). */
+static void em_next_join_size(em_join_search *s, double size, double way) {
     const int side = way > 0.0 ? 1 : -1;
     if (side > 0) s->high = size, s->above = way;
     else s->low = size, s->below = way;
@@ -96,20 +98,20 @@ static void em_aim_between(em_join_search *s, double size, double way) {
     s->size = s->low + (s->high - s->low) * (s->below / (s->below - s->above));
 }
 
-/* Whether the current step, which is good otherwise, is to be repeated with s->size. */
+/* Whether the current step, otherwise acceptable, passes a join and must be repeated with s->size. */
 static int em_passes_join(em_run_state *w, em_join_search *s) {
     const int uses = w->model->n_table_uses;
     double at[em_some(uses)], ahead[em_some(uses)], below, worst = 0.0, before = 0.0;
-    if (s->aims >= EM_MOST_AIMS || em_look_up(w, w->mode, w->t, w->y, at)) return 0;
-    if (em_look_up(w, w->mode_new, w->t_new, w->y_new, ahead)) return 0;
+    if (s->aims >= EM_MOST_AIMS || em_table_arguments_of(w, w->mode, w->t, w->y, at)) return 0;
+    if (em_table_arguments_of(w, w->mode_new, w->t_new, w->y_new, ahead)) return 0;
     for (int k = 0; k < uses; ++k) {
-        const double above = em_passed(w, &w->model->table_uses[k], at[k], ahead[k], &below);
+        const double above = em_distance_past_join(w, &w->model->table_uses[k], at[k], ahead[k], &below);
         if (above > 0.0 && above * before <= worst * below) worst = above, before = below, s->use = k;
     }
     if (!(worst > 0.0)) return 0;
     if (s->aims++ == 0) s->low = 0.0, s->side = 0;
     if (s->low == 0.0) s->below = before;
-    em_aim_between(s, fabs(w->h), worst);
+    em_next_join_size(s, fabs(w->h), worst);
     return s->size > 0.0;
 }
 

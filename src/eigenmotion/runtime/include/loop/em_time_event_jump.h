@@ -1,9 +1,9 @@
 /* em_time_event_jump.h: jump conditions at a time event, where a condition on time alone changes (em_time_events.h).
  *
- * Forces may jump there. So may rows of velocity constraints: velocities then change by an impulse along the rows
- * that hold afterwards, to the nearest velocities that these allow in the mass metric. If phi jumps no motion
+ * Forces may jump there. So may rows of velocity constraints: velocities then change by an impulse along the rows that
+ * hold afterwards, to the nearest velocities, in the mass metric, that satisfy these rows. If phi jumps, no motion
  * continues. If the momenta of T jump, as with a mass that changes suddenly, T alone does not determine the
- * velocities. Both are refused by name. */
+ * velocities. Both end the run with a named reason. */
 #ifndef EM_TIME_EVENT_JUMP_H
 #define EM_TIME_EVENT_JUMP_H
 
@@ -69,7 +69,7 @@ static int em_contact_jumps(const em_run_state *w, const em_sides *at) {
 }
 
 /* Projects velocities onto the rows after a time event. 0, or -1 and w->reason. */
-static int em_meet_rows(em_run_state *w, const em_sides *at) {
+static int em_project_after_time_event(em_run_state *w, const em_sides *at) {
     const int m = w->n_rows;
     double phi[4][em_some(m)], terms[em_some(m)];
     memset(phi, 0, sizeof phi), memset(terms, 0, sizeof terms);
@@ -87,7 +87,7 @@ EM_NOINLINE int em_cross_time_event(em_run_state *w) {
     const em_sides at = em_sides_of(w);
     const int first = em_momentum_jumps(w, &at);
     if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, -1, NAN);
-    return em_meet_rows(w, &at);
+    return em_project_after_time_event(w, &at);
 }
 
 #endif

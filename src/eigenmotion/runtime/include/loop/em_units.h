@@ -1,7 +1,7 @@
-/* em_units.h: declarations that the compile units of one NAME.c share (docs/architecture.md). A file that is compiled
- * whole needs none.
+/* em_units.h: declarations that the compile units of one NAME.c share (docs/architecture.md). A file that is compiled as
+ * a whole needs none.
  *
- * x, v, y, c, u and the rest are as em_model has them (eigenmotion.h). */
+ * x, v, y, c, u and the rest are those of em_model (eigenmotion.h). */
 #ifndef EM_UNITS_H
 #define EM_UNITS_H
 
@@ -81,12 +81,12 @@ void em_share_multipliers(double t, const double *x, const double *v, const doub
                           double *lambda);
 int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
                    em_fault *fault);
-int em_acceleration_shown(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
-                          double *a, double *lambda, em_fault *fault);
+int em_acceleration_with_idle(double t, const double *x, const double *v, const double *c, const double *u,
+                              int least_norm, double *a, double *lambda, em_fault *fault);
 void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
 
-/* --- of the stepper, compiled once for all models (em_stepper.c): em_model has them --- */
+/* --- of the stepper, compiled once for all models (em_stepper.c): for the table em_model --- */
 
 int em_simulate(const em_model *model, em_run *run);
 int em_interpolate(const em_model *model, const em_run *run, size_t step, double t, double *y);
@@ -102,7 +102,7 @@ void em_handle_close(void *run_state);
 int em_handle_again(void *run_state);
 void *em_member_enter(const em_model *model, em_run *run, int *mode);
 void em_member_load(void *run_state, em_lane_group *f, int lane);
-int em_member_check(void *run_state, em_lane_group *f, int lane, em_landing landing);
+int em_member_check(void *run_state, em_lane_group *f, int lane, em_lane_outcome outcome);
 
 /* --- of EM_ON_DUALS: likewise --- */
 

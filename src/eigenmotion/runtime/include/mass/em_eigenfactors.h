@@ -44,7 +44,7 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
 }
 
 /* Index of the first pivot of M (n, n) with fewer than three correct digits, -1 if there is none. */
-EM_COLD_PATH EM_NOINLINE int em_measure_pivots_beside(int n, const double *M) {
+EM_COLD_PATH EM_NOINLINE int em_first_unsound_pivot(int n, const double *M) {
     double L[n * n], r[n];
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
 }
@@ -52,10 +52,10 @@ EM_COLD_PATH EM_NOINLINE int em_measure_pivots_beside(int n, const double *M) {
 /* The same; least and largest: its eigenvalues. A pivot is at most M_ii and at least the least eigenvalue: pivots
  * are only computed if that is small. */
 EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
-    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_measure_pivots_beside(n, M);
+    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_first_unsound_pivot(n, M);
 }
 
-/* C, lambda <- those of M (n, n), near the C given, which may be far off. */
+/* C, lambda <- those of M (n, n), starting from the given C, which need not be close. */
 EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double Lambda[n * n];
     em_orthonormalise(n, C);
@@ -64,11 +64,11 @@ EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, do
     for (int i = 0; i < n; ++i) lambda[i] = Lambda[i * n + i];
 }
 
-/* The same in a run; */
+/* The same in a run. */
 EM_NOINLINE void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
-/* and outside runs, where n is known at run time only, and a second copy optimised for speed would take compilers
- * long. */
+/* The same outside of runs, where n is known only at run time. It is optimised for size: a second fast copy would take
+ * long to compile. */
 EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
 /* s <- the roots of the eigenvalues of M (n, n), which s holds. Returns -1, or an index where M is singular. */
@@ -83,7 +83,8 @@ EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
     return em_unsound_pivot(n, M, least, largest);
 }
 
-/* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
+/* C, s <- eigenfactors of M (n, n), close to the given C; eta is rotated with C. Returns -1, or an index where M is
+ * singular. */
 EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
     double before[n * n];
     if (eta) em_copy(n * n, C, before);

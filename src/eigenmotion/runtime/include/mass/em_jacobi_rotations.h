@@ -11,16 +11,16 @@ EM_INLINE em_truth em_rotates(int n, int p, int q, const real *restrict Lambda) 
     return off * off > DBL_EPSILON * DBL_EPSILON * fabs(Lambda[p * n + p] * Lambda[q * n + q]);
 }
 
-/* One rotation that makes Lambda_pq zero, in lanes where it is wanted; C turns with it. */
-EM_INLINE void em_rotate(int n, int p, int q, em_truth wanted, real *restrict Lambda, real *restrict C) {
-    const real none = em_real(0.0), off = em_where(wanted, Lambda[p * n + q], none);
-    const real theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / em_where(wanted, off, em_real(1.0));
+/* One rotation that makes Lambda_pq zero, in the `active` lanes; C is rotated, too. */
+EM_INLINE void em_rotate(int n, int p, int q, em_truth active, real *restrict Lambda, real *restrict C) {
+    const real none = em_real(0.0), off = em_where(active, Lambda[p * n + q], none);
+    const real theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / em_where(active, off, em_real(1.0));
     const real sign = em_where(theta < 0.0, em_real(-1.0), em_real(1.0));
-    const real tangent = em_where(wanted, sign / (fabs(theta) + sqrt(theta * theta + 1.0)), none);
+    const real tangent = em_where(active, sign / (fabs(theta) + sqrt(theta * theta + 1.0)), none);
     const real cosine = 1.0 / sqrt(tangent * tangent + 1.0), sine = tangent * cosine;
     Lambda[p * n + p] -= tangent * off;
     Lambda[q * n + q] += tangent * off;
-    Lambda[p * n + q] = Lambda[q * n + p] = em_where(wanted, none, Lambda[p * n + q]);
+    Lambda[p * n + q] = Lambda[q * n + p] = em_where(active, none, Lambda[p * n + q]);
     for (int k = 0; k < n; ++k) {
         const real Cp = C[p * n + k], Cq = C[q * n + k];
         C[p * n + k] = cosine * Cp - sine * Cq;

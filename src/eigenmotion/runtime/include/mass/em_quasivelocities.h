@@ -34,7 +34,8 @@ EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restri
     memcpy(f, a, sizeof a);
 }
 
-/* eta (n) <- turned with the rows of C, from those before; to first order in their deviation from orthonormality. */
+/* eta (n) <- rotated from the rows `before` to the rows of C, correct to first order in the deviation of `before` from
+ * orthonormality. */
 EM_INLINE void em_turn(int n, const real *restrict before, const real *restrict C, real *restrict eta) {
     real v[n], back[n];
     em_transposed_product(n, before, eta, v);

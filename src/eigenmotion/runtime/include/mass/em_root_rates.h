@@ -72,7 +72,7 @@ EM_INLINE void em_turning_push_along(int n, const real *restrict T, const real *
     for (int i = 0; i < n; ++i) q[i] = -(s[i] * turn[i] + s_dot[i] * w[i]);
 }
 
-/* a <- S^-1 (C f - Omega S eta - Sdot eta) (41), and q (NULL: not asked) <- S Omega S^-1 eta - S^-1 Sdot eta:
+/* a <- S^-1 (C f - Omega S eta - Sdot eta) (41), and q (NULL: not needed) <- S Omega S^-1 eta - S^-1 Sdot eta:
  * Bdot eta = Adot xdot + B q (40); w = S^-1 eta; T = C^T where rows are tiled. */
 EM_INLINE void em_turning_push(int n, const real *restrict C, const real *restrict T, const real *restrict s,
                                const real *restrict r, const real *restrict Omega, const real *restrict s_dot,

@@ -1,9 +1,9 @@
 /* em_root_switching.h: switching between the published system and the triangular root, where eigenvalues come close.
  *
- * The triangular root is used from when a crossing of eigenvalues is nearer than EM_NEAR times the time scale of the
- * motion until it is further than EM_FAR times that. Eigenvalues further apart than EM_APART, relative to the
- * larger, are not examined; those closer than EM_CLOSE never count as far. Eigenvalues of Delta are judged by their
- * relative gap; with the triangular root Delta is factored numerically. */
+ * The triangular root is used as soon as a crossing of eigenvalues is nearer than EM_NEAR times the time scale of the
+ * motion, and until it is further away than EM_FAR times that. Eigenvalues further apart than EM_APART, relative to
+ * the larger, are ignored; those closer than EM_CLOSE never count as far. For eigenvalues of Delta the criterion is
+ * their relative gap; with the triangular root Delta is factored numerically. */
 #ifndef EM_ROOT_SWITCHING_H
 #define EM_ROOT_SWITCHING_H
 
@@ -16,7 +16,7 @@
 #define EM_DELTA_CLOSE 0.05
 #define EM_DELTA_APART 0.1
 
-enum { EM_LOOK = -1 }; /* the time to the nearest crossing decides */
+enum { EM_BY_TIME = -1 }; /* the time to the nearest crossing decides */
 
 /* The smallest number of a (n), none of which is NaN. */
 EM_INLINE real em_smallest(int n, const real *restrict a) {
@@ -59,12 +59,12 @@ EM_INLINE real em_time_to_crossing(int n, const real *restrict s, const real *re
     return em_smallest(n, time);
 }
 
-/* The next mode, by the relative gaps of the eigenvalues of M and of Delta; or EM_LOOK. */
+/* The next mode, by the relative gaps of the eigenvalues of M and of Delta; or EM_BY_TIME. */
 EM_INLINE int em_mode_by_gaps(int mode, int flags, double gap, double delta_gap) {
     if (flags & EM_BEGIN) return gap < EM_CLOSE;
     if (flags & EM_KEEP_MODE) return mode;
     if (delta_gap < (mode ? EM_DELTA_APART : EM_DELTA_CLOSE)) return 1;
-    return gap > EM_APART ? 0 : EM_LOOK;
+    return gap > EM_APART ? 0 : EM_BY_TIME;
 }
 
 /* The same by the time to the nearest crossing; pace: the time scale of the motion. */

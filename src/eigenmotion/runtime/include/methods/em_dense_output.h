@@ -1,4 +1,4 @@
-/* em_dense_output.h: dense output: the state inside a step, settled as accepted states are.
+/* em_dense_output.h: dense output: the state inside a step, settled like accepted states.
  *
  * The interpolant belongs to the unsettled step: it joins y and y_raw with the right-hand sides there, in the mode
  * of the step's start. Settling its values makes the trajectory continuous with the accepted states. */

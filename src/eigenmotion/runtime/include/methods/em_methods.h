@@ -1,8 +1,8 @@
 /* em_methods.h: the table of methods: how each makes a step and evaluates the states within it (em_scheme of
  * em_run_state.h).
  *
- * A new kind of method is a header beside em_runge_kutta.h with its functions, a number in em_method of
- * em_run.h, and a line below; arguments/methods.py is the table for Python. */
+ * A new kind of method needs a header next to em_runge_kutta.h with its functions, a number in em_method of em_run.h,
+ * and a line below; arguments/methods.py is the table for Python. */
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
@@ -11,7 +11,7 @@
 #include "gauss_radau/em_gauss_radau.h"
 #include "methods/em_runge_kutta.h"
 
-/* rk34 has no second state at the end of a step, so that it has no such function. */
+/* rk34 has no second state at the end of a step, and so no test of stiffness. */
 static int em_dopri5_judge(em_run_state *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, EM_DOPRI5_STABLE, w); }
 static int em_dop853_judge(em_run_state *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
 
@@ -22,7 +22,7 @@ EM_RUNGE_KUTTA(rk4, EM_RK4_TABLEAU, NULL)
 EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 3.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
+    return (em_scheme){EM_STEP_SIZE_ORDER, 1.0, 0.3, 3.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
                        em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
 }
 

@@ -14,23 +14,23 @@ static double em_size_factor(em_run_state *w, int failed) {
     const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
     if (failed) return 0.25;
     const double error = w->log_size = log(w->size_norm);
-    const double wanted = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
-    return em_min(w->scheme.growth, em_max(least, safety * exp(wanted / order)));
+    const double log_factor = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
+    return em_min(w->scheme.growth, em_max(least, safety * exp(log_factor / order)));
 }
 
 #define EM_LEAST_ERROR -9.2 /* log 1e-4: a smaller error is accidental */
 
 /* --- the first step --- */
 
-#define EM_TOO_NEAR 1e-4 /* of the time scale of the motion: second differences over less are rounding */
-#define EM_TOO_FAR 0.5   /* and those over more belong to a different part of the motion */
+#define EM_PROBE_TOO_SHORT 1e-4 /* of the time scale of the motion: second differences over shorter times are rounding, */
+#define EM_PROBE_TOO_LONG 0.5   /* and those over longer times belong to a different part of the motion */
 
 /* The start of a motion, probed over a time h: d1, d2, norms of the first two derivatives of the state in
  * tolerances; V, A, sums of squares of xdot and its rate, both in tolerances of x; and the rate [1 / time] at which
  * the motion changes them, 0 if none is found. */
-typedef struct em_outset {
+typedef struct em_start_probe {
     double h, d1, d2, V, A, rate;
-} em_outset;
+} em_start_probe;
 
 /* Root mean square, in tolerances, of a rate of the state (n_state). */
 static double em_rate_norm(em_run_state *w, const double *rate) {
@@ -73,7 +73,7 @@ static double em_balance(double a, double b, double c, double d) {
 /* d2 and rate over `at->h`. With the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J,
  * S / rate) to (V, A / rate). At rest that is S / A, at the middle of an oscillation J / V, and at any phase of it
  * the square of its frequency. It does not contain |x|, which depends on the origin. 0, or -1. */
-static int em_measure(em_run_state *w, em_outset *at) {
+static int em_measure(em_run_state *w, em_start_probe *at) {
     double J, S;
     const double h = at->h;
     at->d2 = at->rate = 0.0;
@@ -93,38 +93,38 @@ static int em_measure(em_run_state *w, em_outset *at) {
 
 /* The first probing time: long enough to move by far more than a tolerance, and by far less than the scale to which
  * rtol refers, at the given speed or from rest. */
-static double em_first_probe(const em_run_state *w, const em_outset *at, double span) {
+static double em_first_probe(const em_run_state *w, const em_start_probe *at, double span) {
     const double far = 1.0 / sqrt(w->rtol), h = em_min(far / sqrt(at->V), sqrt(far / sqrt(at->A)));
     return h < span ? h : 0.01 * span;
 }
 
 /* The next probing time, after one of at->h that gave at->rate, or failed. */
-static double em_next_probe(const em_outset *at, int failed, double span) {
+static double em_next_probe(const em_start_probe *at, int failed, double span) {
     const double part = at->h * at->rate;
     if (failed) return 0.01 * at->h;
-    if (part > EM_TOO_FAR) return em_max(1e-4 * at->h, 0.1 * EM_TOO_FAR / at->rate);
-    if (part < EM_TOO_NEAR) return em_max(at->h, em_min(em_min(1e3 * at->h, 0.01 / at->rate), span));
+    if (part > EM_PROBE_TOO_LONG) return em_max(1e-4 * at->h, 0.1 * EM_PROBE_TOO_LONG / at->rate);
+    if (part < EM_PROBE_TOO_SHORT) return em_max(at->h, em_min(em_min(1e3 * at->h, 0.01 / at->rate), span));
     return at->h;
 }
 
-/* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every probing time
- * is too long: the change is not small relative to the rates, and the motion shows no rate. */
-static em_outset em_estimate_first_rates(em_run_state *w, double span) {
-    em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
+/* Probes the start of the motion. Where speed and acceleration vanish to rounding, as where a force begins to exceed a
+ * friction, every probing time is too long: the change is not small relative to the rates, and no rate is found. */
+static em_start_probe em_estimate_first_rates(em_run_state *w, double span) {
+    em_start_probe at = {.d1 = em_rate_norm(w, w->K[0])};
     em_split_rate(w, w->K[0], &at.V, &at.A);
     const double first = em_first_probe(w, &at, span);
     double next = first;
-    for (int looks = 0; looks < 3 && next != at.h; ++looks) {
+    for (int probes = 0; probes < 3 && next != at.h; ++probes) {
         at.h = next;
         next = em_next_probe(&at, em_measure(w, &at), span);
     }
-    if (at.h * at.rate > EM_TOO_FAR) at.rate = 0.0, at.h = 1e-4 * first;
+    if (at.h * at.rate > EM_PROBE_TOO_LONG) at.rate = 0.0, at.h = 1e-4 * first;
     return at;
 }
 
 /* The size if a motion shows no rate, as in a fall: an effect that has not set in may do so later. After an impact
  * it may be soon: a step much longer than the time scale of damping would be too coarse for the flight. */
-static double em_size_without_rate(const em_run_state *w, const em_outset *at, double span) {
+static double em_size_without_rate(const em_run_state *w, const em_start_probe *at, double span) {
     const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
     return w->fresh == EM_NEXT_SEGMENT ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
 }
@@ -133,8 +133,8 @@ static double em_size_without_rate(const em_run_state *w, const em_outset *at, d
  * of `size` tolerances that changes at a `rate` has an error of about size (rate h)^(order + 1) after a step h. */
 static double em_first_size(em_run_state *w) {
     const double span = fabs(w->t_goal - w->t), longest = em_min(span, w->run->max_step);
-    const em_outset at = em_estimate_first_rates(w, span);
-    if (!(at.rate * at.h >= EM_TOO_NEAR)) return em_min(em_size_without_rate(w, &at, span), longest);
+    const em_start_probe at = em_estimate_first_rates(w, span);
+    if (!(at.rate * at.h >= EM_PROBE_TOO_SHORT)) return em_min(em_size_without_rate(w, &at, span), longest);
     const double size = em_max(at.d1, at.d2 / at.rate) / at.rate, far = em_max(100.0 * at.h, 1.0 / at.rate);
     return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.error_order + 1)) / at.rate, far), longest);
 }

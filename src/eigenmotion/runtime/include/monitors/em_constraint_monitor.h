@@ -1,5 +1,5 @@
-/* em_constraint_monitor.h: the constraint monitor: does an accepted step satisfy the constraints, and if not, which
- * row fails? */
+/* em_constraint_monitor.h: the constraint monitor: checks that an accepted step satisfies the constraints, and names the
+ * row otherwise. */
 #ifndef EM_CONSTRAINT_MONITOR_H
 #define EM_CONSTRAINT_MONITOR_H
 
@@ -9,12 +9,12 @@
 /* Settling removes the component of a step's error that violates the constraints. It moves x and v by about the
  * allowed error of the step, 1 in units of the tolerances. A move beyond this limit does not correct an error but
  * makes one, as near a singular position, where rounding dominates the directions of the rows of A. */
-#define EM_FARTHEST 10.0
+#define EM_MOST_SETTLING 10.0
 
-#define EM_DRIFTED 0.3 /* if nothing is settled, x and v are off by no more than this part of the largest */
-#define EM_SETTLES_STAGES 0.1 /* a singular position is near below this part of the largest pivot */
-#define EM_NEARBY 100.0 /* a singular position is near within this many tolerances, */
-#define EM_SHORT 0.2     /* and a step is short below this part of the longest step */
+#define EM_ALLOWED_DRIFT 0.3       /* without settling: the allowed drift of x and v, as a part of the largest so far */
+#define EM_SETTLES_STAGES 0.1      /* a singular position is near below this part of the largest pivot */
+#define EM_NEARBY_TOLERANCES 100.0 /* a singular position is near within this many tolerances, */
+#define EM_SHORT_STEP 0.2          /* and a step is short below this part of the longest step */
 
 /* Delta (m, m) <- of the rows at the end of a step, in the mass metric; updates the largest length of each row. 0,
  * or -1 and w->reason. */
@@ -61,14 +61,14 @@ static int em_check_dependent(em_run_state *w) {
 }
 
 /* The distance of q (n) from `other` in tolerances. */
-static double em_apart(int n, const double *q, const double *other, const double *weight) {
+static double em_distance(int n, const double *q, const double *other, const double *weight) {
     double difference[n];
     for (int k = 0; k < n; ++k) difference[k] = q[k] - other[k];
     return sqrt(em_weighted_squares(n, difference, weight));
 }
 
-/* Without settling, the integrated x and v (n) satisfy the constraints up to drift. A consistent state is then
- * equally close, in x and in v, unless A turns within the drift: there a motion on the drifted constraints takes
+/* Without settling, the integrated x and v (n) satisfy the constraints up to drift. A consistent state is then equally
+ * close, in x and in v, unless A rotates considerably within the drift: there a motion on the drifted constraints takes
  * another branch than one on the constraints. 0, or -1 and w->reason. */
 static int em_check_drift(em_run_state *w, const double *x, const double *v) {
     const int n = w->n;
@@ -77,12 +77,12 @@ static int em_check_drift(em_run_state *w, const double *x, const double *v) {
     memset(still, 0, sizeof still);
     memcpy(near_x, x, sizeof near_x);
     memcpy(near_v, v, sizeof near_v);
-    w->farthest = em_max(w->farthest, em_apart(n, x, w->run->y_start, weight));
-    w->fastest = em_max(w->fastest, em_apart(n, v, still, weight + n));
+    w->farthest = em_max(w->farthest, em_distance(n, x, w->run->y_start, weight));
+    w->fastest = em_max(w->fastest, em_distance(n, v, still, weight + n));
     if (w->model->project(w->t_new, near_x, near_v, w->run->prepared, w->run->least_norm, &w->reason)) return -1;
-    const double distance = em_apart(n, near_x, x, weight), change = em_apart(n, near_v, v, weight + n);
-    const int lost = !(distance <= EM_DRIFTED * w->farthest + EM_FARTHEST);
-    if (!lost && change <= EM_DRIFTED * w->fastest + EM_FARTHEST) return 0;
+    const double distance = em_distance(n, near_x, x, weight), change = em_distance(n, near_v, v, weight + n);
+    const int lost = !(distance <= EM_ALLOWED_DRIFT * w->farthest + EM_MOST_SETTLING);
+    if (!lost && change <= EM_ALLOWED_DRIFT * w->fastest + EM_MOST_SETTLING) return 0;
     return em_fail_weakest(w, lost ? distance : change);
 }
 
@@ -98,18 +98,18 @@ static int em_check_lengths(em_run_state *w, const double *Delta) {
     return 0;
 }
 
-/* A tolerance on x is one on phi. Where B is shorter than the root of that tolerance relative to its earlier length,
- * motions on phi = 0 and on phi = rtol leave a singular position on different branches: short steps follow one or
- * the other. Steps that are not short pass it as the smooth motion does. 0, or -1 and w->reason. */
+/* A tolerance on x is also one on phi. Where B is shorter than the root of that tolerance relative to its earlier
+ * length, motions on phi = 0 and on phi = rtol leave a singular position on different branches: short steps follow
+ * one or the other. Steps that are not short pass it like the smooth motion. 0, or -1 and w->reason. */
 static int em_check_branch(em_run_state *w, const double *Delta) {
-    const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
+    const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY_TOLERANCES * w->rtol);
     double pivot;
-    if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    if (!w->near && w->strongest > 0.0 && size > EM_SHORT_STEP * w->longest_step) return 0;
     const int row = em_weakest_constraint(w, Delta, &pivot);
     if (row < 0) return 0;
     w->strongest = em_max(w->strongest, pivot);
     w->near = w->run->stabilise && pivot < EM_SETTLES_STAGES * w->strongest;
-    if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    if (w->strongest > 0.0 && size > EM_SHORT_STEP * w->longest_step) return 0;
     if (pivot > near * w->strongest) return 0;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
 }

@@ -1,7 +1,6 @@
-/* em_drift_monitor.h: the drift monitor of constraints that nothing restores. In a run without stabilisation A v + b
- * of every row is a constant of the equations. Steps change it by their errors, which add up; rounding of the
- * multipliers changes it by an amount that no tolerance removes, for example where forces cancel reactions on a small
- * inertia. */
+/* em_drift_monitor.h: the drift monitor, for constraints that are not restored. In a run without stabilisation A v + b
+ * of every row is a constant of the equations. Errors of steps change it, and add up; rounding of the multipliers
+ * changes it by an amount that no tolerance removes, for example where forces cancel reactions on a small inertia. */
 #ifndef EM_DRIFT_MONITOR_H
 #define EM_DRIFT_MONITOR_H
 
@@ -9,8 +8,8 @@
 
 /* The allowed change of a row, in its tolerances, for a run and for each step; changes up to 0.06 a step were
  * measured. */
-#define EM_ROW_MAY 100.0
-#define EM_STEP_ADDS 0.3
+#define EM_ROW_DRIFT_PER_RUN 100.0
+#define EM_ROW_DRIFT_PER_STEP 0.3
 
 /* Whether there are such rows. Rows that depend on others follow from them on the constraints only
  * (em_check_dependent). */
@@ -35,7 +34,7 @@ static void em_rates_of_rows(const em_run_state *w, double t, const double *x, c
 
 /* row_tolerance <- the largest so far of the change of A v + b when x and v, one after the other, change by their
  * tolerances, plus the rounding of its terms */
-EM_NOINLINE void em_allow_drift(em_run_state *w, double t, const double *x, const double *v) {
+EM_NOINLINE void em_update_row_tolerance(em_run_state *w, double t, const double *x, const double *v) {
     double z[2 * w->n], here[em_some(w->n_rows)], there[em_some(w->n_rows)], sum[em_some(w->n_rows)];
     memcpy(z, x, (size_t)w->n * sizeof *z);
     memcpy(z + w->n, v, (size_t)w->n * sizeof *z);
@@ -55,7 +54,7 @@ EM_NOINLINE void em_allow_drift(em_run_state *w, double t, const double *x, cons
 static void em_begin_drift(em_run_state *w) {
     if (!em_drifts(w)) return;
     em_rates_of_rows(w, w->t, w->y, w->K[0], w->row_rate, NULL);
-    em_allow_drift(w, w->t, w->y, w->K[0]);
+    em_update_row_tolerance(w, w->t, w->y, w->K[0]);
 }
 
 /* 0, or -1 and w->reason, which names a row that has drifted. */
@@ -63,8 +62,8 @@ EM_NOINLINE int em_measure_drift(em_run_state *w) {
     double rate[em_some(w->n_rows)];
     if (!em_drifts(w)) return 0;
     em_rates_of_rows(w, w->t_new, w->y_new, w->f_new, rate, NULL);
-    const double may = EM_ROW_MAY + EM_STEP_ADDS * (double)w->run->n_steps;
-    em_allow_drift(w, w->t_new, w->y_new, w->f_new);
+    const double may = EM_ROW_DRIFT_PER_RUN + EM_ROW_DRIFT_PER_STEP * (double)w->run->n_steps;
+    em_update_row_tolerance(w, w->t_new, w->y_new, w->f_new);
     for (int row = 0; row < w->n_rows; ++row) {
         const double drift = fabs(rate[row] - w->row_rate[row]);
         if (!(drift <= may * w->row_tolerance[row])) return em_fail(&w->reason, EM_CONSTRAINTS_DRIFTED, row, -1, drift);

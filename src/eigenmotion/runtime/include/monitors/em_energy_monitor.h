@@ -6,12 +6,12 @@
 #include "monitors/em_drift_monitor.h"
 
 /* In right-hand sides: the energy is evaluated so rarely that its cost is negligible. */
-#define EM_ENERGY_EVERY 256
+#define EM_ENERGY_INTERVAL 256
 
 /* The allowed change of the energy, in its tolerances, for every step including settling, and for a run as a whole. */
-#define EM_STEP_MAY 10.0
-#define EM_RUN_MAY 100.0
-#define EM_DRIFT_MAY 1000.0 /* if C and s may drift as much */
+#define EM_ENERGY_DRIFT_PER_STEP 10.0
+#define EM_ENERGY_DRIFT_PER_RUN 100.0
+#define EM_ENERGY_DRIFT_UNSTABILISED 1000.0 /* in place of the latter, if C and s may drift by as much */
 
 /* Whether the energy can be monitored: a motion that drifts off constraints does work against them. */
 static int em_has_energy_monitor(const em_run_state *w) {
@@ -57,7 +57,8 @@ EM_NOINLINE int em_measure_energy(em_run_state *w) {
     const em_run *run = w->run;
     if (!em_has_energy_monitor(w)) return 0;
     const double drift = fabs(em_jacobi_integral(w, w->t_new, w->y_new, w->f_new) - w->energy);
-    const double steps = (run->stabilise ? EM_RUN_MAY : EM_DRIFT_MAY) + EM_STEP_MAY * (double)run->n_steps;
+    const double per_run = run->stabilise ? EM_ENERGY_DRIFT_PER_RUN : EM_ENERGY_DRIFT_UNSTABILISED;
+    const double steps = per_run + EM_ENERGY_DRIFT_PER_STEP * (double)run->n_steps;
     if (!(drift <= 0.1 * steps * w->energy_tolerance))
         w->energy_tolerance = em_max(w->energy_tolerance, em_energy_tolerance(w, w->t_new, w->y_new, w->f_new));
     return drift <= steps * w->energy_tolerance ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, drift);
@@ -66,7 +67,7 @@ EM_NOINLINE int em_measure_energy(em_run_state *w) {
 /* Checks energy and constraints at t_new. 0, or -1 and w->reason. */
 EM_INLINE int em_check_energy(em_run_state *w) {
     if (w->run->n_rhs < w->next_energy_check && w->t_new != w->run->t_end) return 0;
-    w->next_energy_check = w->run->n_rhs + EM_ENERGY_EVERY;
+    w->next_energy_check = w->run->n_rhs + EM_ENERGY_INTERVAL;
     return em_measure_drift(w) || em_measure_energy(w) ? -1 : 0;
 }
 

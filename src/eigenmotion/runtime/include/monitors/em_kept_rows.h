@@ -28,12 +28,13 @@ static int em_check_dropped(em_run_state *w, const double *B, int kept) {
     return 0;
 }
 
-/* Decides how a run treats dependent rows at its start: em_run.least_norm. */
-static int em_shares(em_run_state *w) {
+/* Chooses the treatment of dependent rows at the start of a run: em_run.least_norm. */
+static int em_choose_dependent(em_run_state *w) {
     int rows[em_some(w->n_rows)];
-    if (w->bare || w->n_rows == 0) return w->asked == EM_SHARED ? EM_SHARED : EM_REFUSED;
-    if (w->asked != EM_SHARED_FROM_START) return w->asked;
-    return w->model->redundant(w->run->t_start, w->run->y_start, w->run->prepared, rows) ? w->asked : EM_REFUSED;
+    if (w->bare || w->n_rows == 0) return w->requested_least_norm == EM_SHARED ? EM_SHARED : EM_REFUSED;
+    if (w->requested_least_norm != EM_SHARED_FROM_START) return w->requested_least_norm;
+    const int redundant = w->model->redundant(w->run->t_start, w->run->y_start, w->run->prepared, rows);
+    return redundant ? w->requested_least_norm : EM_REFUSED;
 }
 
 /* Fails with a row that was kept and follows from the others here. */

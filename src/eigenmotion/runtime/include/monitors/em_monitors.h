@@ -14,7 +14,7 @@ static int em_check_settled(em_run_state *w) {
     for (int k = 0; k < n; k += EM_PACK) EM_PUT_PACK(moved + k, EM_PACK_AT(w->y_new + k) - EM_PACK_AT(w->y_raw + k));
     for (int k = 0; k < n; k += EM_PACK) EM_PUT_PACK(moved + n + k, EM_PACK_AT(w->f_new + k) - EM_PACK_AT(v + k));
     const double distance = sqrt(em_mean(em_weighted_squares(2 * n, moved, w->weight), 2 * n));
-    if (distance <= EM_FARTHEST) return 0;
+    if (distance <= EM_MOST_SETTLING) return 0;
     return em_fail_weakest(w, distance);
 }
 

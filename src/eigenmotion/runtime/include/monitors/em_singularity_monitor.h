@@ -1,6 +1,6 @@
-/* em_singularity_monitor.h: the singularity monitor: do steps that have become short still resolve the motion near a
- * singularity of the coordinates? There eta may be constant to all digits while v = L^-T eta grows beyond bounds
- * within the tolerance on x, and no tolerance removes the rounding of a small pivot of M: the error of a step shows
+/* em_singularity_monitor.h: the singularity monitor: checks that steps resolve the motion near a singularity of the
+ * coordinates, where they become short. There eta may be constant to all digits while v = L^-T eta grows without bound
+ * within the tolerance on x, and no tolerance removes the rounding of a small pivot of M. The error of a step shows
  * neither. */
 #ifndef EM_SINGULARITY_MONITOR_H
 #define EM_SINGULARITY_MONITOR_H
@@ -9,8 +9,8 @@
 #include "stepper/em_error_norm.h"
 
 #define EM_NEAR_START 300.0 /* within this many tolerances of the start, M must be resolved, or every step is checked */
-#define EM_LOOSE 1e-5      /* rtol above which long steps are checked, too, because their error may be small by
-                              chance; implicit steps, which need not be short there, always are */
+#define EM_LOOSE 1e-5      /* rtol above which long steps are checked, too, because their error may be small by chance;
+                              implicit steps are always checked, because they need not be short there */
 #define EM_PARTS 8         /* if a half of the step is not resolved, the number of parts that are examined */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 or more within one of the parts next to a */
 
@@ -43,7 +43,8 @@ static void em_pivots(const em_run_state *w, double t, const double *x, double *
 static void em_pivots_at_start(const em_run_state *w, double *pivots) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     double diagonal[w->n];
-    if (w->seen && w->seen_t == w->t && !memcmp(w->seen_x, w->y, size)) memcpy(pivots, w->seen_pivots, size);
+    if (w->pivots_known && w->last_pivots_t == w->t && !memcmp(w->last_pivots_x, w->y, size))
+        memcpy(pivots, w->last_pivots, size);
     else em_pivots(w, w->t, w->y, pivots, diagonal);
 }
 
@@ -51,10 +52,10 @@ static void em_pivots_at_start(const em_run_state *w, double *pivots) {
 static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) {
     const size_t size = (size_t)w->n * sizeof *pivots;
     em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
-    w->seen = 1;
-    w->seen_t = w->t_new;
-    memcpy(w->seen_x, w->y_new, size);
-    memcpy(w->seen_pivots, pivots, size);
+    w->pivots_known = 1;
+    w->last_pivots_t = w->t_new;
+    memcpy(w->last_pivots_x, w->y_new, size);
+    memcpy(w->last_pivots, pivots, size);
 }
 
 /* The first coordinate whose pivot changes by more than allowed from `before` to `after`, or -1. */
@@ -103,7 +104,7 @@ static int em_unresolved_within(em_run_state *w, int parts, double most) {
 /* The first coordinate whose pivot has fewer correct digits, after rounding, than rtol requires, or -1. */
 static int em_rounded(const em_run_state *w, const double *pivots, const double *diagonal) {
     for (int k = 0; k < w->n; ++k)
-        if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
+        if (!(pivots[k] * w->rtol > EM_PASSAGE_ERROR * DBL_EPSILON * diagonal[k])) return k;
     return -1;
 }
 
@@ -135,7 +136,7 @@ static void em_begin_singularity_monitor(em_run_state *w) {
 
 /* Checks that the current step resolves the motion. 0, or -1 and w->reason. */
 EM_INLINE int em_check_singularity(em_run_state *w) {
-    if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
+    if (fabs(w->h) < EM_CHECKED_STEP * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
         return em_measure_pivots(w);
     return w->rtol > EM_LOOSE || w->scheme.radau_iia != NULL ? em_measure_pivots_across(w) : 0;
 }

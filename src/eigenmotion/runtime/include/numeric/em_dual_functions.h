@@ -62,6 +62,6 @@ EM_INLINE real em_dual_atan2(real y, real x) {
 }
 
 #define EM_OF_REAL(name) em_dual_##name
-#include "numeric/em_either.h"
+#include "numeric/em_generic_functions.h"
 
 #endif

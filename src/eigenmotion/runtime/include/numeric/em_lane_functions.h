@@ -132,6 +132,6 @@ EM_BY_TWO_LANES(pow)
 EM_BY_TWO_LANES(atan2)
 
 #define EM_OF_REAL(name) em_lane_##name
-#include "numeric/em_either.h"
+#include "numeric/em_generic_functions.h"
 
 #endif

@@ -173,11 +173,11 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
 }
 
 /* T <- C^T if rows are tiled; otherwise it is not used. */
-EM_INLINE void em_turned_for_tiles(int n, const real *restrict C, real *restrict T) {
+EM_INLINE void em_transpose_for_tiles(int n, const real *restrict C, real *restrict T) {
     if (em_tiled(n)) em_transpose(n, C, T);
 }
 
-/* The lower triangle of Lambda (n, n) <- C M C^T; M full, T of em_turned_for_tiles. */
+/* The lower triangle of Lambda (n, n) <- C M C^T; M full, T of em_transpose_for_tiles. */
 EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *restrict T, const real *restrict M,
                                    real *restrict Lambda) {
     real W[n * n];
@@ -195,7 +195,7 @@ EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *re
 /* Lambda (n, n) <- C M C^T, both triangles; M full. */
 EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
     real T[n * n];
-    em_turned_for_tiles(n, C, T);
+    em_transpose_for_tiles(n, C, T);
     em_congruence_below(n, C, T, M, Lambda);
     em_mirror(n, Lambda);
 }

@@ -11,13 +11,13 @@
 #include "radau_iia/em_signal_averages.h"
 #include "radau_iia/em_stages.h"
 
-#define EM_WELL 1e-3       /* a contraction above which the Jacobian is recomputed */
-#define EM_STEADY 1.2      /* a step that would grow by less keeps its size */
-#define EM_NOT_SO_LONG 0.5 /* factor of the step size if the iteration does not converge */
-#define EM_SAFE 0.9        /* safety factor of em_size_factor */
-#define EM_LEAST_SEEN 1e-2 /* a smaller error is accidental */
+#define EM_GOOD_CONTRACTION 1e-3       /* above this contraction the Jacobian is recomputed */
+#define EM_KEPT_SIZE_GROWTH 1.2        /* a step that would grow by less keeps its size */
+#define EM_FAILED_ITERATION_FACTOR 0.5 /* factor of the step size if the iteration does not converge */
+#define EM_SAFETY 0.9                  /* safety factor of em_size_factor */
+#define EM_LEAST_PREVIOUS_ERROR 1e-2   /* a smaller error is accidental */
 
-enum { EM_STEPS_ALONE = 16 }; /* steps with a Jacobian for each stage, before a shared one is tried again */
+enum { EM_COUPLED_STEPS = 16 }; /* steps with a Jacobian for each stage, before a shared Jacobian is tried again */
 
 /* --- the initial guess of the accelerations --- */
 
@@ -77,7 +77,7 @@ static int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
     if (q->own > 0) return em_solve_coupled(rk, w);
     const int found = em_solve_shared(rk, w);
     if (found == EM_SOLVED) return found;
-    q->own = EM_STEPS_ALONE;
+    q->own = EM_COUPLED_STEPS;
     return em_solve_coupled(rk, w);
 }
 
@@ -125,8 +125,8 @@ static double em_size_by(const em_radau_iia *rk, const em_run_state *w, double e
     double size = error * pow((2.0 * most + q->iterations) / (2.0 * most + 1.0), order);
     if (error < 1.0 && q->accepted)
         size = em_max(size, error * error / q->before_error * pow(q->before_h / w->h, order));
-    const double factor = EM_SAFE * pow(size, -1.0 / order);
-    return error < 1.0 && !q->outdated && !q->own && factor >= 1.0 && factor <= EM_STEADY ? pow(EM_SAFE, order) : size;
+    const double factor = EM_SAFETY * pow(size, -1.0 / order);
+    return error < 1.0 && !q->outdated && !q->own && factor >= 1.0 && factor <= EM_KEPT_SIZE_GROWTH ? pow(EM_SAFETY, order) : size;
 }
 
 /* --- the step --- */
@@ -136,15 +136,15 @@ static void em_remember_stages(em_run_state *w) {
     em_implicit *q = &w->stages;
     if (!q->known || q->t_new != w->t || w->retries) return;
     q->before_h = q->h;
-    q->before_error = em_max(q->error, EM_LEAST_SEEN);
+    q->before_error = em_max(q->error, EM_LEAST_PREVIOUS_ERROR);
     q->accepted = 1;
     q->own -= q->own > 0;
 }
 
-/* Ends an attempt whose stages were not found: the next one is shorter. */
-static int em_give_up(const em_radau_iia *rk, em_run_state *w) {
+/* Ends an attempt whose stages did not converge: the next one is shorter. */
+static int em_fail_stages(const em_radau_iia *rk, em_run_state *w) {
     em_copy_state(w, w->y_new, w->y);
-    w->error_norm = w->size_norm = pow(EM_SAFE / EM_NOT_SO_LONG, rk->stages + 1);
+    w->error_norm = w->size_norm = pow(EM_SAFETY / EM_FAILED_ITERATION_FACTOR, rk->stages + 1);
     return 0;
 }
 
@@ -156,7 +156,7 @@ static int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
     memcpy(w->y_new + w->n, q->V + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->V);
     em_weigh_stages(rk, w);
     if (em_estimate_stages(rk, w)) return -1;
-    q->outdated = q->contraction > EM_WELL || (w->error_norm >= 1.0 && !em_slopes_are_fresh(w));
+    q->outdated = q->contraction > EM_GOOD_CONTRACTION || (w->error_norm >= 1.0 && !em_slopes_are_fresh(w));
     w->size_norm = em_size_by(rk, w, em_max(w->error_norm, 1e-10));
     em_copy_packs(EM_MOST_NODES * w->stride, q->last, q->a);
     q->t = w->t, q->t_new = w->t_new, q->h = w->h;
@@ -173,7 +173,7 @@ static int em_collocation_step(em_run_state *w) {
     w->end_rate = NULL;
     const int found = em_solve_stages(rk, w);
     if (found == EM_NO_RATE) return -1;
-    return found == EM_SOLVED ? em_finish_stages(rk, w) : em_give_up(rk, w);
+    return found == EM_SOLVED ? em_finish_stages(rk, w) : em_fail_stages(rk, w);
 }
 
 /* --- the states within --- */

@@ -78,7 +78,7 @@ static void em_average(const em_inside_step *in, int count, double *series) {
 
 /* The largest integral, from the start of the step and relative to its length, of the difference of u and the
  * polynomial. */
-static double em_left_out(const em_inside_step *in, int count, const double *series) {
+static double em_signal_remainder(const em_inside_step *in, int count, const double *series) {
     double sum = 0.0, most = 0.0;
     for (long k = -1; k < in->count; ++k) {
         const double from = em_part_at(in, k), to = em_part_at(in, k + 1), middle = 0.5 * (from + to);
@@ -92,7 +92,7 @@ static double em_left_out(const em_inside_step *in, int count, const double *ser
 
 /* The error of v inside the step that follows from this error of signal i, in tolerances. 0 if the rate does not
  * exist. */
-static double em_off_inside(em_run_state *w, int i, double left_out) {
+static double em_signal_error(em_run_state *w, int i, double left_out) {
     double dy[w->width], off[w->n];
     em_signals(w, w->t);
     w->u[i] += left_out;
@@ -116,7 +116,7 @@ static double em_average_signal(const em_radau_iia *rk, em_run_state *w, int i) 
     for (int j = -1; j < rk->stages; ++j)
         w->stages.u[(1 + j) * w->n_inputs + i] = em_series_at(rk->stages, series, j < 0 ? 0.0 : rk->c[j]);
     w->stages.averaged = 1;
-    return em_off_inside(w, i, em_left_out(&in, rk->stages, series));
+    return em_signal_error(w, i, em_signal_remainder(&in, rk->stages, series));
 }
 
 /* Ends the step at a sample: the middle one of the signal that has most. */

@@ -11,12 +11,12 @@
 #include "radau_iia/em_full_newton.h"
 #include "radau_iia/em_simplified_newton.h"
 
-#ifndef EM_NEAR_ENOUGH
-#define EM_NEAR_ENOUGH 0.01 /* the part of the tolerances left to the iteration; tests of the order use less */
+#ifndef EM_ITERATION_TOLERANCE
+#define EM_ITERATION_TOLERANCE 0.01 /* the part of the tolerances left to the iteration; tests of the order use less */
 #endif
 #define EM_STAGNANT 0.5     /* contraction above which the iteration stagnates */
 #define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
-#define EM_SHAKEN (1000.0 * DBL_EPSILON) /* the rounding of a motion, as a part of it */
+#define EM_MOTION_ROUNDING (1000.0 * DBL_EPSILON) /* the rounding of the motion as a whole, as a part of it */
 
 enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* a stage failed; w->reason says why */
 
@@ -51,7 +51,7 @@ static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
     const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v)));
     for (int k = 0; k < w->n; ++k) {
-        least[w->n + k] = EM_SHAKEN * speed / sqrt(M[k * w->n + k]);
+        least[w->n + k] = EM_MOTION_ROUNDING * speed / sqrt(M[k * w->n + k]);
         least[k] = fabs(w->h) * least[w->n + k];
     }
     for (int k = 0; k < 2 * w->n; ++k)
@@ -121,7 +121,7 @@ static double em_size_of_residuals(const em_radau_iia *rk, const em_run_state *w
 /* Whether changes may be small only because the Jacobian of an earlier state is too stiff: then residuals do not
  * decrease. */
 static int em_trusts_slopes(const em_run_state *w, double residual, double before) {
-    return em_slopes_are_fresh(w) || residual <= EM_NEAR_ENOUGH || residual <= EM_STAGNANT * before;
+    return em_slopes_are_fresh(w) || residual <= EM_ITERATION_TOLERANCE || residual <= EM_STAGNANT * before;
 }
 
 /* Iterates to convergence; q->contraction <- the rate of convergence. */
@@ -143,9 +143,9 @@ static int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
             if (factor > EM_STAGNANT && size <= em_stage_noise(w)) return EM_SOLVED;
             left = factor < 1.0 ? factor / (1.0 - factor) : INFINITY;
             q->contraction = factor;
-            if (!(left * size * pow(factor, most - q->iterations) <= EM_NEAR_ENOUGH)) return EM_NOT_SOLVED;
+            if (!(left * size * pow(factor, most - q->iterations) <= EM_ITERATION_TOLERANCE)) return EM_NOT_SOLVED;
         }
-        if (left * size <= EM_NEAR_ENOUGH) {
+        if (left * size <= EM_ITERATION_TOLERANCE) {
             if (q->own || em_trusts_slopes(w, residual, last)) return EM_SOLVED;
             if (q->iterations > 1) return EM_NOT_SOLVED;
         }

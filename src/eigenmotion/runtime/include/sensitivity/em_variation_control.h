@@ -1,16 +1,15 @@
-/* em_variation_control.h: step-size control of the equations of variation, by their own error. */
+/* em_variation_control.h: step-size control of the variational equations, by their own error. */
 #ifndef EM_VARIATION_CONTROL_H
 #define EM_VARIATION_CONTROL_H
 
 #include "sensitivity/em_variation_rows.h"
 
-#define EM_LONGEST 2.0 /* initial length of a step here, in steps of the run: features that the run has resolved
-                          matter */
-#define EM_NEARLY 0.6  /* the smallest part of its length to which a step is cut to end with a step of the run */
-#define EM_MENDS 4     /* iterations of Newton's method for a step's own motion */
-#define EM_JUMP_TOLERANCES 100.0 /* in tolerances: apparent jumps of the accelerations of a smooth motion */
-
-#define EM_CRAWLS 1e7  /* progress: a span that needs more steps than this of the current length is given up */
+#define EM_MOST_LENGTH 2.0 /* bound on the length of a step here, relative to initial_steps: features that the run has
+                              resolved matter */
+#define EM_LEAST_CUT 0.6   /* the smallest part of its length to which a step is cut to end with a step of the run */
+#define EM_MOTION_ITERATIONS 4     /* iterations of Newton's method for a step's own motion */
+#define EM_JUMP_TOLERANCES 100.0   /* in tolerances: apparent jumps of the accelerations of a smooth motion */
+#define EM_MOST_STEPS_OF_SPAN 1e7  /* progress: a span that needs more steps of the current length is given up */
 
 enum { EM_MOST_LEAST = 200 /* successive steps of the smallest length */, EM_MOST_CRAWLING = 10000 };
 
@@ -22,10 +21,10 @@ static int em_is_finite(size_t count, const double *a) {
 
 EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
 static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
-EM_WIDE static double em_error_wide(em_pass *p, double h, int within, const double *none) {
-    return em_step_error(p, h, within, none);
+EM_WIDE static double em_error_wide(em_pass *p, double h, int within, const double *K_rounding) {
+    return em_step_error(p, h, within, K_rounding);
 }
-static double em_error_narrow(em_pass *p, double h, int within, const double *none) { return em_step_error(p, h, within, none); }
+static double em_error_narrow(em_pass *p, double h, int within, const double *K_rounding) { return em_step_error(p, h, within, K_rounding); }
 EM_WIDE static void em_begin_wide(em_pass *p) {
     em_rates_of(p, p->J0, p->S, p->K0);
     em_sum_terms(p, p->J0, p->S, p->T0);
@@ -54,27 +53,27 @@ static int em_begin_span(em_pass *p, double t) {
     return 0;
 }
 
-/* Computes K and S along the motion within a step; if that motion is too inaccurate, along the step's own. 1: there
- * is none; -1: a fault. */
+/* Computes K and S along the motion of the run within a step; if that is too inaccurate, along the step's own motion. 0;
+ * 1: there is no solution; -1: a fault. */
 static int em_solve_step(em_pass *p, double from, double to) {
     const double h = to - from;
-    p->mended = 0;
+    p->own_motion = 0;
     for (int j = 0; j < EM_VARIATION_NODES; ++j)
         if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * p->n)) return -1;
     for (int round = 0;; ++round) {
         if (em_motion_derivatives(p, from, to)) return round > 0 ? 1 : -1;
-        const double off = em_motion_off(p, h);
+        const double off = em_motion_error(p, h);
         if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return 1;
-        if (off <= EM_MOTION_OFF) return 0;
-        if (round == EM_MENDS) return 1;
-        p->mended = 1;
-        em_mend_motion(p, h);
+        if (off <= EM_MOTION_ERROR) return 0;
+        if (round == EM_MOTION_ITERATIONS) return 1;
+        p->own_motion = 1;
+        em_correct_motion(p, h);
         if (!em_is_finite(2 * (size_t)p->n * EM_VARIATION_NODES, p->Z)) return 1;
     }
 }
 
 /* Whether a step of the run ends at t, where its motion is most accurate. */
-static int em_run_stood_at(const em_run *run, double t) {
+static int em_is_run_step_end(const em_run *run, double t) {
     return t == run->dense_steps[em_dense_at(run, t)].t || t == run->t_reached;
 }
 
@@ -84,14 +83,14 @@ static int em_keep_step(em_pass *p, double from, double to) {
     const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
     const double *const z = p->Z + last * 2 * n;
     em_step_rows(p, from, to);
-    w->n_mended += p->mended;
+    w->n_own_motion += p->own_motion;
     if (!em_is_finite(2 * (size_t)n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     if (w->stabilise && w->model->m &&
         w->model->tangent(em_pass_clock(p, to), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
     memcpy(p->J0, p->J + last * n * width, (size_t)n * width * sizeof *p->J0);
     memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
     memcpy(p->z, z, 2 * n * sizeof *z);
-    if (p->mended && em_run_stood_at(w->run, to) && em_motion_at(p, to, p->z)) return -1;
+    if (p->own_motion && em_is_run_step_end(w->run, to) && em_motion_at(p, to, p->z)) return -1;
     em_begin_directions(p);
     w->t_reached = to;
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
@@ -100,16 +99,17 @@ static int em_keep_step(em_pass *p, double from, double to) {
 /* The end of the next step, in a span that ends at `last`: the end of a step of the run, if one is nearly as far. */
 static double em_next_end(const em_pass *p, double from, double last) {
     const em_variations *const w = p->of;
-    const double most = fabs(em_dense_beyond(w->run, from, EM_LONGEST * w->together) - from), rest = fabs(last - from);
+    const double most = fabs(em_dense_beyond(w->run, from, EM_MOST_LENGTH * w->initial_steps) - from);
+    const double rest = fabs(last - from);
     const double length = fmin(p->h, most);
     if (length >= rest) return last;
     const double to = from + w->direction * (length > rest / 2.0 ? rest / 2.0 : length);
     const double before = w->run->dense_steps[em_dense_at(w->run, to)].t;
-    return w->direction * (before - from) > EM_NEARLY * fabs(to - from) ? before : to;
+    return w->direction * (before - from) > EM_LEAST_CUT * fabs(to - from) ? before : to;
 }
 
 /* The growth of the step size that follows from this error. */
-static double em_longer(double error) {
+static double em_step_growth(double error) {
     return fmin(4.0, fmax(0.1, 0.75 * pow(fmax(error, 1e-30), -1.0 / 14.0)));
 }
 
@@ -118,17 +118,17 @@ static double em_error_of(em_pass *p, double from, double to) {
     double (*const error)(em_pass *, double, int, const double *) = p->wide ? em_error_wide : em_error_narrow;
     const int within = em_has_rows(p, from, to);
     const double found = error(p, to - from, within, NULL);
-    if (found <= 1.0 || em_rounding_of(p, to, p->none)) return found;
-    return error(p, to - from, within, p->none);
+    if (found <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return found;
+    return error(p, to - from, within, p->K_rounding);
 }
 
 /* The roughness of the accelerations in a step, relative to that of a smooth motion; if it exceeds one, without its
  * rounding. */
-static double em_rough_of(em_pass *p, double to) {
+static double em_roughness_of(em_pass *p, double to) {
     const double most = EM_JUMP_TOLERANCES * p->of->tolerance;
-    memset(p->wobble, 0, p->n * sizeof *p->wobble);
-    const double found = em_force_rough(p) / most;
-    return found <= 1.0 || em_rounding_of(p, to, p->none) ? found : em_force_rough(p) / most;
+    memset(p->a_rounding, 0, p->n * sizeof *p->a_rounding);
+    const double found = em_force_roughness(p) / most;
+    return found <= 1.0 || em_rounding_of(p, to, p->K_rounding) ? found : em_force_roughness(p) / most;
 }
 
 /* One step starting at `from`, as long as possible, within a span that ends at `last`. Returns its end; NAN: it
@@ -141,20 +141,20 @@ static double em_advance(em_pass *p, double from, double last) {
         const int solved = em_solve_step(p, from, to), is_least = length <= 2.0 * least;
         if (solved < 0) return NAN;
         const double error = solved > 0 ? INFINITY : em_error_of(p, from, to);
-        const double rough = solved > 0 ? 0.0 : em_rough_of(p, to), off = fmax(error, rough);
+        const double rough = solved > 0 ? 0.0 : em_roughness_of(p, to), off = fmax(error, rough);
         p->n_least = is_least ? p->n_least + 1 : 0;
-        p->n_crawling += length * EM_CRAWLS < fabs(last - from) ? 1 : p->n_crawling > 0 ? -1 : 0;
+        p->n_crawling += length * EM_MOST_STEPS_OF_SPAN < fabs(last - from) ? 1 : p->n_crawling > 0 ? -1 : 0;
         if (is_least && rough > 1.0) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1), w->t_reached = to, NAN;
         if (is_least && (solved > 0 || p->n_least > EM_MOST_LEAST)) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (p->n_crawling > EM_MOST_CRAWLING) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (off <= 1.0 || is_least) {
             p->longest = fmax(p->longest, length);
             if (length > 0.25 * p->longest) p->n_again = 0;
-            p->h = fmax(length < p->h ? p->h : 0.0, length * em_longer(off));
+            p->h = fmax(length < p->h ? p->h : 0.0, length * em_step_growth(off));
             return em_keep_step(p, from, to) ? NAN : to;
         }
         ++w->n_refused, ++p->n_again;
-        p->h = fmax(length * fmin(0.7, em_longer(off)), least);
+        p->h = fmax(length * fmin(0.7, em_step_growth(off)), least);
     }
 }
 
@@ -165,7 +165,7 @@ static int em_cross_span(em_pass *p, size_t span) {
     double t = w->from[span];
     em_pass_pieces(p, t);
     if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
-    p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->together) - t));
+    p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
     while (t != last)
         if (isnan(t = em_advance(p, t, last))) return -1;
     return 0;

@@ -1,4 +1,4 @@
-/* em_variation_error.h: the error of a step of the equations of variation.
+/* em_variation_error.h: the error of a step of the variational equations.
  *
  * Within a step K = S_v' is a polynomial of degree 7. Its residual at the start of the step, which is not a node, is
  * twice the next coefficient of its Legendre series, k_8. So within the step the error of S_v is about h k_8 / 32,
@@ -13,7 +13,7 @@
 #include "sensitivity/em_variation_rounding.h"
 
 #define EM_STEP_SHARE (1.0 / 32.0)
-#define EM_SAFELY 2.0
+#define EM_END_SAFETY 2.0
 
 /* The sizes of the coefficients of one direction that determine its error, relative to its size. */
 typedef struct em_series_size {
@@ -24,7 +24,7 @@ typedef struct em_series_size {
 EM_INLINE double em_direction_error(const em_series_size *s, int within) {
     const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
     const double falls = before > after ? after / before : 1.0; /* the decay over two terms */
-    const double off = EM_STEP_SHARE * s->eight, end = off * EM_SAFELY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
+    const double off = EM_STEP_SHARE * s->eight, end = off * EM_END_SAFETY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
     return within ? fmax(end, off * sqrt(falls)) : end;
 }
 
@@ -51,19 +51,19 @@ EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
     for (int j = 0; j < k; ++j) part[3 * k + j] = 0.5 * (p->K0[i * k + j] - part[3 * k + j]);
 }
 
-/* The largest error of a direction, relative to its size, in tolerances. `none` (n, columns) is the rounding of K;
+/* The largest error of a direction, relative to its size, in tolerances. K_rounding (n, columns): the rounding of K;
  * NULL: unknown. */
-EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *none) {
+EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *K_rounding) {
     const int n = p->n, k = p->columns;
     const double tolerance = p->of->tolerance, length = fabs(h);
     double part[4 * k], most = 0.0;
     em_series_size sizes[k];
     memset(sizes, 0, sizeof sizes);
-    if (!none) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
+    if (!K_rounding) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
     for (int i = 0; i < n; ++i) {
         em_last_terms(p, i, part);
         for (int j = 0; j < p->of->columns; ++j) {
-            const double rounding = none ? length * none[i * k + j] / tolerance : 0.0;
+            const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
             const double per = length / (em_rate_size(p, length, i * k + j) + rounding + DBL_MIN);
             sizes[j].five = fmax(sizes[j].five, per * fabs(part[j]));
             sizes[j].six = fmax(sizes[j].six, per * fabs(part[k + j]));

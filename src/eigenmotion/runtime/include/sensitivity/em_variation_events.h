@@ -1,4 +1,4 @@
-/* em_variation_events.h: directions across events.
+/* em_variation_events.h: directions across events (saltation).
  *
  * The time of an event changes by dt = -dg / gdot. The event, and the motion after it, are then that much later:
  *
@@ -13,10 +13,10 @@
 
 #define EM_EVENT_MARGIN 1e-9 /* of the time between stops: the distance from an event at which both sides are
                                 evaluated */
-#define EM_SAME_RATE 1e-6 /* relative: difference of rates on one side of a jump, at it and beside it */
+#define EM_SAME_RATE 1e-6 /* relative: difference of rates on one side of a jump, at the event and at the margin */
 #define EM_SAME_STATE 1e-8 /* relative: difference of the state after events in the run and in the pass */
 
-/* Whether rates (v, a) are equal, apart from their change beside an event. */
+/* Whether rates (v, a) are equal, apart from their continuous change over the margin of an event. */
 static int em_is_same_rate(int n, const double *a, const double *b) {
     double apart = 0.0, size = 0.0;
     for (int i = n; i < 2 * n; ++i) {
@@ -26,7 +26,7 @@ static int em_is_same_rate(int n, const double *a, const double *b) {
     return apart <= EM_SAME_RATE * size;
 }
 
-/* rate (2 n) <- (v, a) at z or, if that is on the other side of a jump, beside it. */
+/* rate (2 n) <- (v, a) at z or, if that is on the other side of a jump, at a time `ahead` of it. */
 static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
     const int n = p->n;
     double there[2 * n], near[2 * n];
@@ -38,8 +38,8 @@ static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
     return 0;
 }
 
-/* S <- extrapolated by `ahead` of t: beyond an event, or to it. */
-static int em_move_beside(em_pass *p, double t, double ahead) {
+/* S <- extrapolated by `ahead` from t: from an event to its margin, or from the margin to the event. */
+static int em_extrapolate_directions(em_pass *p, double t, double ahead) {
     em_variations *const w = p->of;
     const int n = p->n, block = n * p->columns;
     em_pass_inputs(p, t);
@@ -57,24 +57,24 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
     p->of->model->event_partials(t, p->z, p->z + n, p->c, p->u, G);
     const double *const g = G + event * width;
     for (int i = 0; i < 2 * n; ++i) gdot += g[i] * rate[i];
-    for (int i = 0; i < p->of->n_given; ++i) gdot += g[2 * n + i] * p->P[i * k + k - 1];
+    for (int i = 0; i < p->of->n_forcing; ++i) gdot += g[2 * n + i] * p->P[i * k + k - 1];
     for (int column = 0; column < k; ++column) {
         double change = 0.0;
         for (int i = 0; i < 2 * n; ++i) change += g[i] * p->S[i * k + column];
-        for (int i = 0; i < p->of->n_given; ++i) change += g[2 * n + i] * p->P[i * k + column];
+        for (int i = 0; i < p->of->n_forcing; ++i) change += g[2 * n + i] * p->P[i * k + column];
         dt[column] = -change / gdot;
     }
 }
 
 /* Whether two events, or an event and a time event, stay simultaneous for every change of the arguments, relative to
  * the larger change. */
-static int em_go_together(const em_pass *p, const double *one, const double *other) {
+static int em_stay_simultaneous(const em_pass *p, const double *one, const double *other) {
     for (int column = 0; column + 1 < p->columns; ++column)
         if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
     return 1;
 }
 
-/* Whether the state of the run is z, too, where velocities v and a time give the scales of x and v. */
+/* Whether the state of the run equals z; velocities v and a time give the scales of x and v. */
 static int em_is_same_state(int n, const double *y, const double *z, const double *v, double length) {
     double apart[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
     for (int i = 0; i < n; ++i) {
@@ -84,29 +84,29 @@ static int em_is_same_state(int n, const double *y, const double *z, const doubl
     return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
 }
 
-/* Applies the event actions at a stop: z and the mode after them, which the run has as stop `next`, and the
+/* Applies the event actions at a stop: z and the mode <- after them, as in the next stop of the run; S <- the
  * directions. */
-static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double beside) {
+static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double margin) {
     em_variations *const w = p->of;
     const int n = p->n, k = p->columns;
-    const double t = w->t[stop], near = fabs(beside), *const next = w->z + (stop + 1) * 2 * n;
-    double P[w->n_given * k], after[2 * n], v[n], of_time_event[k], by_time_event[2 * n];
+    const double t = w->t[stop], near = fabs(margin), *const next = w->z + (stop + 1) * 2 * n;
+    double P[w->n_forcing * k], after[2 * n], v[n], of_time_event[k], by_time_event[2 * n];
     const int time_events = em_time_event_at(p, stop, near, of_time_event, by_time_event);
     if (time_events < 0) return -1;
-    if (time_events && !em_go_together(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
+    if (time_events && !em_stay_simultaneous(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
     memcpy(v, p->z + n, sizeof v);
-    for (int i = 0; i < w->n_given; ++i)
+    for (int i = 0; i < w->n_forcing; ++i)
         for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
     for (int i = 0; i < 2 * n; ++i)
         for (int j = 0; j < k; ++j) p->S[i * k + j] += before[i] * dt[j];
     if (w->model->act_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, fired, p->pile, k, p->S, P, &w->fault))
         return -1;
-    if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_EVENT_MARGIN)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
+    if (!em_is_same_state(n, p->z, next, v, fabs(margin) / EM_EVENT_MARGIN)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
     memcpy(p->z, next, 2 * n * sizeof *next);
     const int time_events_then = em_time_event_at(p, stop, near, of_time_event, by_time_event);
     if (time_events_then < 0) return -1;
-    if (time_events_then && !em_go_together(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
-    if (em_rate_on_side(p, t, beside, after)) return -1;
+    if (time_events_then && !em_stay_simultaneous(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
+    if (em_rate_on_side(p, t, margin, after)) return -1;
     for (int i = 0; i < 2 * n; ++i)
         for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
     return 0;
@@ -114,29 +114,29 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
 
 /* The events at a stop: the first of those that act, or of the others; the derivative of its time; and whether all
  * stay simultaneous. */
-typedef struct em_happening {
+typedef struct em_simultaneous_events {
     int acting, event, apart;
     double *dt;
-} em_happening;
+} em_simultaneous_events;
 
-static void em_happens(const em_pass *p, em_happening *h, int event, const double *dt) {
-    if (h->event >= 0 && !em_go_together(p, h->dt, dt)) h->apart = event;
+static void em_add_simultaneous(const em_pass *p, em_simultaneous_events *h, int event, const double *dt) {
+    if (h->event >= 0 && !em_stay_simultaneous(p, h->dt, dt)) h->apart = event;
     if (h->event < 0) h->event = event, memcpy(h->dt, dt, p->columns * sizeof *dt);
     ++h->acting;
 }
 
-/* Directions jump where accelerations do: at a time event, or at the events there. */
-static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events, const double *before, double beside) {
+/* S <- after a jump of accelerations: at a time event, or at events that do not act. */
+static int em_variation_jump(em_pass *p, size_t stop, const em_simultaneous_events *events, const double *before, double margin) {
     const int n = p->n, k = p->columns;
-    const double t = p->of->t[stop], near = fabs(beside);
+    const double t = p->of->t[stop], near = fabs(margin);
     double after[2 * n], of_time_event[k], by_time_event[2 * n], rest[2 * n];
     const int time_events = em_time_event_at(p, stop, near, of_time_event, by_time_event);
-    if (time_events < 0 || em_rate_on_side(p, t, beside, after)) return -1;
+    if (time_events < 0 || em_rate_on_side(p, t, margin, after)) return -1;
     if (em_is_same_rate(n, before, after)) return 0;
     for (int i = 0; time_events && i < 2 * n; ++i) rest[i] = before[i] - by_time_event[i];
     const int alone = time_events && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
     if (both && events->apart >= 0) return em_end_pass(p->of, EM_JUMPS_MEET, events->event, events->apart);
-    if (both && time_events && !em_go_together(p, of_time_event, events->dt)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
+    if (both && time_events && !em_stay_simultaneous(p, of_time_event, events->dt)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
     if (!time_events && !both) return 0;
     const double *const dt = time_events ? of_time_event : events->dt;
     for (int column = 0; column + 1 < k; ++column)
@@ -144,18 +144,18 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events
     return 0;
 }
 
-/* The marks from `mark` on that are at a stop: dt, directions and, if some act, z and the mode of the next stop.
- * Returns the number of events that act, or -1. */
-static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double beside) {
+/* Processes the marks from `mark` on that are at a stop: dt, directions and, if some act, z and the mode of the next
+ * stop. Returns the number of events that act, or -1. */
+static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double margin) {
     em_variations *const w = p->of;
     const int k = p->columns;
     const double t = w->t[stop];
     double dt[k], of_act[k], of_pass[k], before[2 * p->n];
     int fired[w->model->n_events + 1];
-    em_happening act = {0, -1, -1, of_act}, pass = {0, -1, -1, of_pass};
+    em_simultaneous_events act = {0, -1, -1, of_act}, pass = {0, -1, -1, of_pass};
     memset(fired, 0, sizeof fired);
-    em_pass_side(p, t, fabs(beside), 0);
-    if (em_rate_on_side(p, t, -beside, before)) return -1;
+    em_pass_side(p, t, fabs(margin), 0);
+    if (em_rate_on_side(p, t, -margin, before)) return -1;
     em_set_last(p, before);
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
         const int event = w->mark_event[*mark], acts = w->model->event_actions && w->model->event_actions[event].acts;
@@ -163,12 +163,12 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double besi
         memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
         for (int j = 0; acts && j < k; ++j)
             if (!isfinite(dt[j])) return em_end_pass(w, EM_EVENT_GRAZES, event, -1);
-        if (acts) em_happens(p, &act, event, dt), fired[event] = 1;
-        else if (isfinite(dt[k - 1])) em_happens(p, &pass, event, dt);
+        if (acts) em_add_simultaneous(p, &act, event, dt), fired[event] = 1;
+        else if (isfinite(dt[k - 1])) em_add_simultaneous(p, &pass, event, dt);
     }
     if (act.apart >= 0) return em_end_pass(w, EM_EVENTS_MEET, act.event, act.apart);
-    if (act.acting) return em_variation_act(p, stop, fired, before, of_act, beside) ? -1 : act.acting;
-    return stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, beside) ? -1 : 0;
+    if (act.acting) return em_variation_act(p, stop, fired, before, of_act, margin) ? -1 : act.acting;
+    return stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, margin) ? -1 : 0;
 }
 
 #endif

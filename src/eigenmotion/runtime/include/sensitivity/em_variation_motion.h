@@ -1,4 +1,4 @@
-/* em_variation_motion.h: the motion along which the equations of variation are integrated, within a step of theirs.
+/* em_variation_motion.h: the motion along which the variational equations are integrated, within one of their steps.
  *
  * It is the dense output of the run, which is as accurate as the tolerances of the run, or less. So it is checked
  * against the equations of motion. Its errors at the nodes of a step follow from collocation with its accelerations
@@ -13,7 +13,7 @@
 
 #include "sensitivity/em_variation_time_events.h"
 
-#define EM_MOTION_OFF 10.0 /* the allowed error of the run's motion within a step, in tolerances of the run */
+#define EM_MOTION_ERROR 10.0 /* the allowed error of the run's motion within a step, in tolerances of the run */
 #define EM_LAST_DIGITS (64.0 * DBL_EPSILON)
 
 /* The last kept step of a run that starts at or before t. */
@@ -48,8 +48,8 @@ static int em_motion_at(em_pass *p, double t, double *z) {
     return w->model->velocity(at, p->y, w->c, z + p->n, &w->fault);
 }
 
-/* The allowed error of number i of z in the run. */
-static double em_run_allows(const em_pass *p, int i, double size) {
+/* The tolerance of the run for number i of z, of this size. */
+static double em_run_tolerance(const em_pass *p, int i, double size) {
     const em_run *const run = p->of->run;
     return run->atol[i % p->n] + fmax(run->rtol, EM_LAST_DIGITS) * size;
 }
@@ -72,7 +72,7 @@ static int em_motion_derivatives(em_pass *p, double from, double to) {
 }
 
 /* off (nodes, 2 n) <- the error of the motion. Returns the largest, relative to the run's tolerances. */
-static double em_motion_off(em_pass *p, double h) {
+static double em_motion_error(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n;
     double most = 0.0;
@@ -87,14 +87,14 @@ static double em_motion_off(em_pass *p, double h) {
             double *const off = p->off + j * 2 * n;
             off[i] = z[i] - p->z[i] - h * (p->of->place[j] * v0[i] + h * twice);
             off[n + i] = z[n + i] - v0[i] - h * once;
-            most = fmax(most, fabs(off[i]) / (em_run_allows(p, i, fmax(fabs(z[i]), fabs(p->z[i]))) + DBL_MIN));
-            most = fmax(most, fabs(off[n + i]) / (em_run_allows(p, n + i, fmax(fabs(z[n + i]), fabs(v0[i]))) + DBL_MIN));
+            most = fmax(most, fabs(off[i]) / (em_run_tolerance(p, i, fmax(fabs(z[i]), fabs(p->z[i]))) + DBL_MIN));
+            most = fmax(most, fabs(off[n + i]) / (em_run_tolerance(p, n + i, fmax(fabs(z[n + i]), fabs(v0[i]))) + DBL_MIN));
         }
     return most;
 }
 
 /* Z <- the step's own motion, from the accelerations in the last direction's K. */
-static void em_mend_motion(em_pass *p, double h) {
+static void em_correct_motion(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, k = p->columns;
     for (int j = 0; j < NODES; ++j)
@@ -110,26 +110,26 @@ static void em_mend_motion(em_pass *p, double h) {
         }
 }
 
-/* The part of the accelerations in a step that a decaying series of eight terms does not represent: more than a
+/* The part of the accelerations in a step that a decaying series of eight terms does not represent. It exceeds a
  * tolerance if a force jumps. The effect of the run's tolerances of the state is subtracted. */
-static double em_force_rough(const em_pass *p) {
+static double em_force_roughness(const em_pass *p) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, width = p->of->model->n_arguments;
     const double *const C = p->of->series, *const z = p->Z + (NODES - 1) * 2 * n, *const J = p->J + (NODES - 1) * n * width;
     const double whole = fabs(p->of->run->t_reached - p->of->run->t_start);
     double most = 0.0;
     for (int i = 0; i < n; ++i) {
-        double origin = 0.0, part[3] = {0.0}, size = fabs(p->a0[i]), allowed = em_run_allows(p, n + i, fabs(z[n + i])) / whole;
+        double origin = 0.0, part[3] = {0.0}, size = fabs(p->a0[i]), allowed = em_run_tolerance(p, n + i, fabs(z[n + i])) / whole;
         for (int j = 0; j < NODES; ++j) {
             const double a = p->a[j * n + i];
             origin += p->origin[j] * a;
             for (int d = 0; d < 3; ++d) part[d] += C[(5 + d) * NODES + j] * a;
             size = fmax(size, fabs(a));
         }
-        for (int k = 0; k < 2 * n; ++k) allowed += fabs(J[i * width + k]) * em_run_allows(p, k, fabs(z[k]));
+        for (int k = 0; k < 2 * n; ++k) allowed += fabs(J[i * width + k]) * em_run_tolerance(p, k, fabs(z[k]));
         const double beyond = fabs(p->a0[i] - origin) / 2.0;
         const double ratio = fmax(beyond, fabs(part[2])) / fmax(fmax(fabs(part[1]), fabs(part[0])), DBL_MIN);
-        const double rest = beyond * pow(fmin(ratio, 1.0), 3.0) - 10.0 * allowed - p->wobble[i];
+        const double rest = beyond * pow(fmin(ratio, 1.0), 3.0) - 10.0 * allowed - p->a_rounding[i];
         if (rest > 0.0) most = fmax(most, rest / size);
     }
     return most;

@@ -1,4 +1,5 @@
-/* em_variation_pass.h: the task and the memory of one pass of the equations of variation (em_variations.h). */
+/* em_variation_pass.h: the task and the memory of one integration ("pass") of the variational equations
+ * (em_variations.h). */
 #ifndef EM_VARIATION_PASS_H
 #define EM_VARIATION_PASS_H
 
@@ -8,7 +9,7 @@
 #include "numeric/em_elimination.h"
 #include "stepper/em_signals.h"
 
-#define EM_UNIFORM 1e-9 /* a jump of accelerations that is smaller than this part of them is rounding */
+#define EM_JUMP_ROUNDING 1e-9 /* a jump of accelerations that is smaller than this part of them is rounding */
 
 /* Reasons for the end of a pass, apart from faults of the model. */
 enum {
@@ -19,15 +20,15 @@ enum {
 enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which elimination is cheaper */ };
 
 /* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v. If events act at a stop, the next stop is
- * the state after them. Between two stops lie `spans`, each from `from` to `to`, in which no signal has a kink and
- * no time event happens. Marks are events, in the order of their stops. P (n_given, columns). */
+ * the state after them. Between two stops are `spans`, intervals from `from` to `to` in which no signal has a kink and
+ * no time event happens. Marks are events, in the order of their stops. P (n_forcing, columns). */
 typedef struct em_variations {
     const em_model *model;
     const em_run *run;       /* its dense output is the motion between stops */
     const double *c;         /* at the first stop */
     const em_signal *inputs;
-    int columns, least_norm, stabilise, n_given;
-    double direction, tolerance, together; /* together: initial length of a step here, in steps of the run */
+    int columns, least_norm, stabilise, n_forcing;
+    double direction, tolerance, initial_steps; /* initial_steps: initial length of a step here, in steps of the run */
     size_t n_stops, n_marks, n_spans, n_rows;
     const double *t, *z, *P;
     const long *spans, *mark_stop;
@@ -39,7 +40,7 @@ typedef struct em_variations {
     double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 is input; (n_marks, columns): of times
                                               of events */
     double *rows;                          /* (n_rows, 2 n, columns), at t_rows, if these lie within steps */
-    size_t n_steps, n_refused, n_mended;   /* <- numbers of steps: made, shortened, with their own motion */
+    size_t n_steps, n_refused, n_own_motion;   /* <- numbers of steps: made, shortened, with their own motion */
     int (*poll)(void *);
     void *poll_argument;
     em_fault fault;
@@ -49,22 +50,22 @@ typedef struct em_variations {
 
 /* Working memory of a pass. Directions are rows of `columns` numbers. The last column is for additional directions
  * (the motion itself, or its Newton correction); zeros before it pad the columns to a multiple of four: S (2 n,
- * columns) and P (n_given, columns), zero but at `places`, (row, column). z is the current state; L the linear
- * system with its right-hand sides, in `rows`; `inside`: times between which the model is evaluated
+ * columns) and P (n_forcing, columns), whose non-zero entries `nonzeros` lists as (row, column). z is the current
+ * state; L the linear system with its right-hand sides, in `rows`; `inside`: times between which the model is evaluated
  * (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J (n, n_arguments), K = S_v' and G, the part of it
  * that does not depend on K (n, columns). At the start of a step: S0, K0, J0, a0, and T0, the sum of the absolute
- * values of the terms of K; T, at its end. none (n, columns), wobble (n): the rounding of K and a. */
+ * values of the terms of K; T, at its end. K_rounding (n, columns), a_rounding (n): the rounding of K and a. */
 typedef struct em_pass {
     em_variations *of;
-    int n, m, columns, wide, n_places, (*places)[2];
+    int n, m, columns, wide, n_nonzeros, (*nonzeros)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *none, *wobble, *y;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *y;
     double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
     double inside[2], h;               /* h: the length of the next step that follows from the last one */
     size_t row;
     double longest;                         /* of the accepted steps */
-    int n_least, n_crawling, n_again, mended; /* n_again: rejected since a step of about the longest length; mended:
-                                                 the step has its own motion */
+    int n_least, n_crawling, n_again, own_motion; /* n_again: rejected since a step of about the longest length;
+                                                     own_motion: the step has its own motion */
     em_pile *pile;
     long *piece;
 } em_pass;

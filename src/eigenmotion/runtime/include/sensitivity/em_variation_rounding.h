@@ -1,11 +1,11 @@
 /* em_variation_rounding.h: rounding errors of rates of directions, and of accelerations.
  *
- * If numbers of the state are rounded, a second evaluation with other last digits shows the effect. Accelerations
- * that constraints prevent cancel against their multipliers, and only rounding remains of them everywhere: for a
- * coordinate that does not move at all, for a common factor of all forces, for the heading of a bicycle at rest.
- * That rounding is relative to the terms that cancel, |M^-1| |A|^T |dlambda|: to the largest such term of a row,
- * with respect to any number of the state, in units of M. If shorter steps do not have a smaller error, the
- * derivative with respect to a parameter is known only to the rounding of all terms that balance. */
+ * The effect of rounding of the state is measured by a second evaluation with other last digits. Accelerations that
+ * constraints prevent cancel against their multipliers, and only rounding remains of them everywhere: for a coordinate
+ * that does not move at all, for a common factor of all forces, for the heading of a bicycle at rest. That rounding is
+ * relative to the terms that cancel, |M^-1| |A|^T |dlambda|: to the largest such term of a row, with respect to any
+ * number of the state, in units of M. If shorter steps do not have a smaller error, the derivative with respect to a
+ * parameter is known only to the rounding of all terms that balance. */
 #ifndef EM_VARIATION_ROUNDING_H
 #define EM_VARIATION_ROUNDING_H
 
@@ -13,11 +13,11 @@
 #include "sensitivity/em_variation_steps.h"
 
 #define EM_ROUNDINGS 32.0 /* multiple of the rounding that a single evaluation shows */
-#define EM_HELD_BACK (8.0 * DBL_EPSILON) /* relative to the terms that cancel */
+#define EM_CANCELLATION (8.0 * DBL_EPSILON) /* relative to the terms that cancel */
 
-/* Rejected steps after which the remaining error may be rounding: each was as short as the error of the one before
- * required, and an error that decreases with the length would have become smaller. */
-enum { EM_AGAIN = 2 };
+/* The number of successive rejected steps after which the remaining error may be rounding: each was as short as the
+ * error of the previous one required, and an error that depends on the length would have become smaller. */
+enum { EM_ROUNDING_RETRIES = 2 };
 
 /* T (n, columns) <- the sum of the absolute values of the terms of K. */
 EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, double *T) {
@@ -29,15 +29,15 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
             const double part = fabs(J[i * width + q]), *const s = S + q * k;
             for (int j = 0; j < k; ++j) row[j] += part * fabs(s[j]);
         }
-        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
+        for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at)
             row[(*at)[1]] += fabs(J[i * width + 2 * n + (*at)[0]] * p->P[(*at)[0] * k + (*at)[1]]);
     }
 }
 
-/* Multipliers are solved for together: each is as uncertain as the largest. w (n) <- the units in which coordinates are
- * comparable, square roots of the diagonal of M; s (m) <- those of multipliers, square roots of the diagonal of |A| R,
- * R = |M^-1| |A|^T; reach (n) <- the size of accelerations by multipliers that are one in their units. 0, or -1: M has
- * no inverse. */
+/* Multipliers solve one linear system, so that each is as uncertain as the largest. w (n) <- the units in which
+ * coordinates are comparable, square roots of the diagonal of M; s (m) <- those of multipliers, square roots of the
+ * diagonal of |A| R, R = |M^-1| |A|^T; reach (n) <- the size of the accelerations that multipliers of one unit cause. 0,
+ * or -1: M has no inverse. */
 static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *w, double *s, double *reach) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m;
@@ -80,8 +80,8 @@ static void em_lengths(int n, int columns, const double *w, const double *S, dou
     for (int j = 0; j < columns; ++j) length[j] = sqrt(length[j]);
 }
 
-/* none (n, columns) and wobble (n) += the rounding of accelerations that reactions cancel. */
-static void em_add_held_back(em_pass *p, double t, const double *z, double *none) {
+/* K_rounding (n, columns) and a_rounding (n) += the rounding of accelerations that reactions cancel. */
+static void em_add_cancellation(em_pass *p, double t, const double *z, double *K_rounding) {
     const int n = p->n, m = p->m, k = p->columns, width = p->of->model->n_arguments;
     double w[n], s[m + 1], reach[n], length[2][k], largest[width];
     if (m == 0 || em_reaction_sizes(p, t, z, w, s, reach)) return;
@@ -89,21 +89,22 @@ static void em_add_held_back(em_pass *p, double t, const double *z, double *none
     const double whole = em_largest_reaction(m, s, p->lambda, 1);
     for (int half = 0; half < 2; ++half) em_lengths(n, k, w, p->S + half * n * k, length[half]);
     for (int i = 0; i < n; ++i) {
-        const double held = EM_HELD_BACK * reach[i];
-        p->wobble[i] += held * whole;
+        const double held = EM_CANCELLATION * reach[i];
+        p->a_rounding[i] += held * whole;
         for (int half = 0; half < 2; ++half) {
             double most = 0.0;
             for (int q = 0; q < n; ++q) most = fmax(most, largest[half * n + q] / w[q]);
-            em_add_to(k, held * most, length[half], none + i * k);
+            em_add_to(k, held * most, length[half], K_rounding + i * k);
         }
-        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at)
-            none[i * k + (*at)[1]] += held * largest[2 * n + (*at)[0]] * fabs(p->P[(*at)[0] * k + (*at)[1]]);
+        for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at)
+            K_rounding[i * k + (*at)[1]] += held * largest[2 * n + (*at)[0]] * fabs(p->P[(*at)[0] * k + (*at)[1]]);
     }
 }
 
-/* none (n, columns) += the rounding of all terms that cancel in an acceleration, as far as they depend on a
- * parameter. Terms are proportional to parameters, so that their sizes are |da/dp| |p|, and likewise dlambda/dp. */
-static void em_add_balanced(em_pass *p, double t, const double *z, double *none) {
+/* K_rounding (n, columns) += the rounding of all terms that cancel in an acceleration, as far as they depend on a
+ * parameter. Terms are assumed proportional to parameters, so that their sizes are |da/dp| |p|, and likewise
+ * |dlambda/dp| |p|. */
+static void em_add_parameter_cancellation(em_pass *p, double t, const double *z, double *K_rounding) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
     const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
@@ -115,16 +116,17 @@ static void em_add_balanced(em_pass *p, double t, const double *z, double *none)
     for (int i = 0; i < n; ++i) {
         double sum = reach[i] * reactions;
         for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g]) * fabs(p->c[g]);
-        for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
+        for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
             const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
             if (g < 0 || g >= model->n_parameters || p->c[g] == 0.0) continue;
-            none[i * p->columns + j] += EM_HELD_BACK * sum * fabs(p->P[(*at)[0] * p->columns + j] / p->c[g]);
+            K_rounding[i * p->columns + j] += EM_CANCELLATION * sum * fabs(p->P[(*at)[0] * p->columns + j] / p->c[g]);
         }
     }
 }
 
-/* none (n, columns), and wobble (n) <- the rounding of K and of accelerations, for a step that ends at t. 0, or -1. */
-static int em_rounding_of(em_pass *p, double t, double *none) {
+/* K_rounding (n, columns), a_rounding (n) <- the rounding of K and of accelerations, for a step that ends at t. 0, or
+ * -1. */
+static int em_rounding_of(em_pass *p, double t, double *K_rounding) {
     enum { LAST = EM_VARIATION_NODES - 1 };
     em_variations *const w = p->of;
     const int n = p->n, width = w->model->n_arguments;
@@ -135,10 +137,10 @@ static int em_rounding_of(em_pass *p, double t, double *none) {
     if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, a, p->lambda, D, p->dlambda,
                                      &w->fault)) return -1;
     for (int i = 0; i < n * width; ++i) D[i] = EM_ROUNDINGS * (D[i] - J[i]);
-    em_sum_terms(p, D, p->S, none);
-    for (int i = 0; i < n; ++i) p->wobble[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
-    em_add_held_back(p, em_pass_clock(p, t), z, none);
-    if (p->n_again >= EM_AGAIN) em_add_balanced(p, em_pass_clock(p, t), z, none);
+    em_sum_terms(p, D, p->S, K_rounding);
+    for (int i = 0; i < n; ++i) p->a_rounding[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
+    em_add_cancellation(p, em_pass_clock(p, t), z, K_rounding);
+    if (p->n_again >= EM_ROUNDING_RETRIES) em_add_parameter_cancellation(p, em_pass_clock(p, t), z, K_rounding);
     return 0;
 }
 

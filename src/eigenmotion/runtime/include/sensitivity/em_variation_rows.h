@@ -46,10 +46,10 @@ static void em_directions_within(em_pass *p, double from, double h, double t) {
     }
 }
 
-/* to (count, asked columns) <- rows of directions. */
+/* to (count, requested columns) <- rows of directions. */
 static void em_keep_directions(const em_pass *p, const double *from, int count, double *to) {
-    const int asked = p->of->columns;
-    for (int i = 0; i < count; ++i) memcpy(to + i * asked, from + i * p->columns, asked * sizeof *to);
+    const int requested = p->of->columns;
+    for (int i = 0; i < count; ++i) memcpy(to + i * requested, from + i * p->columns, requested * sizeof *to);
 }
 
 /* Computes the rows that lie within a step. */

@@ -1,9 +1,9 @@
-/* em_variation_steps.h: a step of the equations of variation, along a motion that is known within it.
+/* em_variation_steps.h: a step of the variational equations, along a motion that is known within it.
  *
  * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a
  * step is one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x +
- * c h S_v) + J_v S_v + F. It is solved by elimination, or by iteration if it is large and that converges. The last
- * direction begins at zero, and has -J off in place of F: its K is the Newton correction of the motion's own
+ * c h S_v) + J_v S_v + F. It is solved by elimination, or by iteration if it is large and the iteration converges. The
+ * last direction starts from zero, and has -J off in place of F: its K is the Newton correction of the motion's own
  * accelerations. */
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
@@ -20,14 +20,14 @@ EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const
     }
 }
 
-/* to (n, columns) <- J S + F, but for the last direction, which has no F. */
+/* to (n, columns) <- J S + F; the last direction has no F. */
 EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, double *to) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     memset(to, 0, (size_t)n * k * sizeof *to);
     em_add_product(n, 2 * n, width, k, J, S, to);
-    for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
-        const double given = p->P[(*at)[0] * k + (*at)[1]];
-        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
+    for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
+        const double forcing = p->P[(*at)[0] * k + (*at)[1]];
+        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * forcing;
     }
 }
 

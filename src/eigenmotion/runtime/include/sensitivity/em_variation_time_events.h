@@ -2,13 +2,13 @@
  *
  * If a time event happens dtau later, the motion before it lasts that much longer: dz+ = dz- + (f- - f+) dtau, f the
  * rates (v, a) on both sides. This holds for forces that jump. If constraint rows jump, or if coinciding time events
- * have different derivatives, directions do not exist beyond. */
+ * have different derivatives, there are no directions after it. */
 #ifndef EM_VARIATION_TIME_EVENTS_H
 #define EM_VARIATION_TIME_EVENTS_H
 
 #include "sensitivity/em_variation_pass.h"
 
-#define EM_TOGETHER_IN_TIME 1e-9 /* relative: difference of the derivatives of times that stay simultaneous */
+#define EM_SIMULTANEOUS_DERIVATIVE 1e-9 /* relative: difference of the derivatives of times that stay simultaneous */
 #define EM_ROWS_JUMP 1e-9        /* an entry of a constraint row jumps if it changes by this part of its terms */
 
 /* dtau (columns) <- the derivative of the times of all time events at t, or within `near`; `at` has their times. 0,
@@ -25,9 +25,9 @@ static int em_time_event_shift(const em_pass *p, const double *at, double t, dou
         const double turns = b[1] != 0.0 ? round((t - b[0]) / b[1]) : 0.0;
         for (int j = 0; j + 1 < k; ++j) {
             double change = 0.0;
-            for (int g = 0; g < p->of->n_given; ++g)
+            for (int g = 0; g < p->of->n_forcing; ++g)
                 if (p->P[g * k + j] != 0.0) change += (by[g] + turns * by[width + g]) * p->P[g * k + j];
-            if (found && !(fabs(change - dtau[j]) <= EM_TOGETHER_IN_TIME * fmax(fabs(change), fabs(dtau[j])))) return -1;
+            if (found && !(fabs(change - dtau[j]) <= EM_SIMULTANEOUS_DERIVATIVE * fmax(fabs(change), fabs(dtau[j])))) return -1;
             dtau[j] = change;
         }
         found = 1;
@@ -49,13 +49,13 @@ static int em_rows_jump(const em_pass *p, double t, double reach) {
     return 0;
 }
 
-/* Directions beyond a time event at t, with rates (2 n) before and after. `first`: nothing comes before. */
+/* S <- directions after a time event at t, with rates (2 n) before and after. `first`: the motion starts there. */
 static int em_cross_directions(em_pass *p, const double *at, double t, int first, const double *before, const double *after) {
     const int n = p->n, k = p->columns;
     double dtau[k];
     int jumps = 0;
     memset(dtau, 0, sizeof dtau);
-    for (int i = n; i < 2 * n; ++i) jumps |= fabs(after[i] - before[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
+    for (int i = n; i < 2 * n; ++i) jumps |= fabs(after[i] - before[i]) > EM_JUMP_ROUNDING * (fabs(after[i]) + fabs(before[i]));
     if (em_time_event_shift(p, at, t, 0.0, dtau)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
     for (int j = 0; jumps && j + 1 < k; ++j) {
         if (dtau[j] == 0.0) continue;
@@ -65,8 +65,8 @@ static int em_cross_directions(em_pass *p, const double *at, double t, int first
     return 0;
 }
 
-/* Restricts the evaluation of the model to one side of t, if t is a time event or close to one. Returns how far that
- * extends, 0: it is none. */
+/* Restricts the evaluation of the model to one side of t, if t is a time event or close to one. Returns the distance up
+ * to which the time event extends, 0: there is none. */
 static double em_pass_side(em_pass *p, double t, double near, int after) {
     const em_model *const model = p->of->model;
     p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
@@ -85,8 +85,8 @@ static int em_is_crowded(const em_variations *w, size_t stop, double reach) {
     return (before > 0.0 && before <= reach) || (after > 0.0 && after <= reach);
 }
 
-/* dtau (columns) <- the derivative of the time of a time event at a stop; jump (2 n) <- the jump of the rates at z
- * by that time event alone. 1, 0: there is none that matters, or -1. Leaves the pass on the side after. */
+/* dtau (columns) <- the derivative of the time of a time event at a stop; jump (2 n) <- the jump of the rates at z that
+ * this time event causes. 1; 0: there is none that matters; or -1. The model is then evaluated on the side after it. */
 static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, double *jump) {
     const em_model *const model = p->of->model;
     const double t = p->of->t[stop], reach = em_pass_side(p, t, near, 0);
@@ -98,7 +98,7 @@ static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, 
     if (em_motion_rate(p, t, p->z, after)) return -1;
     for (int i = 0; i < 2 * p->n; ++i) {
         jump[i] = before[i] - after[i];
-        jumps |= i >= p->n && fabs(jump[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
+        jumps |= i >= p->n && fabs(jump[i]) > EM_JUMP_ROUNDING * (fabs(after[i]) + fabs(before[i]));
     }
     if (p->m > 0 && em_rows_jump(p, t, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
     memset(dtau, 0, p->columns * sizeof *dtau);
@@ -108,7 +108,8 @@ static int em_time_event_at(em_pass *p, size_t stop, double near, double *dtau, 
     return jumps;
 }
 
-/* Sets the interval between time events for a step. If its start is a time event: directions beyond it. 0, or -1. */
+/* Sets the interval between time events for a span; if the span starts at a time event, S <- directions after it. 0, or
+ * -1. */
 static int em_pass_time_events(em_pass *p, double from, double to, int first) {
     const em_model *const model = p->of->model;
     const double direction = p->of->direction;

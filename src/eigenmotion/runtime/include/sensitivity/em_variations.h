@@ -1,26 +1,26 @@
-/* em_variations.h: sensitivities of a motion to its start, parameters and inputs, by the equations of variation.
+/* em_variations.h: sensitivities of a motion to its start, parameters and inputs, by the variational equations.
  *
  *     d/dt dx = dv,   d/dt dv = a_x dx + a_v dv + a_p dp
  *
- * along a run, of any em_model, that keeps its dense output. Steps are those of these equations, as long as their
- * own error allows (em_variation_error.h): a motion at rest says nothing about how fast others diverge from it.
- * After a step the directions are projected to where the constraints stay satisfied. Where a force jumps there must
+ * along a run, of any em_model, that keeps its dense output. These equations have steps of their own, as long as their
+ * own error allows (em_variation_error.h): the steps of a motion at rest say nothing about how fast others diverge from
+ * it. After each step the directions are projected onto the tangent of the constraints. Where a force jumps there must
  * be an event, across which directions jump, too. */
 #ifndef EM_VARIATIONS_H
 #define EM_VARIATIONS_H
 
 #include "sensitivity/em_variation_events.h"
 
-/* Integrates over the spans between two stops, keeping a distance `beside` from a stop at which events happen. */
-static int em_variation_segment(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double beside) {
+/* Integrates over the spans between two stops, at a distance `margin` from stops at which events happen. */
+static int em_variation_segment(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double margin) {
     em_variations *const w = p->of;
     em_pass_pieces(p, w->t[stop]);
-    em_pass_side(p, w->t[stop], fabs(beside), 1);
-    if (leaves && em_move_beside(p, w->t[stop], beside)) return -1;
+    em_pass_side(p, w->t[stop], fabs(margin), 1);
+    if (leaves && em_extrapolate_directions(p, w->t[stop], margin)) return -1;
     for (long i = 0; i < w->spans[stop]; ++i, ++*span)
         if (em_cross_span(p, *span)) return -1;
     memcpy(p->z, w->z + (stop + 1) * 2 * p->n, 2 * p->n * sizeof *p->z);
-    return meets ? em_move_beside(p, w->t[stop + 1] - beside, beside) : 0;
+    return meets ? em_extrapolate_directions(p, w->t[stop + 1] - margin, margin) : 0;
 }
 
 static int em_is_marked(const em_variations *w, size_t mark, size_t stop) {
@@ -30,19 +30,19 @@ static int em_is_marked(const em_variations *w, size_t mark, size_t stop) {
 static int em_variation_stops(em_pass *p) {
     em_variations *const w = p->of;
     size_t mark = 0, span = 0;
-    double beside = 0.0;
+    double margin = 0.0;
     int leaves = 0;
     for (size_t stop = 0; stop < w->n_stops; ++stop) {
         const int more = stop + 1 < w->n_stops, meets = em_is_marked(w, mark, stop);
         const double length = more ? w->t[stop + 1] - w->t[stop] : 0.0;
         em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
-        const int acted = meets ? em_variation_marks(p, stop, &mark, beside != 0.0 ? beside : EM_EVENT_MARGIN * length) : 0;
+        const int acted = meets ? em_variation_marks(p, stop, &mark, margin != 0.0 ? margin : EM_EVENT_MARGIN * length) : 0;
         if (acted < 0) return -1;
         leaves |= meets;
         if (acted || !more) continue; /* the next stop is the state after this one's actions */
         if (meets) em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
-        beside = EM_EVENT_MARGIN * length;
-        if (em_variation_segment(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), beside)) return -1;
+        margin = EM_EVENT_MARGIN * length;
+        if (em_variation_segment(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), margin)) return -1;
         leaves = 0;
     }
     return 0;
@@ -59,11 +59,11 @@ static int em_pass_open(em_pass *p, em_variations *w) {
         double **part;
         size_t count;
     } parts[] = {
-        {&p->S, 2 * n * k}, {&p->z, 2 * n}, {&p->P, w->n_given * k}, {&p->u, model->n_inputs}, {&p->a, size}, {&p->lambda, m},
+        {&p->S, 2 * n * k}, {&p->z, 2 * n}, {&p->P, w->n_forcing * k}, {&p->u, model->n_inputs}, {&p->a, size}, {&p->lambda, m},
         {&p->dlambda, m * model->n_arguments}, {&p->c, model->n_prepared}, {&p->J, size * model->n_arguments},
         {&p->L, (size_t)size * (size + k)}, {&p->K, size * k}, {&p->G, size * k}, {&p->Y, 2 * n * k},
         {&p->W, (size + m) * k}, {&p->Z, 2 * size}, {&p->off, 2 * size}, {&p->S0, 2 * n * k}, {&p->K0, n * k},
-        {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k}, {&p->none, n * k}, {&p->wobble, n}, {&p->y, model->n_state},
+        {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k}, {&p->K_rounding, n * k}, {&p->a_rounding, n}, {&p->y, model->n_state},
     };
     enum { PARTS = sizeof parts / sizeof *parts };
     size_t numbers = 1;
@@ -72,9 +72,9 @@ static int em_pass_open(em_pass *p, em_variations *w) {
     p->piece = calloc(model->n_inputs + 1, sizeof *p->piece);
     p->pile = calloc(model->n_events + 1, sizeof *p->pile);
     p->rows = calloc(size, sizeof *p->rows);
-    p->places = calloc(w->n_given * k, sizeof *p->places);
+    p->nonzeros = calloc(w->n_forcing * k, sizeof *p->nonzeros);
     p->S = next;
-    if (!next || !p->piece || !p->pile || !p->rows || !p->places) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    if (!next || !p->piece || !p->pile || !p->rows || !p->nonzeros) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     for (int i = 0; i < PARTS; ++i) *parts[i].part = next, next += parts[i].count;
     return 0;
 }
@@ -84,14 +84,14 @@ static void em_pass_close(em_pass *p) {
     free(p->piece);
     free(p->pile);
     free(p->rows);
-    free(p->places);
+    free(p->nonzeros);
 }
 
-/* Finds the non-zero entries of P. */
-static void em_find_places(em_pass *p) {
-    for (int i = 0; i < p->of->n_given; ++i)
+/* Lists the non-zero entries of P. */
+static void em_find_nonzeros(em_pass *p) {
+    for (int i = 0; i < p->of->n_forcing; ++i)
         for (int j = 0; j < p->of->columns; ++j)
-            if (p->P[i * p->columns + j] != 0.0) p->places[p->n_places][0] = i, p->places[p->n_places++][1] = j;
+            if (p->P[i * p->columns + j] != 0.0) p->nonzeros[p->n_nonzeros][0] = i, p->nonzeros[p->n_nonzeros++][1] = j;
 }
 
 /* The weights of a series at the start of a step. */
@@ -102,20 +102,20 @@ static void em_find_origin(em_pass *p) {
 }
 
 /* S <- at all stops and rows. 0, or -1 and w->fault, w->why; stops and rows that were not reached are untouched. */
-static int em_vary(em_variations *w) {
+static int em_integrate_variations(em_variations *w) {
     em_pass pass;
     w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     w->why = EM_BY_FAULT;
     int status = em_pass_open(&pass, w);
     if (status == 0) {
-        const int n = pass.n, k = pass.columns, asked = w->columns;
+        const int n = pass.n, k = pass.columns, requested = w->columns;
         memcpy(pass.c, w->c, w->model->n_prepared * sizeof *w->c);
         memcpy(pass.z, w->z, 2 * n * sizeof *w->z);
-        for (int i = 0; i < w->n_given; ++i) memcpy(pass.P + i * k, w->P + i * asked, asked * sizeof *w->P);
-        pass.P[(w->n_given - 1) * k + k - 1] = 1.0; 
-        em_find_places(&pass);
+        for (int i = 0; i < w->n_forcing; ++i) memcpy(pass.P + i * k, w->P + i * requested, requested * sizeof *w->P);
+        pass.P[(w->n_forcing - 1) * k + k - 1] = 1.0; 
+        em_find_nonzeros(&pass);
         em_find_origin(&pass);
-        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * asked, asked * sizeof *w->S);
+        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * requested, requested * sizeof *w->S);
         em_pass_pieces(&pass, w->t[0]);
         status = em_variation_stops(&pass);
     }

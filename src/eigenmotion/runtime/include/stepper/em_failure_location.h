@@ -20,9 +20,9 @@ EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, con
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
 }
 
-/* Where y, or M there, has overflowed, the fault is not that of pivots or rows. Nor is it that of rows if a
- * coordinate has lost the inertia it had at the start: a row with a part of that coordinate is then infinitely long
- * in the mass metric. */
+/* Corrects w->reason after a failed evaluation at y: a state outside of a table; or an overflow of y or M, which is not
+ * the fault of pivots or rows; or a coordinate that has lost the inertia it had at the start, which makes a row that
+ * contains it infinitely long in the mass metric. Returns -1. */
 EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const double *y) {
     if (em_outside_table(w, w->t, w->y)) return -1;
     const int first = em_non_finite_coordinate(w->n, y);

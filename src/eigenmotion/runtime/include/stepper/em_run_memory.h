@@ -77,8 +77,8 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
     w->u = em_take_numbers(at, (size_t)w->n_inputs);
     w->piece = em_take_bytes(at, (size_t)w->n_inputs * sizeof *w->piece);
     w->longest = em_take_numbers(at, rows), w->row_rate = em_take_numbers(at, rows), w->row_tolerance = em_take_numbers(at, rows);
-    w->stirred = em_take_numbers(at, rows);
-    w->seen_x = em_take_numbers(at, n), w->seen_pivots = em_take_numbers(at, n);
+    w->rate_shift = em_take_numbers(at, rows);
+    w->last_pivots_x = em_take_numbers(at, n), w->last_pivots = em_take_numbers(at, n);
     em_lay_out_events(w, at);
     const size_t before = at->used;
     em_lay_out_nodes(w, at);

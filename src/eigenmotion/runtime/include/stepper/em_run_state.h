@@ -16,8 +16,8 @@ enum {
     EM_SCREENED_STATES = 3,    /* states within every step at which events are screened */
     EM_NODES = 9,      /* nodes of root isolation, both ends included */
     EM_QUARTERS = 26,  /* further points, ever closer to the start, if an event function is zero there */
-    EM_PLACES = EM_QUARTERS + EM_NODES,
-    EM_MOST_FOUND = EM_PLACES + 4 * EM_NODES, /* of each event: four minima an interval; more indicate undersampling */
+    EM_POINTS = EM_QUARTERS + EM_NODES,
+    EM_MOST_FOUND = EM_POINTS + 4 * EM_NODES, /* of each event: four minima an interval; more indicate undersampling */
     EM_NODE_VECTORS = EM_NODE_COUNT / EM_LANES
 };
 
@@ -71,7 +71,7 @@ typedef struct em_nodes {
     double t, t_new, h, before_h, before_t_new; /* of the steps of `series` and of `before` */
     double aimed;                            /* the error after the number of iterations that a step is designed for */
     double within;                           /* the error of the polynomial if the state within the step is requested */
-    int mode, before_mode, converged, known, blind, on_lanes; /* converged: `series` is valid; known: `before` is
+    int mode, before_mode, converged, known, unpredicted, on_lanes; /* converged: `series` is valid; known: `before` is
                                                                  valid */
     int drifted;                             /* whether the positions at the nodes no longer agree with the integrals
                                                 of the rates */
@@ -124,20 +124,20 @@ struct em_run_state {
                                                   length one */
     double farthest, fastest;                  /* the largest position and velocity so far, if nothing is settled */
     double energy, energy_tolerance;           /* at the start; its tolerance, the largest so far */
-    double deep;                               /* depth inside contacts at the start */
+    double depth;                               /* depth inside contacts at the start */
     long next_energy_check;                         /* the number of right-hand sides at which energy and drift are
                                                        checked next */
     em_fault reason;                           /* why the last attempt failed */
     int rank;                                  /* of the constraint rows, at the start */
-    double seen_t;                             /* the time of `seen_pivots` */
-    int seen;                                  /* whether they are known */
+    double last_pivots_t;                      /* the time of `last_pivots` */
+    int pivots_known;                          /* whether they are known */
     int starts_near;                           /* whether the start is near a coordinate singularity */
     int retries;                               /* rejected attempts before this one */
     int near;                                  /* whether stages are settled, because a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something other than the error limits the step size */
-    int acting, fresh;                         /* whether an event acts; whether no step of the segment has been
-                                                  accepted yet, and which segment: EM_FIRST_SEGMENT */
+    int acting, fresh;                         /* whether an event acts; EM_FIRST_SEGMENT or EM_NEXT_SEGMENT before the
+                                                  first accepted step of a segment, else 0 */
     int begun, ended;                          /* the first step size is known; the run has ended, with run->fault */
     int refused;                               /* it ended because the motion cannot start */
     int stale;                                 /* K[0] and g are out of date */
@@ -152,10 +152,10 @@ struct em_run_state {
                                                   the state whose rates at nodes are integrated */
     em_scheme scheme;
     const double *end_rate;                    /* f at t_new, y_raw if the step computes it, else NULL */
-    struct timespec looked;                    /* when the clock was last read, and when poll was last called */
+    struct timespec clock_read;                    /* when the clock was last read, and when poll was last called */
     struct timespec polled;
-    unsigned looks_every, attempts_since_look;
-    int asked, shares;                         /* em_run.least_norm as the caller set it; the same apart from modes */
+    unsigned clock_interval, attempts_since_clock; /* attempts between two readings of the clock */
+    int requested_least_norm, base_least_norm; /* em_run.least_norm: set by the caller; chosen for all modes */
     int c_is_known;
     em_nodes nodes;
     em_implicit stages;
@@ -176,13 +176,13 @@ struct em_run_state {
     double *noise, *zero;                      /* of g at the start of the run; the size below which g counts as 0
                                                   there */
     double *rounding;                          /* of gaps and slips at the start of the segment */
-    double *stirred;                           /* (m) change of rates along rows, made by moving a start outside
+    double *rate_shift;                        /* (m) change of rates along rows, caused by moving a start outside
                                                   contacts */
     double *quiet;                             /* the size above which a g that was zero at the start counts as
                                                   non-zero */
     double *longest;                           /* (m) squared lengths of the rows of B, the largest so far */
     double *row_rate, *row_tolerance;          /* (m) as those of the energy, for A v + b, if nothing is settled */
-    double *seen_x, *seen_pivots;              /* (n) the end of a step, and the pivots of M there, where the next
+    double *last_pivots_x, *last_pivots;       /* (n) x at the end of a step, and the pivots of M there, where the next
                                                   step begins */
     em_found *found;                           /* sign changes in the current step */
     em_pile *pile;                             /* (n_events) */

@@ -4,11 +4,11 @@
 
 #include "stepper/em_model_calls.h"
 
-#define EM_BLUR 1e-5 /* relative to the interval: evaluating the model this far from its time changes the result by
-                        the square of this */
+#define EM_BLUR 1e-5 /* relative to the interval: evaluating the model at a time that is off by this part changes the
+                        result by its square */
 
-/* Whether a time event at w->t, or before the end, has a rounding that is a considerable part of the interval, as
- * that of exp(-t / 1e20) < 1. */
+/* Whether the rounding of a time event at w->t, or before the end, is a considerable part of the interval, as for
+ * exp(-t / 1e20) < 1. */
 static int em_is_blurred(const em_run_state *w, const double *at, double next) {
     const double goal = isfinite(w->run->t_end) ? w->run->t_end : w->t_goal;
     const double most = EM_BLUR * em_max(fabs(goal - w->run->t_start), 1e-3 * fabs(w->t));

@@ -1,4 +1,4 @@
-/* em_table_lookups.h: the places at which a run looks up its tables, and the end of their range. */
+/* em_table_lookups.h: the arguments at which a run evaluates its tables, and the end of their ranges. */
 #ifndef EM_TABLE_LOOKUPS_H
 #define EM_TABLE_LOOKUPS_H
 
@@ -14,7 +14,7 @@ static void em_arguments_at(em_run_state *w, double t, const double *x, const do
 }
 
 /* The same at a state y in a mode. 0, or -1: it has no velocities. */
-static int em_look_up(em_run_state *w, int mode, double t, const double *y, double *at) {
+static int em_table_arguments_of(em_run_state *w, int mode, double t, const double *y, double *at) {
     double v[w->n];
     em_fault none;
     if (em_xdot(w, mode, t, y, v, &none)) return -1;
@@ -22,20 +22,20 @@ static int em_look_up(em_run_state *w, int mode, double t, const double *y, doub
     return 0;
 }
 
-/* Whether a state is beyond the range of a table; then w->reason names it. */
+/* Whether a state is outside of the range of a table; then w->reason names it. */
 EM_COLD_PATH EM_UNUSED static int em_outside_table(em_run_state *w, double t, const double *y) {
     double at[em_some(w->model->n_table_uses)];
-    if (w->model->n_tables == 0 || em_look_up(w, w->mode, t, y, at)) return 0;
+    if (w->model->n_tables == 0 || em_table_arguments_of(w, w->mode, t, y, at)) return 0;
     return em_outside_tables(w->model, w->run->prepared, at, &w->reason);
 }
 
-/* Whether the run is at the end of a table: to rounding, or to `slack` times what the arguments change by until they
- * are those `ahead`, which must be no nearer to the inside. */
+/* Whether the run is at the end of a table: within rounding, or within `slack` times the change of the argument to its
+ * value `ahead`, which must not be closer to the inside. */
 static int em_at_end_of_table(em_run_state *w, const double *at, const double *ahead, double slack) {
     for (int k = 0; k < w->model->n_table_uses; ++k) {
         const em_table_use *const use = &w->model->table_uses[k];
-        const double beyond = em_beyond(w->model, w->run->prepared, use, at[k]);
-        const double later = em_beyond(w->model, w->run->prepared, use, ahead[k]);
+        const double beyond = em_table_excess(w->model, w->run->prepared, use, at[k]);
+        const double later = em_table_excess(w->model, w->run->prepared, use, ahead[k]);
         const double rounding = EM_END_OF_TABLE * fabs(at[k]) + slack * fabs(later - beyond);
         if (!(beyond >= -rounding && later >= beyond)) continue;
         return em_fail(&w->reason, EM_OUTSIDE_TABLE, use->table, -1, at[k]), 1;
@@ -43,7 +43,7 @@ static int em_at_end_of_table(em_run_state *w, const double *at, const double *a
     return 0;
 }
 
-/* Whether the last attempt, which has failed, was about to leave a table from where the run is. */
+/* Whether the last attempt, which has failed, would have left a table. */
 EM_COLD_PATH EM_NOINLINE int em_leaves_table(em_run_state *w, double slack) {
     const int n = w->n, uses = w->model->n_table_uses;
     double at[em_some(uses)], ahead[em_some(uses)], x[n], v[n];

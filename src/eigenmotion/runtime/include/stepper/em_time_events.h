@@ -56,8 +56,8 @@ EM_UNUSED static double em_next_time_event(int count, const double *at, double t
     return next;
 }
 
-/* How far from t the time events there extend that are no further away than their slack or `near`; 0: t is no time
- * event. */
+/* The distance from t up to which the time events at t extend, that is, those within their slack or `near`; 0: t is no
+ * time event. */
 EM_UNUSED static double em_time_event_reach_near(int count, const double *at, double t, double near) {
     double reach = 0.0;
     for (int i = 0; i < count && isfinite(t); ++i) {

@@ -1,14 +1,15 @@
-/* em_table.h: tables: piecewise polynomials of one argument or of two, whose numbers are given at run time.
+/* em_table.h: tables: piecewise polynomials of one argument or of two, whose data is set at run time.
  *
  * A table is one array of doubles (Pieces.numbers of codegen/model/pieces.py):
  *
- *     arguments, em_outside; of each of two axes: pieces, order (coefficients of a piece along it), pieces / range,
- *     joins; of each axis: the lowest derivative that jumps;
- *     of each axis: knots (pieces + 1), starts (pieces + 1), joins (joins, 2); the coefficients
+ *     number of arguments, em_outside;
+ *     for each of two axes: pieces, order (coefficients of a piece along it), pieces / range, joins;
+ *     for each axis: the lowest derivative that jumps;
+ *     for each axis: knots (pieces + 1), starts (pieces + 1), joins (joins, 2); then the coefficients
  *
- * `starts` are the pieces that hold points at equal distances, between which a search is bounded. A join is a knot, and
- * the lowest derivative that jumps there. A kernel knows a table by a number: 0, that of the model itself, or else its
- * address. */
+ * The range is divided into equal cells; `starts` has the piece at the beginning of each cell, which bounds the search
+ * for a piece. A join is a knot and the lowest derivative that jumps there. A kernel identifies a table by a number: 0
+ * is the model's own, any other is an address. */
 #ifndef EM_TABLE_H
 #define EM_TABLE_H
 
@@ -42,7 +43,7 @@ EM_INLINE const double *em_table_at(double number, const double *own) {
     return number == 0.0 ? own : (const double *)(uintptr_t)number;
 }
 
-/* Where the table is looked up for x; NaN where that is refused. */
+/* The argument at which the table is evaluated for x, according to `outside`; NaN if extrapolation is refused. */
 EM_INLINE double em_table_place(const em_axis *axis, em_outside outside, double x) {
     const double low = axis->knots[0], high = axis->knots[axis->count];
     if ((x >= low && x <= high) || outside == EM_EXTENDS) return x;
@@ -52,7 +53,8 @@ EM_INLINE double em_table_place(const em_axis *axis, em_outside outside, double 
     return inside < low ? low : inside > high ? high : inside;
 }
 
-/* The piece that holds x, the first or last beyond the knots: bounded by `starts`, halved, put right. */
+/* The piece that contains x; beyond the knots, the first or the last. Bisection, bounded by `starts`, and then a
+ * correction for rounding. */
 EM_INLINE int em_table_piece(const em_axis *axis, double x) {
     const double part = (x - axis->knots[0]) * axis->scale;
     const int count = axis->count, cell = part > 0.0 ? part < count ? (int)part : count - 1 : 0;
@@ -67,7 +69,7 @@ EM_INLINE int em_table_piece(const em_axis *axis, double x) {
     return low;
 }
 
-/* The derivative of order d, at s, of a polynomial by ascending powers, each `stride` behind the last. */
+/* The derivative of order d at s of a polynomial, by ascending powers whose coefficients are `stride` apart. */
 EM_INLINE double em_table_polynomial(int order, const double *a, int stride, int d, double s) {
     double value = 0.0;
     for (int m = order - 1; m >= d; --m) {
