@@ -13,7 +13,8 @@ EM_INLINE em_truth em_pivot_stays(real before, real after) {
 
 #ifdef EM_PIVOTS
 
-/* -1 in lanes whose step resolves M between x and x_new (n); the scalar code checks the others, and names the reason. */
+/* -1 in lanes whose step resolves M between x and x_new (n); the scalar code checks the others, and names the
+ * reason. */
 EM_NOINLINE em_truth em_resolved(real t, const real *x, real t_new, const real *x_new, const real *c, double rtol) {
     em_truth resolved = ~(em_truth){0};
     real middle[N], pivots[3][N_PIVOTS], diagonal[N_PIVOTS];

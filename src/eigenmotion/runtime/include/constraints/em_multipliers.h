@@ -265,8 +265,8 @@ EM_INLINE void em_add_to_delta_rate(int g, int n, const int *rows, const real *r
         }
 }
 
-/* With the eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
- * and lambda <- C_D^T S_D^-2 C_D lambda (48). */
+/* With the eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D)
+ * (54), and lambda <- C_D^T S_D^-2 C_D lambda (48). */
 EM_INLINE void em_delta_rates(int m, const int *rows, const real *restrict C, const real *restrict s,
                               const real *restrict beta, const real *restrict Omega, real *restrict C_dot,
                               real *restrict s_dot, real *restrict lambda) {

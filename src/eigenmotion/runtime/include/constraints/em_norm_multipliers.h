@@ -98,8 +98,8 @@ EM_INLINE void em_units_of_rows(int m, const real *own, double *unit) {
     }
 }
 
-/* lambda (m + r) <- multipliers and norms, Delta (m, m + r) lambda = lambda; toward (r, m) <- the gradients of norms. 0, or -1
- * and *fault: friction jams. */
+/* lambda (m + r) <- multipliers and norms, Delta (m, m + r) lambda = lambda; toward (r, m) <- the gradients of norms.
+ * 0, or -1 and *fault: friction jams. */
 EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const real *Delta, real *lambda, real *toward, int flags,
                               em_fault *fault) {
     enum { STEPS = 50 };

@@ -33,7 +33,8 @@ typedef enum em_row_kind {
     EM_ROW_OUT, EM_ROW_FREE, EM_ROW_CONTACT, EM_ROW_FRICTION, EM_ROW_CONE, EM_ROW_CONE_SECOND, EM_ROW_SLIDES
 } em_row_kind;
 
-/* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <= 0. */
+/* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <=
+ * 0. */
 typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
 
 typedef struct em_mixed em_mixed;

@@ -6,8 +6,8 @@
  *     z = (p of contacts, L + p of frictions, -w of frictions where that is negative)
  *     s = (w of contacts, w of frictions where that is positive, L - p of frictions)                 (Glocker and Pfeiffer)
  *
- * It ends at a solution, or on a ray. With large friction, a ray does not mean that there is no solution: modes are then
- * tried one after the other. */
+ * It ends at a solution, or on a ray. With large friction, a ray does not mean that there is no solution: modes are
+ * then tried one after the other. */
 #ifndef EM_LEMKE_H
 #define EM_LEMKE_H
 

@@ -11,7 +11,8 @@ typedef struct em_impact_partials {
     double *balance, *rates, *levels, *impacts; /* (n + m), (h + m), levels, impacts: each by columns */
 } em_impact_partials;
 
-/* X (n, columns) <- v+ - v along the directions, where F (n, columns) is the residual's and G (rows, columns) the rates'. */
+/* X (n, columns) <- v+ - v along the directions, where F (n, columns) is the residual's and G (rows, columns) the
+ * rates'. */
 EM_NOINLINE int em_solve_impact_along(const em_all_rows *r, const em_impact *b, int columns, double *F, const double *G) {
     int rows[EM_IMPACT_ROWS], count = 0;
     double Q[EM_IMPACT_ROWS * N], A[EM_IMPACT_ROWS * EM_IMPACT_ROWS], y[EM_IMPACT_ROWS];

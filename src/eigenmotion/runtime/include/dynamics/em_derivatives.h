@@ -2,8 +2,8 @@
  *
  *   r = M a + P^T lambda - bias = 0,  s = A a + gamma = 0                                                     (11) (39)
  *
- * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same linear system as a and lambda, with the
- * same factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
+ * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same linear system as a and lambda, with
+ * the same factors: M da + P^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
  * (derivatives/derivatives.c.jinja). P is A, unless friction is proportional to multipliers. If rows depend on each
  * other, only the rows that are independent at this state are used: off the constraints they form the smooth system
  * that has the same motion. */

@@ -69,7 +69,8 @@ EM_INLINE em_node_vector em_sum_of_squares(const em_tables *at, int b, int first
  * memory. */
 enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 
-/* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
+/* out_(to + r) <- base_r (NULL: 0) + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8),
+ * column by column. */
 EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_node_vector *const *a, int from,
                            const double *base, double factor, em_node_vector *const *out, int to) {
     em_node_vector sum[EM_TOGETHER][EM_NODE_VECTORS] = {{{0.0}}};

@@ -67,10 +67,10 @@ static int em_is_off(double residual, double limit, double *off) {
     return wrong;
 }
 
-/* Whether A v + b = 0 and phi = 0 are violated. The allowed residual is the sum of: em_start_tolerance of the terms that
- * cancel in a row; the effect of a change of x and v by EM_START_STEPS atol (n); and the effect of a change in the last
- * digits of x and v as a whole, because the residual is rounding if all terms of a row are. Returns em_refusal. off
- * (m), unless NULL <- the residuals of violated rows */
+/* Whether A v + b = 0 and phi = 0 are violated. The allowed residual is the sum of: em_start_tolerance of the terms
+ * that cancel in a row; the effect of a change of x and v by EM_START_STEPS atol (n); and the effect of a change in the
+ * last digits of x and v as a whole, because the residual is rounding if all terms of a row are. Returns em_refusal.
+ * off (m), unless NULL <- the residuals of violated rows */
 static int em_constraints_refuse(const em_model *model, double t, const double *x, const double *v, const double *c,
                                  const double *L, const double *r, double rtol, const double *atol, double *off) {
     const int n = model->n, m = model->m;

@@ -2,9 +2,10 @@
  *
  * The stepper uses a model only through em_model. It is compiled once for all models (em_stepper.c), or at the end of a
  * NAME.c that is compiled as a whole (docs/architecture.md). It has no state of its own: all memory belongs to the run
- * and is allocated when the run is opened, except tables of rows. From the inside out: em_run_state.h (the state of a run),
- * em_model_calls.h, em_error_norm.h, em_methods.h (the methods), em_dense_output.h, em_event_detection.h (events),
- * em_monitors.h (checks of an accepted step), em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
+ * and is allocated when the run is opened, except tables of rows. From the inside out: em_run_state.h (the state of a
+ * run), em_model_calls.h, em_error_norm.h, em_methods.h (the methods), em_dense_output.h, em_event_detection.h
+ * (events), em_monitors.h (checks of an accepted step), em_record.h (rows), em_step_size.h, em_step.h (one step), and
+ * here the loop.
  */
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H

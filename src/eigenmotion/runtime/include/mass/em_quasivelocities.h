@@ -1,4 +1,5 @@
-/* em_quasivelocities.h: quasi-velocities: eta from xdot and back, and forces and constraint rows in terms of C and s. */
+/* em_quasivelocities.h: quasi-velocities: eta from xdot and back, and forces and constraint rows in terms of C and
+ * s. */
 #ifndef EM_QUASIVELOCITIES_H
 #define EM_QUASIVELOCITIES_H
 

@@ -1,5 +1,5 @@
-/* em_constraint_monitor.h: the constraint monitor: checks that an accepted step satisfies the constraints, and names the
- * row otherwise. */
+/* em_constraint_monitor.h: the constraint monitor: checks that an accepted step satisfies the constraints, and names
+ * the row otherwise. */
 #ifndef EM_CONSTRAINT_MONITOR_H
 #define EM_CONSTRAINT_MONITOR_H
 

@@ -7,7 +7,8 @@
 #include "stepper/em_error_norm.h"
 #include "radau_iia/em_acceleration_jacobian.h"
 
-/* out_i (n) <- start (NULL: 0) + h sum_j a_ij in_j. The numbers of each stage are a row of length `stride`, n padded. */
+/* out_i (n) <- start (NULL: 0) + h sum_j a_ij in_j. The numbers of each stage are a row of length `stride`, n
+ * padded. */
 EM_INLINE void em_by_so_many_stages(int stages, const em_radau_iia *rk, double h, int stride, const double *restrict start,
                                     const double *restrict in, double *restrict out) {
     for (int k = 0; k < stride; k += EM_PACK) {

@@ -53,8 +53,8 @@ static int em_begin_span(em_pass *p, double t) {
     return 0;
 }
 
-/* Computes K and S along the motion of the run within a step; if that is too inaccurate, along the step's own motion. 0;
- * 1: there is no solution; -1: a fault. */
+/* Computes K and S along the motion of the run within a step; if that is too inaccurate, along the step's own motion.
+ * 0; 1: there is no solution; -1: a fault. */
 static int em_solve_step(em_pass *p, double from, double to) {
     const double h = to - from;
     p->own_motion = 0;

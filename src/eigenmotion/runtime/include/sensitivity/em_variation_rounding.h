@@ -36,8 +36,8 @@ EM_INLINE void em_sum_terms(const em_pass *p, const double *J, const double *S, 
 
 /* Multipliers solve one linear system, so that each is as uncertain as the largest. w (n) <- the units in which
  * coordinates are comparable, square roots of the diagonal of M; s (m) <- those of multipliers, square roots of the
- * diagonal of |A| R, R = |M^-1| |A|^T; reach (n) <- the size of the accelerations that multipliers of one unit cause. 0,
- * or -1: M has no inverse. */
+ * diagonal of |A| R, R = |M^-1| |A|^T; reach (n) <- the size of the accelerations that multipliers of one unit cause.
+ * 0, or -1: M has no inverse. */
 static int em_reaction_sizes(const em_pass *p, double t, const double *z, double *w, double *s, double *reach) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m;

@@ -3,10 +3,10 @@
  *
  *     V_i = v + h sum_j a_ij a(t + c_j h, X_j, V_j),   X_i = x + h sum_j a_ij V_j
  *
- * The inverse of (a_ij) has one real eigenvalue mu_0 and pairs mu_p, conj mu_p; `to` are its left eigenvectors (rows) and
- * `from` the right ones (columns), of each pair one, doubled. e: the weights of a solution of order s, 1 / mu_0 at the start of
- * the step and the rest at the nodes, minus those of the method. powers: a polynomial that is 0 at 0 and z_i at c_i has
- * sum_i powers_ji z_i before theta^(j + 1). tests/methods/test_radau_iia.py checks all of these. */
+ * The inverse of (a_ij) has one real eigenvalue mu_0 and pairs mu_p, conj mu_p; `to` are its left eigenvectors (rows)
+ * and `from` the right ones (columns), of each pair one, doubled. e: the weights of a solution of order s, 1 / mu_0 at
+ * the start of the step and the rest at the nodes, minus those of the method. powers: a polynomial that is 0 at 0 and
+ * z_i at c_i has sum_i powers_ji z_i before theta^(j + 1). tests/methods/test_radau_iia.py checks all of these. */
 #ifndef EM_RADAU_IIA_H
 #define EM_RADAU_IIA_H
 
