@@ -36,7 +36,7 @@ static inline void em_stepper_close(em_stepper *s) {
 }
 
 /* Allocates a table of fixed size. 0, or -1 without memory. */
-static inline int em_stepper_room(em_rows *rows) {
+static inline int em_stepper_allocate_rows(em_rows *rows) {
     rows->t = calloc(EM_EVENTS_KEPT, sizeof *rows->t);
     rows->y = calloc(EM_EVENTS_KEPT * rows->width, sizeof *rows->y);
     rows->capacity = rows->most = EM_EVENTS_KEPT;
@@ -44,10 +44,10 @@ static inline int em_stepper_room(em_rows *rows) {
 }
 
 /* Allocates tables of events, of fixed size; of the modes only the last is kept. 0, or -1 without memory. */
-static inline int em_stepper_reserve(em_stepper *s) {
+static inline int em_stepper_allocate_tables(em_stepper *s) {
     s->run.segments.most = 1;
     for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
-        if (em_stepper_room(&s->run.events[k]) || em_stepper_room(&s->run.after[k])) return -1;
+        if (em_stepper_allocate_rows(&s->run.events[k]) || em_stepper_allocate_rows(&s->run.after[k])) return -1;
     return 0;
 }
 
@@ -92,7 +92,7 @@ static inline em_stepper *em_stepper_open(const em_model *model, const em_run *t
     s->run.n_t_eval = 0;
     s->run.dense = 0;
     s->run_state = model->open(&s->run);
-    if (s->run_state == NULL || em_stepper_reserve(s)) return em_stepper_close(s), NULL;
+    if (s->run_state == NULL || em_stepper_allocate_tables(s)) return em_stepper_close(s), NULL;
     s->t = model->now(s->run_state, s->x, s->v);
     return s;
 }

@@ -2,12 +2,11 @@
  *
  *     Delta lambda + sum_f g_f rho_f = load,   rho_f = sqrt(sum of lambda_k^2 over the rows of f)
  *
- * rho is homogeneous of degree one, rho(lambda) = toward . lambda with toward = lambda / rho, its gradient. So a
- * step of Newton's method is a solution at the known direction, (Delta + sum_f g_f toward_f^T) lambda = load, and
- * the last matrix is the exact Jacobian. The iteration begins at the direction of the multipliers without this
- * friction, so that its result is a function of the state alone. With one norm it converges to the first solution on
- * the path from no friction to full friction, or fails if friction jams: beyond that the determinant has changed its
- * sign. */
+ * rho is homogeneous of degree one: rho(lambda) = gradient . lambda, gradient = lambda / rho. So a step of Newton's
+ * method is the solution for a known direction, (Delta + sum_f g_f gradient_f^T) lambda = load, and the last matrix is
+ * the exact Jacobian. The iteration starts from the direction of the multipliers without this friction, so that its
+ * result depends on the state alone. With one norm it converges to the first solution on the path from no friction to
+ * full friction, or fails if friction jams: beyond that the determinant has changed its sign. */
 #ifndef EM_NORM_MULTIPLIERS_H
 #define EM_NORM_MULTIPLIERS_H
 
@@ -21,9 +20,10 @@ enum { EM_STEPS_MORE = 0 };
 
 #define EM_NORM_CONVERGED 1e-9 /* bound on the change of a direction: its square is the remaining error */
 
-/* rho (r) of lambda (m), toward (r, m) its gradients, 0 where rho vanishes. Returns the largest change of the
- * gradients. */
-EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, const real *lambda, real *rho, real *toward) {
+/* rho (r) and its gradient (r, m) at lambda (m); the gradient is 0 where rho vanishes. Returns the largest change of
+ * the gradients. */
+EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, const real *lambda, real *rho,
+                                  real *gradient) {
     double change = 0.0;
     for (int f = 0; f < r; ++f) {
         real largest = em_real(0.0), sum = em_real(0.0);
@@ -35,8 +35,8 @@ EM_INLINE double em_normal_forces(int m, int r, const unsigned char *among, cons
         rho[f] = presses ? largest * sqrt(sum) : em_real(0.0);
         for (int k = 0; k < m; ++k) {
             const real now = presses && among[f * m + k] ? lambda[k] / rho[f] : em_real(0.0);
-            change = fmax(change, fabs(em_value(now) - em_value(toward[f * m + k])));
-            toward[f * m + k] = now;
+            change = fmax(change, fabs(em_value(now) - em_value(gradient[f * m + k])));
+            gradient[f * m + k] = now;
         }
     }
     return change;
@@ -98,10 +98,10 @@ EM_INLINE void em_units_of_rows(int m, const real *own, double *unit) {
     }
 }
 
-/* lambda (m + r) <- multipliers and norms, Delta (m, m + r) lambda = lambda; toward (r, m) <- the gradients of norms.
+/* lambda (m + r) <- multipliers and norms, Delta (m, m + r) lambda = lambda; gradient (r, m) <- of the norms.
  * 0, or -1 and *fault: friction jams. */
-EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const real *Delta, real *lambda, real *toward, int flags,
-                              em_fault *fault) {
+EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const real *Delta, real *lambda, real *gradient,
+                              int flags, em_fault *fault) {
     enum { STEPS = 50 };
     real own[m * m], A[m * m], load[m];
     double unit[m];
@@ -112,7 +112,7 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
         for (int f = 0; f < r; ++f)
             slides |= em_value(Delta[i * (m + r) + m + f]) != 0.0;
     }
-    for (int k = 0; k < r * m; ++k) toward[k] = em_real(0.0);
+    for (int k = 0; k < r * m; ++k) gradient[k] = em_real(0.0);
 #ifndef EM_ON_LANES
     const int rests = em_is_square_of_rows(m, own);
     if (rests && em_solve_delta(m, A, lambda, flags, fault)) return -1;
@@ -127,13 +127,13 @@ EM_INLINE int em_solve_normed(int m, int r, const unsigned char *among, const re
                                                                                         the sign, too */
     if (first == 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     for (int step = 0; step < STEPS; ++step) {
-        const double change = em_normal_forces(m, r, among, lambda, lambda + m, toward);
+        const double change = em_normal_forces(m, r, among, lambda, lambda + m, gradient);
         if (!slides || (change <= EM_NORM_CONVERGED && more-- == 0)) return 0;
         for (int i = 0; i < m; ++i) {
             lambda[i] = load[i];
             for (int j = 0; j < m; ++j) {
                 A[i * m + j] = own[i * m + j];
-                for (int f = 0; f < r; ++f) A[i * m + j] += Delta[i * (m + r) + m + f] * toward[f * m + j];
+                for (int f = 0; f < r; ++f) A[i * m + j] += Delta[i * (m + r) + m + f] * gradient[f * m + j];
             }
         }
         if (em_solve_norm_friction(m, A, unit, lambda, flags) * first <= 0) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);

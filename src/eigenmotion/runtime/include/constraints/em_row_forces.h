@@ -19,13 +19,13 @@ EM_NOINLINE void em_push(double t, const double *x, const double *v, const doubl
 /* lambda (m) <- (B Q^T)^-1 lambda if norms of multipliers act, too; Q <- at the direction of the resulting multipliers.
  * 0, or -1 and *fault. */
 EM_NOINLINE int em_solve_push_anew(em_root *root, double *lambda, int flags, em_fault *fault) {
-    double all[EM_PUSHED], toward[N_NORMALS * N_ROWS];
+    double all[EM_PUSHED], gradient[N_NORMALS * N_ROWS];
     memcpy(all, lambda, N_ROWS * sizeof *lambda);
-    if (em_solve_normed(N_ROWS, N_NORMALS, normals[0], root->pushed, all, toward, flags, fault)) return -1;
+    if (em_solve_normed(N_ROWS, N_NORMALS, normals[0], root->pushed, all, gradient, flags, fault)) return -1;
     memcpy(lambda, all, N_ROWS * sizeof *lambda);
     for (int f = 0; f < N_NORMALS; ++f)
         for (int row = 0; row < N_ROWS; ++row) {
-            const double part = toward[f * N_ROWS + row];
+            const double part = gradient[f * N_ROWS + row];
             for (int k = 0; k < N; ++k) root->Q[row * N + k] += part * root->Q[(N_ROWS + f) * N + k];
             for (int i = 0; i < N_ROWS; ++i)
                 root->pushed[i * EM_PUSHED + row] += root->pushed[i * EM_PUSHED + N_ROWS + f] * part;

@@ -45,7 +45,7 @@ struct em_mixed {
     em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: choices that are taken only if nothing else is
                                                                consistent */
     double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: the linear form of p that its limit is proportional to */
-    double toward[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative with respect to p */
+    double gradient[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative with respect to p */
     int rooted[EM_MIXED_ROWS];
     double last[EM_MIXED_ROWS];       /* of a cone whose force has reached its limit: the direction opposite to it,
                                          else 0 */
@@ -110,7 +110,7 @@ EM_NOINLINE double em_normal_force(const em_mixed *s, int i) {
 /* The part of it that comes from known_p, at the current direction of the norm. */
 EM_NOINLINE double em_known_normal_force(const em_mixed *s, int i) {
     double sum = 0.0;
-    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->toward[i * s->k + j] * s->known_p[j];
+    for (int j = 0; j < s->k && s->rooted[i]; ++j) sum += s->gradient[i * s->k + j] * s->known_p[j];
     return sum;
 }
 
@@ -119,8 +119,8 @@ EM_NOINLINE double em_limit_of_row(const em_mixed *s, int i, int at_rest) {
     return at_rest ? s->at_rest[i] + s->coefficient_at_rest[i] * normal : s->level[i] + s->coefficient[i] * normal;
 }
 
-/* p <- of the mode with limits linearised by `toward`. 0, or -1: its rows are dependent. */
-EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
+/* p <- of the mode with limits linearised by `gradient`. 0, or -1: its rows are dependent. */
+EM_NOINLINE int em_forces_linearised(em_mixed *s, int *sign_of_all) {
     const int k = s->k;
     int rows[EM_MIXED_ROWS], count = 0;
     double A[EM_MIXED_ROWS * EM_MIXED_ROWS], x[EM_MIXED_ROWS];
@@ -136,7 +136,7 @@ EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
             if (sign == 0.0) continue;
             x[i] -= sign * (s->level[f] + s->coefficient[f] * em_known_normal_force(s, f)) * s->G[rows[i] * k + f];
             for (int j = 0; j < count; ++j)
-                A[i * count + j] += sign * s->coefficient[f] * s->toward[f * k + rows[j]] * s->G[rows[i] * k + f];
+                A[i * count + j] += sign * s->coefficient[f] * s->gradient[f * k + rows[j]] * s->G[rows[i] * k + f];
         }
     }
     if (em_solve_mode(count, A, x, sign_of_all)) return -1;
@@ -144,7 +144,7 @@ EM_NOINLINE int em_forces_toward(em_mixed *s, int *sign_of_all) {
     for (int f = 0; f < k; ++f) {
         const double sign = em_limit_sign(s, f);
         double presses = em_known_normal_force(s, f);
-        for (int j = 0; j < k && sign != 0.0; ++j) presses += s->toward[f * k + j] * s->p[j];
+        for (int j = 0; j < k && sign != 0.0; ++j) presses += s->gradient[f * k + j] * s->p[j];
         if (sign != 0.0) s->p[f] = sign * (s->level[f] + s->coefficient[f] * presses);
     }
     return 0;
@@ -199,7 +199,7 @@ EM_NOINLINE int em_is_mode_consistent(em_mixed *s) {
     if (em_find_directions(s) || em_forces_of_mode(s)) return 0;
     const double terms = em_rates_of_mode(s);
     double most = 0.0;
-    if (em_some_rest(s) && !em_share_with_resting(s, terms)) return 0;
+    if (em_any_rests(s) && !em_share_with_resting(s, terms)) return 0;
     int worst = -1;
     for (int i = 0; i < s->k; ++i) {
         if (!em_has_direction(s, i, terms)) return 0;
@@ -265,7 +265,7 @@ EM_NOINLINE void em_scale_mixed(em_mixed *s, int back) {
     }
     for (int i = 0; i < s->k; ++i) {
         for (int j = 0; j < s->k; ++j)
-            s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j], s->toward[i * s->k + j] *= by[j];
+            s->G[i * s->k + j] *= by[i] * by[j], s->over[i * s->k + j] *= by[j], s->gradient[i * s->k + j] *= by[j];
         s->q[i] *= by[i], s->size[i] *= by[i], s->w[i] *= by[i], s->p[i] /= by[i], s->known_p[i] /= by[i];
         s->level[i] /= by[i], s->at_rest[i] /= by[i];
         s->coefficient[i] /= by[i], s->coefficient_at_rest[i] /= by[i];
@@ -282,8 +282,8 @@ EM_NOINLINE int em_enumerate_modes(em_mixed *s, int bars) {
 
 /* Lets idle contacts share the load of sticking cones: each that touches because others hold is made to hold, too,
  * if the mode stays consistent. */
-EM_NOINLINE void em_share_with_idle(em_mixed *s) {
-    for (int i = 0; i < s->k && em_some_cone_sticks(s); ++i) {
+EM_NOINLINE void em_hold_idle_contacts(em_mixed *s) {
+    for (int i = 0; i < s->k && em_any_cone_sticks(s); ++i) {
         if (s->kind[i] != EM_ROW_CONTACT || s->choice[i] != EM_OPENS) continue;
         em_mixed more = *s;
         more.choice[i] = EM_HOLDS_ROW;
@@ -306,13 +306,13 @@ EM_NOINLINE int em_solve_mixed(em_mixed *s) {
         const int bars = pass < 2;
         s->tolerance = pass % 2 == 0 ? EM_MODE_EXACT : EM_MODE_VERIFIED;
         memcpy(s->choice, given, sizeof given);
-        if (choices > EM_ENUMERATED && !em_some_rooted(s) && em_pivot_modes(s, bars)) {
+        if (choices > EM_ENUMERATED && !em_any_rooted(s) && em_pivot_modes(s, bars)) {
             found = em_is_consistent(s);
             if (found) break;
         }
         found = em_enumerate_modes(s, bars);
     }
-    if (found) em_share_with_idle(s);
+    if (found) em_hold_idle_contacts(s);
     em_scale_mixed(s, 1);
     return found ? 1 : s->tried > EM_MOST_TRIED ? -1 : 0;
 }

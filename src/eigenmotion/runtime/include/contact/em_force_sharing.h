@@ -146,7 +146,7 @@ EM_NOINLINE double em_barrier(const em_shared *z, double weight, const double *y
 }
 
 /* y, t <- the minimum of the barrier of this weight, from inside the bounds. */
-EM_NOINLINE void em_to_centre(const em_shared *z, double weight, double *y) {
+EM_NOINLINE void em_minimise_barrier(const em_shared *z, double weight, double *y) {
     const int n = z->count;
     double g[EM_UNKNOWNS], H[EM_UNKNOWNS * EM_UNKNOWNS], L[EM_UNKNOWNS * EM_UNKNOWNS], r[EM_UNKNOWNS], step[EM_UNKNOWNS];
     double next[EM_UNKNOWNS], value = em_barrier(z, weight, y, g, H);
@@ -176,13 +176,14 @@ EM_NOINLINE void em_raise_reserve(em_mixed *s, const em_shared *z) {
     for (int k = 0; k < z->bounds; ++k)
         least = fmin(least, z->bound[k].u - hypot(z->bound[k].p[0], z->bound[k].p[1]));
     y[last] = least - 1.0;
-    for (double weight = 1.0; weight <= 1.0 / EM_RESERVE_ERROR; weight /= EM_BARRIER_STEP) em_to_centre(z, weight, y);
+    for (double weight = 1.0; weight <= 1.0 / EM_RESERVE_ERROR; weight /= EM_BARRIER_STEP)
+        em_minimise_barrier(z, weight, y);
     for (int i = 0; i < s->k; ++i)
         for (int d = 0; d < last; ++d) s->p[i] += z->size * y[d] * z->Z[d * s->k + i];
 }
 
 /* Whether a cone sticks. */
-EM_NOINLINE int em_some_cone_sticks(const em_mixed *s) {
+EM_NOINLINE int em_any_cone_sticks(const em_mixed *s) {
     int any = 0;
     for (int i = 0; i < s->k; ++i) any |= s->kind[i] == EM_ROW_CONE && em_row_holds(s, i);
     return any;
@@ -193,7 +194,7 @@ EM_NOINLINE int em_some_cone_sticks(const em_mixed *s) {
 EM_NOINLINE int em_share(em_mixed *s) {
     em_shared z;
     int basic[EM_MIXED_ROWS];
-    if (!em_some_cone_sticks(s)) return -1;
+    if (!em_any_cone_sticks(s)) return -1;
     z.count = 1 + em_vanishing_forces(s, z.Z, basic);
     if (z.count == 1 || em_state_bounds(s, &z)) return -1;
     if (z.bounds > 0 && z.size > 0.0) em_raise_reserve(s, &z);

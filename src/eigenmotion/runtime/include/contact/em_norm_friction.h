@@ -1,6 +1,6 @@
 /* em_norm_friction.h: friction limits proportional to norms of multipliers, within the complementarity problem.
  *
- * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at the known direction
+ * The norm is homogeneous of degree one, so that a step of Newton's method is a solution at a known direction
  * (em_norm_multipliers.h). The iteration begins without these frictions, so that its result is a function of the
  * state alone. */
 #ifndef EM_NORM_FRICTION_H
@@ -40,13 +40,13 @@ EM_NOINLINE double em_norm_along(int norm, const double *lambda, const double *d
 
 #define EM_NORM_TOLERANCE 1e-9 /* bound on the change of a direction: its square is the remaining error */
 
-EM_NOINLINE int em_some_rooted(const em_mixed *s) {
+EM_NOINLINE int em_any_rooted(const em_mixed *s) {
     int some = 0;
     for (int i = 0; i < s->k; ++i) some |= s->rooted[i];
     return some;
 }
 
-/* toward <- the gradients of the norms at p. Returns the largest change, over rooted rows at their limit. */
+/* gradient <- of the norms at p. Returns the largest change, over rooted rows at their limit. */
 EM_NOINLINE double em_update_norm_gradients(em_mixed *s) {
     const int k = s->k;
     double change = 0.0;
@@ -56,8 +56,9 @@ EM_NOINLINE double em_update_norm_gradients(em_mixed *s) {
         for (int j = 0; j < k; ++j) {
             const double over = s->over[f * k + j], part = over * (s->p[j] + s->known_p[j]);
             const double now = whole > 0.0 ? over * (part / whole) : 0.0;
-            if (em_limit_sign(s, f) != 0.0 && over > 0.0) change = fmax(change, fabs(now - s->toward[f * k + j]) / over);
-            s->toward[f * k + j] = now;
+            if (em_limit_sign(s, f) != 0.0 && over > 0.0)
+                change = fmax(change, fabs(now - s->gradient[f * k + j]) / over);
+            s->gradient[f * k + j] = now;
         }
     }
     return change;
@@ -66,10 +67,10 @@ EM_NOINLINE double em_update_norm_gradients(em_mixed *s) {
 /* p <- of the mode without resting rows. 0, or -1: its rows are dependent, or friction jams. */
 EM_NOINLINE int em_forces_of_independent(em_mixed *s) {
     enum { STEPS = 50 };
-    for (int i = 0; i < s->k * s->k; ++i) s->toward[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
+    for (int i = 0; i < s->k * s->k; ++i) s->gradient[i] = s->rooted[i / s->k] ? 0.0 : s->over[i];
     for (int step = 0, first = 0; step < STEPS; ++step) {
         int sign;
-        if (em_forces_toward(s, &sign) || sign * first < 0) return -1;
+        if (em_forces_linearised(s, &sign) || sign * first < 0) return -1;
         first = sign;
         if (em_update_norm_gradients(s) <= EM_NORM_TOLERANCE) return 0;
     }
@@ -82,12 +83,12 @@ EM_NOINLINE int em_forces_of_mode(em_mixed *s) {
     int basic[EM_MIXED_ROWS];
     memset(s->rests, 0, sizeof s->rests);
     if (em_forces_of_independent(s) == 0) return 0;
-    if (!em_some_cone_sticks(s) || em_vanishing_forces(s, Z, basic) == 0) return -1;
+    if (!em_any_cone_sticks(s) || em_vanishing_forces(s, Z, basic) == 0) return -1;
     for (int i = 0; i < s->k; ++i) s->rests[i] = em_row_holds(s, i) && !basic[i];
     return em_forces_of_independent(s);
 }
 
-EM_NOINLINE int em_some_rest(const em_mixed *s) {
+EM_NOINLINE int em_any_rests(const em_mixed *s) {
     int some = 0;
     for (int i = 0; i < s->k; ++i) some |= s->rests[i];
     return some;

@@ -20,7 +20,7 @@ EM_NOINLINE int em_solve_impact_along(const em_all_rows *r, const em_impact *b, 
     for (int f = 0; f < EM_IMPACT_ROWS; ++f) {
         const double sign = em_limit_sign(&b->s, f);
         for (int k = 0; k < EM_IMPACT_ROWS * N && sign != 0.0; ++k)
-            Q[k] += sign * b->s.coefficient[f] * b->s.toward[f * EM_IMPACT_ROWS + k / N] * b->B[f * N + k % N];
+            Q[k] += sign * b->s.coefficient[f] * b->s.gradient[f * EM_IMPACT_ROWS + k / N] * b->B[f * N + k % N];
         if (em_row_holds(&b->s, f)) rows[count++] = f;
     }
     em_forward_rows(N, columns, r->root.L, r->root.r, F);

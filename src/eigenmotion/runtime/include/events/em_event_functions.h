@@ -60,7 +60,7 @@ static int em_events_inside(em_run_state *w, double t, double *g) {
         em_copy_events(w, g, t == w->t ? w->g : w->g_new);
         return 0;
     }
-    return em_inside(w, t, w->argument, memory) ? -1 : em_events_of(w, t, w->argument, g);
+    return em_settled_state_at(w, t, w->argument, memory) ? -1 : em_events_of(w, t, w->argument, g);
 }
 
 /* --- the start of a run --- */

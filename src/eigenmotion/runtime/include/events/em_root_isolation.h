@@ -153,7 +153,7 @@ static int em_first_step_too_long(const em_run_state *w, int i, double g) {
 }
 
 /* Compares two successive signs: if they differ, g_i has passed zero between `before` and `after`. */
-static void em_pass(em_run_state *w, int i, const em_point *before, const em_point *after) {
+static void em_check_sign_change(em_run_state *w, int i, const em_point *before, const em_point *after) {
     const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
     if (sign == 0) return;
     if (em_enters(w, i, after->g)) {
@@ -180,7 +180,7 @@ static int em_search_subinterval(em_run_state *w, const em_isolation *s, int i, 
         if (crosses < 0) return -1;
         minimum.t = w->t + theta * w->h;
         if (!crosses || !(theta > way.left && theta < way.right && (minimum.t - before->t) * w->direction > 0.0)) continue;
-        em_pass(w, i, before, &minimum);
+        em_check_sign_change(w, i, before, &minimum);
         *before = minimum;
     }
     return 0;
@@ -195,12 +195,12 @@ static int em_search(em_run_state *w, const em_isolation *s, int i) {
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
     if (em_is_unresolved(w, i, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
     em_point before = {w->t, w->g[i]};
-    em_pass(w, i, &before, &before);
+    em_check_sign_change(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
         const em_point here = {s->t[k], s->g[k * s->n_events + i]};
         if (k > 0 && em_search_subinterval(w, s, i, k, a, size, &before)) return -1;
         if (em_first_step_too_long(w, i, here.g)) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
-        em_pass(w, i, &before, &here);
+        em_check_sign_change(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
     }
     return 0;

@@ -122,12 +122,12 @@ EM_INLINE em_node_vector em_take_rate(const em_tables *at, int b, int k) {
     return change * at->weight[k];
 }
 
-EM_INLINE em_node_vector em_weighed_rate(const em_tables *at, int b, int k) { return at->a[b][k] * at->weight[k]; }
+EM_INLINE em_node_vector em_weighted_rate(const em_tables *at, int b, int k) { return at->a[b][k] * at->weight[k]; }
 
 EM_INLINE double em_take_rates(em_run_state *w) { return em_over_nodes(w, em_take_rate); }
 
 /* The norm of the rates. */
-EM_NOINLINE double em_rates_size(em_run_state *w) { return em_over_nodes(w, em_weighed_rate); }
+EM_NOINLINE double em_rates_size(em_run_state *w) { return em_over_nodes(w, em_weighted_rate); }
 
 /* -1 and w->reason: rates are not finite; the reason names the first coordinate at the first node. */
 EM_COLD_PATH EM_NOINLINE int em_fail_nodes(em_run_state *w) {

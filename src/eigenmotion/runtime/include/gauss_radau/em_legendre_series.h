@@ -12,9 +12,11 @@
 #define EM_MINOR_CHANGE 20.0 /* relative to the last coefficients: a smaller change no longer alters the polynomial
                                 considerably */
 
-static int em_rates_count(const em_run_state *w) { return w->second_order ? w->n : em_count(w); }
+static int em_rates_count(const em_run_state *w) { return w->second_order ? w->n : em_norm_count(w); }
 
-EM_INLINE em_node_vector em_weighed_series(const em_tables *at, int b, int k) { return at->series[b][k] * at->weight[k]; }
+EM_INLINE em_node_vector em_weighted_series(const em_tables *at, int b, int k) {
+    return at->series[b][k] * at->weight[k];
+}
 
 /* Computes the series, and the size of each term. */
 static void em_find_series(em_run_state *w) {
@@ -23,7 +25,7 @@ static void em_find_series(em_run_state *w) {
     const int first = w->first_rate, end = em_rates_end(w);
     em_map(end - first, em_series_of, q->a, first, NULL, 1.0, q->series, first);
     const em_tables at = em_tables_of(w);
-    for (int b = 0; b < EM_NODE_VECTORS; ++b) squares[b] = em_sum_of_squares(&at, b, first, end, em_weighed_series);
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) squares[b] = em_sum_of_squares(&at, b, first, end, em_weighted_series);
     const double *const square = (const double *)squares;
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
 }
@@ -56,7 +58,7 @@ static double em_size_by_truncation(double truncation) {
 enum { EM_UPPER = EM_NODE_VECTORS / 2 }; /* the first node vector of the upper four of eight */
 
 /* Coefficients of a row of the series, at the current iterate. */
-EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
+EM_INLINE em_node_vector em_weighted_terms(const em_tables *at, int b, int k) {
     em_node_vector term = {0.0};
     EM_UNROLL
     for (int j = 0; j < EM_NODE_COUNT; ++j)
@@ -69,8 +71,9 @@ EM_INLINE em_node_vector em_weighed_terms(const em_tables *at, int b, int k) {
 static double em_predicted_error(em_run_state *w, double change) {
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
     const em_tables at = em_tables_of(w);
+    const int first = w->first_rate, end = em_rates_end(w);
     for (int b = EM_UPPER; b < EM_NODE_VECTORS; ++b)
-        *(em_node_vector *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, w->first_rate, em_rates_end(w), em_weighed_terms);
+        *(em_node_vector *)(square + b * EM_LANES) = em_sum_of_squares(&at, b, first, end, em_weighted_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
     return change < EM_MINOR_CHANGE * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }

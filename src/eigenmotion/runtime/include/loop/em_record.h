@@ -19,7 +19,7 @@ static int em_append(em_run_state *w, em_rows *rows, int mode, double t, const d
 static int em_append_at(em_run_state *w, em_rows *rows, double t) {
     double memory[em_padded(w->n_memory)];
     if (t == w->t_new) return em_append(w, rows, w->mode_new, t, w->y_new, w->memory_new);
-    if (em_inside(w, t, w->argument, memory)) return em_end_with(w, w->reason);
+    if (em_settled_state_at(w, t, w->argument, memory)) return em_end_with(w, w->reason);
     return em_append(w, rows, w->mode, t, w->argument, memory);
 }
 

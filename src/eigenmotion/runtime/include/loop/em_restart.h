@@ -90,8 +90,8 @@ static int em_next_segment(em_run_state *w, double t, int terminal) {
     double row[w->n_state], memory[em_padded(w->n_memory)];
     em_run *run = w->run;
     em_fault fault;
-    if (em_inside(w, t, w->argument, memory) || em_publish(w->model, run, w->mode, t, w->argument, memory, row, &fault))
-        return em_end_with(w, w->reason);
+    if (em_settled_state_at(w, t, w->argument, memory)) return em_end_with(w, w->reason);
+    if (em_publish(w->model, run, w->mode, t, w->argument, memory, row, &fault)) return em_end_with(w, w->reason);
     ++run->n_steps;
     run->t_reached = t;
     memcpy(w->acted, w->fired, (size_t)w->n_events * sizeof *w->acted);

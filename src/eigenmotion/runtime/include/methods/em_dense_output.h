@@ -8,7 +8,7 @@
 #include "methods/em_methods.h"
 
 /* y, memory <- the settled state at t inside the current step, in the mode of its start. */
-static int em_inside(em_run_state *w, double t, double *y, double *memory) {
+static int em_settled_state_at(em_run_state *w, double t, double *y, double *memory) {
     int mode = w->mode;
     w->scheme.evaluate(w->n_state, w->F[0], w->scheme.terms, (t - w->t) / w->h, y);
     em_copy_memory(w, memory, w->memory);

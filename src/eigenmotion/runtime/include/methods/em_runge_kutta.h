@@ -64,12 +64,12 @@ EM_INLINE double em_error_norm(const em_tableau *rk, em_run_state *w) {
     if (rk->errors == 0) return 0.0;
     if (rk->errors == 1) {
         em_combine(w, rk->e[0], rk->stages, 0, 1.0, 1, w->y, w->error);
-        return fabs(w->h) * sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
+        return fabs(w->h) * sqrt(em_mean(em_squares_of_error(w, w->error), em_norm_count(w)));
     }
     double *const first = w->y_raw; /* not used yet at this point */
     em_combine_both(w, rk->e[0], rk->e[1], rk->stages, first, w->error);
     const double square = em_squares_of_error(w, first), denominator = square + 0.01 * em_squares_of_error(w, w->error);
-    return denominator == 0.0 ? 0.0 : fabs(w->h) * square / sqrt(denominator * em_count(w));
+    return denominator == 0.0 ? 0.0 : fabs(w->h) * square / sqrt(denominator * em_norm_count(w));
 }
 
 /* First same as last: the last stage is the rate at the end. */

@@ -35,12 +35,12 @@ typedef struct em_start_probe {
 /* Root mean square, in tolerances, of a rate of the state (n_state). */
 static double em_rate_norm(em_run_state *w, const double *rate) {
     em_copy_state(w, w->error, rate);
-    return sqrt(em_mean(em_squares_of_error(w, w->error), em_count(w)));
+    return sqrt(em_mean(em_squares_of_error(w, w->error), em_norm_count(w)));
 }
 
 /* places, speeds <- sums of squares of the rates of x (and of eigenfactors that contribute) and of v, as they follow
  * from a rate of the state; both in tolerances of x, so that their ratio is a time squared. */
-static void em_split_rate(em_run_state *w, const double *rate, double *places, double *speeds) {
+static void em_rate_squares(em_run_state *w, const double *rate, double *places, double *speeds) {
     em_copy_state(w, w->error, rate);
     em_velocity_error(w, rate + w->n, w->error + w->n);
     *places = em_weighted_squares(w->n, w->error, w->weight);
@@ -73,7 +73,7 @@ static double em_balance(double a, double b, double c, double d) {
 /* d2 and rate over `at->h`. With the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J,
  * S / rate) to (V, A / rate). At rest that is S / A, at the middle of an oscillation J / V, and at any phase of it
  * the square of its frequency. It does not contain |x|, which depends on the origin. 0, or -1. */
-static int em_measure(em_run_state *w, em_start_probe *at) {
+static int em_measure_rates(em_run_state *w, em_start_probe *at) {
     double J, S;
     const double h = at->h;
     at->d2 = at->rate = 0.0;
@@ -83,7 +83,7 @@ static int em_measure(em_run_state *w, em_start_probe *at) {
         w->K[2][k] = w->K[2][k] - w->K[1][k] - first;
         w->K[1][k] = first;
     }
-    em_split_rate(w, w->K[2], &J, &S);
+    em_rate_squares(w, w->K[2], &J, &S);
     const double d2 = em_rate_norm(w, w->K[1]) * 2.0 / h;
     const double rate = J + S > 0.0 ? sqrt(em_balance(at->V, at->A * h * h, J, S * h * h)) / h : 0.0;
     if (!isfinite(rate) || !isfinite(d2)) return -1;
@@ -111,12 +111,12 @@ static double em_next_probe(const em_start_probe *at, int failed, double span) {
  * friction, every probing time is too long: the change is not small relative to the rates, and no rate is found. */
 static em_start_probe em_estimate_first_rates(em_run_state *w, double span) {
     em_start_probe at = {.d1 = em_rate_norm(w, w->K[0])};
-    em_split_rate(w, w->K[0], &at.V, &at.A);
+    em_rate_squares(w, w->K[0], &at.V, &at.A);
     const double first = em_first_probe(w, &at, span);
     double next = first;
     for (int probes = 0; probes < 3 && next != at.h; ++probes) {
         at.h = next;
-        next = em_next_probe(&at, em_measure(w, &at), span);
+        next = em_next_probe(&at, em_measure_rates(w, &at), span);
     }
     if (at.h * at.rate > EM_PROBE_TOO_LONG) at.rate = 0.0, at.h = 1e-4 * first;
     return at;

@@ -59,7 +59,7 @@ static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) 
 }
 
 /* The first coordinate whose pivot changes by more than allowed from `before` to `after`, or -1. */
-static int em_first_unresolved(int n, const double *before, const double *after, double most) {
+static int em_first_unresolved_between(int n, const double *before, const double *after, double most) {
     for (int k = 0; k < n; ++k)
         if (!(after[k] * most >= before[k] && before[k] * most >= after[k] && after[k] > 0.0)) return k;
     return -1;
@@ -68,19 +68,19 @@ static int em_first_unresolved(int n, const double *before, const double *after,
 /* The first coordinate whose pivot changes by more than allowed from x to the midpoint or from there to x_new, or
  * -1; pivots and diagonal (n) <- at x_new. A passage through 0 between two of three points is visible in one of
  * them. */
-static int em_unresolved(const em_run_state *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
-                         double *diagonal) {
+static int em_first_unresolved_in_step(const em_run_state *w, double t, const double *x, double t_new,
+                                       const double *x_new, double *pivots, double *diagonal) {
     double middle[w->n], before[2][w->n];
     for (int k = 0; k < w->n; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
     em_pivots(w, t, x, before[0], diagonal);
     em_pivots(w, 0.5 * (t + t_new), middle, before[1], diagonal);
     em_pivots(w, t_new, x_new, pivots, diagonal);
-    const int first = em_first_unresolved(w->n, before[0], before[1], EM_RESOLVED);
-    return first >= 0 ? first : em_first_unresolved(w->n, before[1], pivots, EM_RESOLVED);
+    const int first = em_first_unresolved_between(w->n, before[0], before[1], EM_RESOLVED);
+    return first >= 0 ? first : em_first_unresolved_between(w->n, before[1], pivots, EM_RESOLVED);
 }
 
 /* x (n) at the fraction s of the current step, by the cubic through both ends. */
-static void em_within(const em_run_state *w, double s, double *x) {
+static void em_position_within_step(const em_run_state *w, double s, double *x) {
     const double r = 1.0 - s, h = w->h;
     for (int k = 0; k < w->n; ++k)
         x[k] = r * r * ((1.0 + 2.0 * s) * w->y[k] + s * h * w->K[0][k]) +
@@ -88,21 +88,21 @@ static void em_within(const em_run_state *w, double s, double *x) {
 }
 
 /* The first coordinate whose pivot changes by more than `most` within one of the equal parts of the step, or -1. */
-static int em_unresolved_within(em_run_state *w, int parts, double most) {
+static int em_first_unresolved_in_parts(em_run_state *w, int parts, double most) {
     double x[w->n], pivots[2][w->n], diagonal[w->n];
     em_pivots_at_start(w, pivots[0]);
     for (int j = 1; j < parts; ++j) {
-        em_within(w, (double)j / parts, x);
+        em_position_within_step(w, (double)j / parts, x);
         em_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
-        const int first = em_first_unresolved(w->n, pivots[(j + 1) % 2], pivots[j % 2], most);
+        const int first = em_first_unresolved_between(w->n, pivots[(j + 1) % 2], pivots[j % 2], most);
         if (first >= 0) return first;
     }
     em_pivots_at_end(w, pivots[parts % 2], diagonal);
-    return em_first_unresolved(w->n, pivots[(parts + 1) % 2], pivots[parts % 2], most);
+    return em_first_unresolved_between(w->n, pivots[(parts + 1) % 2], pivots[parts % 2], most);
 }
 
 /* The first coordinate whose pivot has fewer correct digits, after rounding, than rtol requires, or -1. */
-static int em_rounded(const em_run_state *w, const double *pivots, const double *diagonal) {
+static int em_first_rounded_pivot(const em_run_state *w, const double *pivots, const double *diagonal) {
     for (int k = 0; k < w->n; ++k)
         if (!(pivots[k] * w->rtol > EM_PASSAGE_ERROR * DBL_EPSILON * diagonal[k])) return k;
     return -1;
@@ -110,14 +110,14 @@ static int em_rounded(const em_run_state *w, const double *pivots, const double 
 
 EM_NOINLINE int em_measure_pivots(em_run_state *w) {
     double pivots[w->n], diagonal[w->n];
-    int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
-    if (lost < 0) lost = em_rounded(w, pivots, diagonal);
+    int lost = em_first_unresolved_in_step(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
+    if (lost < 0) lost = em_first_rounded_pivot(w, pivots, diagonal);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
 EM_NOINLINE int em_measure_pivots_across(em_run_state *w) {
-    if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
-    const int lost = em_unresolved_within(w, EM_PARTS, EM_CROSSED);
+    if (em_first_unresolved_in_parts(w, 2, EM_RESOLVED) < 0) return 0;
+    const int lost = em_first_unresolved_in_parts(w, EM_PARTS, EM_CROSSED);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 
@@ -131,7 +131,7 @@ static void em_begin_singularity_monitor(em_run_state *w) {
         ahead[k] = w->y[k] + away;
         behind[k] = w->y[k] - away;
     }
-    w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead, pivots, diagonal) >= 0;
+    w->starts_near = em_first_unresolved_in_step(w, w->t, behind, w->t, ahead, pivots, diagonal) >= 0;
 }
 
 /* Checks that the current step resolves the motion. 0, or -1 and w->reason. */

@@ -78,7 +78,7 @@ EM_INLINE double em_squares_of_error(const em_run_state *w, double *restrict e) 
 }
 
 /* The number of terms in the norm. */
-static int em_count(const em_run_state *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
+static int em_norm_count(const em_run_state *w) { return w->run->stabilise ? 2 * w->n : w->n_state; }
 
 /* sum / count. If count is a power of two, the product with its inverse is exact, and the inverse is known before
  * the sum is. */
