@@ -1,1 +1,1 @@
-"""Functions shared by several benchmarks."""
+"""Parts that several benchmarks share."""

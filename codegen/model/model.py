@@ -11,6 +11,7 @@ import sympy
 from .canonical_text import canonical_text
 from .check import checks
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
+from .prescribed_inputs import PrescribedInput, with_prescribed_inputs
 from .recursion_depth import expressions_in, with_room
 from .statement.constraint_rows import KINDS, NamedRows, check_names, numbered, rows_of
 from .statement.contacts import contacts_of, normals_of, with_contacts
@@ -166,7 +167,15 @@ class Model(Mechanism):
     def canonical(self) -> str:
         """Return a text of all fields: models with equal texts have equal generated files."""
         text = with_room(self, lambda: canonical_text(self))
-        return text + "".join(f"table {table.name} = {table.digest}\n" for table in self.tables)
+        kinds = dict.fromkeys(self.prescribed, "input")
+        return text + "".join(
+            f"{kinds.get(table.name, 'table')} {table.name} = {table.digest}\n" for table in self.tables
+        )
+
+    @property
+    def prescribed(self) -> tuple[str, ...]:
+        """Names of the inputs that prescribe a motion: those in constraints, which are tables of the time."""
+        return tuple(table.name for table in self.tables if isinstance(table, PrescribedInput))
 
     @property
     def tables(self) -> tuple[Table, ...]:
@@ -194,6 +203,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         "states": states_of(arguments["states"]),
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
+    fields = with_prescribed_inputs(fields)
     known = normals_of(fields).known
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
     fields["states"] = tuple((z, numbered(rate, f"states[{name_of(z)}]", known)) for z, rate in fields["states"])

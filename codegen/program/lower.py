@@ -10,6 +10,7 @@ from ..choices import Choices
 from ..equations.specialise import Kind, Scene
 from ..kernel.identifiers import c_identifier
 from ..kernel.printer import table_function
+from ..model.prescribed_inputs import PrescribedInput
 from ..model.statement.contacts import Switch
 from ..model.statement.event import Event
 from ..model.table import Table
@@ -124,7 +125,7 @@ def _tables(defaults: Defaults) -> tuple[TableView, ...]:
     place = {name: k for k, (name, _) in enumerate(defaults.parameters)}
     return tuple(
         TableView(table.name, c_identifier(table.name), table_function(table.name), table.arguments, place[table.name],
-                  tuple(map(repr, table.pieces.numbers())))
+                  tuple(map(repr, table.pieces.numbers())), isinstance(table, PrescribedInput))
         for table in defaults.tables
     )  # fmt: skip
 

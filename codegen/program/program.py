@@ -146,7 +146,10 @@ class ShapeView:
 
 @dataclass(frozen=True, slots=True)
 class TableView:
-    """A table: its name, C identifier and C function; number of arguments; index of its parameter; its numbers."""
+    """A table: its name, C identifier and C function; number of arguments; index of its parameter; its numbers.
+
+    is_input : whether it is an input of the model that prescribes a motion
+    """
 
     name: str
     identifier: str
@@ -154,6 +157,7 @@ class TableView:
     arguments: int
     parameter: int
     numbers: tuple[str, ...]
+    is_input: bool
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,8 +1,8 @@
-"""Number of processor cores."""
+"""The processor's cores."""
 
 import os
 
 
 def cores() -> int:
-    """Return the number of cores that this process may use."""
+    """Return how many this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,7 +1,6 @@
-"""Pause of the cyclic garbage collector while many long-lived objects are created: expressions, graphs, modules.
+"""Garbage in circles is not looked for while what is made is kept: expressions, graphs, modules.
 
-The collector would traverse all of them again and again, which takes a tenth of the time of importing SymPy, and more
-during a generation.
+Python would go through all of them again and again: that is a tenth of importing SymPy, and more of a generation.
 """
 
 import gc
@@ -11,7 +10,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Disable the collector in a `with` block, and restore its state afterwards."""
+    """Look for none meanwhile; whoever has switched that off for good finds it so."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

@@ -225,7 +225,7 @@ def test_a_stop_that_was_asked_for_keeps_members_from_starting(swing):
     stop = Stop()
     stop.set()
     runs = simulate_ensemble(swing, SPAN, x0={"q": [0.1, 0.2]})
-    chunk = Chunk(runs._asked, runs._members, stop)
+    chunk = Chunk(runs._common, runs._members, stop)
     assert {tuple(StopReason)[k] for k in chunk.status} == {StopReason.INTERRUPTED}
     assert not np.isfinite(chunk.y).any()
 

@@ -66,13 +66,6 @@ def test_of_a_cubic_spline_all_is_that_of_the_spline(system):
     assert 1e-5 < np.abs(found.outputs["torque"] - recorded).max() < 1e-3  # as docs/prescribed.md warns
 
 
-@pytest.mark.parametrize("kind", ["holonomic_constraints", "nonholonomic_constraints"])
-def test_an_input_in_a_constraint_names_the_way(kind):
-    row = {"holonomic_constraints": q - u, "nonholonomic_constraints": q.diff() - u}[kind]
-    with pytest.raises(em.ModelError, match=r"the input 'u'.*Table\(CubicSpline\(times, values\)\)\(t\)"):
-        em.Model(name="driven", coordinates=[q], kinetic_energy=q.diff() ** 2, inputs={u: 0.0}, **{kind: [row]})
-
-
 def test_an_unknown_function_names_the_way():
     with pytest.raises(em.ModelError, match=r"give it by numbers: eigenmotion\.Table"):
         em.Model(name="driven", coordinates=[q], kinetic_energy=q.diff() ** 2, forces={q: sympy.Function("load")(q)})

@@ -108,8 +108,6 @@ def _remedy_for_state(what: str) -> str:
 
 
 def _remedy_for_input(what: str) -> str:
-    if "constraints[" in what:
-        return "A motion that is prescribed is a function of time: eigenmotion.Table(CubicSpline(times, values))(t)."
     return "Draw it as a coordinate." if what.startswith("drawing") else "Let it act through forces."
 
 

@@ -6,8 +6,7 @@ depends on Z itself. All formulations, methods, lanes, events and derivatives th
 
 from __future__ import annotations
 
-from copy import copy
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from typing import Any
 
 import sympy
@@ -15,6 +14,7 @@ from sympy.core.function import AppliedUndef
 
 from ..normalise import ModelError, expression, name_of, pairs_of, t
 from .mechanism import Mechanism
+from .substitution import substituted
 
 States = tuple[tuple[sympy.Expr, sympy.Expr], ...]
 
@@ -56,22 +56,8 @@ def as_mechanism(model: Mechanism) -> Mechanism:
     }
     accelerations = {z.diff(t): rate.diff(t) for z, rate in rates.items()}
     for name in ("potential_energy", "forces", "outputs", "events", "contacts"):
-        made[name] = _replaced(_replaced(made[name], accelerations), rates)
+        made[name] = substituted(substituted(made[name], accelerations), rates)
     return Mechanism(**made)
-
-
-def _replaced(source: Any, replacements: dict[sympy.Expr, sympy.Expr]) -> Any:
-    """Apply replacements to all expressions in nested tuples and records."""
-    if isinstance(source, sympy.Basic):
-        return source.xreplace(replacements)
-    if isinstance(source, tuple):
-        return tuple(_replaced(part, replacements) for part in source)
-    if not is_dataclass(source):
-        return source
-    made = copy(source)
-    for field in fields(source):
-        object.__setattr__(made, field.name, _replaced(getattr(source, field.name), replacements))
-    return made
 
 
 def check_states(model: Mechanism) -> None:

@@ -9,32 +9,37 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..codegen.model import Table
 from ..codegen.model.normalise import ModelError, number, shown
 from ..runtime import CompiledModel
 from .named_values import Vector, by_name, is_named, vector
 from .sampled import Controlled, by_input
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
-_KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
+_KINDS = {"hold": 1, "linear": 2, "cubic": 3, "spline": 3}  # em_signal_kind
+_SAMPLED, _SMOOTH = ("hold", "linear", "cubic"), ("cubic", "spline")
+_CUBIC = 4
+"""Coefficients of a piece of a smooth signal."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Signal:
-    """Samples u(t_k) = u_k and their interpolation.
+    """Samples u(t_k) = u_k and their interpolation, or an interpolant.
 
     Parameters
     ----------
     times
-        (k,) increasing [s].
+        (k,) increasing [s]; or in place of samples an interpolant of SciPy: a piecewise polynomial or a spline.
     values
-        (k,) [unit of the input].
+        (k,) [unit of the input]; of an interpolant none.
     kind
-        "hold" (the last sample's value), "linear", or "cubic" (the not-a-knot spline).
+        "hold" (the last sample's value), "linear", or "cubic" (the not-a-knot spline); of an interpolant "spline".
 
     Raises
     ------
     ModelError
-        Fewer samples than the kind needs, unequal lengths, times that do not increase, or numbers that are not finite.
+        Fewer samples than the kind needs, unequal lengths, times that do not increase, numbers that are not finite, or
+        an interpolant that is no piecewise polynomial.
 
     Examples
     --------
@@ -44,21 +49,21 @@ class Signal:
     array([0., 5., 5., 0.])
     """
 
-    times: ArrayLike
-    values: ArrayLike
-    kind: Literal["hold", "linear", "cubic"] = "linear"
-    _fitted: list[tuple[Any, Vector]] = field(
-        init=False, repr=False, default_factory=list
-    )  # the spline, computed at the first call
+    times: Any
+    values: Any = None
+    kind: Literal["hold", "linear", "cubic", "spline"] = "linear"
+    _fitted: list[Any] = field(init=False, repr=False, default_factory=list)  # the spline, computed at the first call
 
     def __post_init__(self) -> None:
+        if self.values is None:
+            self._read_interpolant()
         for name in ("times", "values"):
             numbers = vector(getattr(self, name), f"{name} of a signal")
             numbers.flags.writeable = False  # runs read these arrays without a copy
             object.__setattr__(self, name, numbers)
-        times, values = np.asarray(self.times), np.asarray(self.values)
+        times, values = self.times, self.values
         if not isinstance(self.kind, str) or self.kind not in _KINDS:
-            raise ModelError(f"a signal's kind is one of {', '.join(_KINDS)}, not {shown(self.kind)}")
+            raise ModelError(f"a signal's kind is one of {', '.join(_SAMPLED)}, not {shown(self.kind)}")
         if times.ndim != 1 or times.shape != values.shape:
             raise ModelError(f"a signal needs as many values {values.shape} as times {times.shape}, one-dimensional")
         if times.size < (1 if self.kind == "hold" else 2):
@@ -68,36 +73,80 @@ class Signal:
         if not (np.diff(times) > 0).all():
             raise ModelError("a signal's times must increase strictly")
 
+    def _read_interpolant(self) -> None:
+        """Take the knots of an interpolant, and the values there, for samples."""
+        if isinstance(self.times, list | tuple | np.ndarray) or not callable(self.times):
+            raise ModelError(
+                f"Signal({shown(self.times)}) has no values. Give Signal(times, values), or an interpolant."
+            )
+        table = Table(self.times, outside="hold", name="signal")
+        if table.arguments != 1:
+            raise ModelError(f"a signal is a function of the time, and {shown(self.times)} is one of two arguments")
+        knots = np.array(table.pieces.axes[0].knots)
+        self._fitted[:] = self.times, table
+        for name, value in (("values", [table.pieces.value((0,), (at,)) for at in knots]), ("times", knots),
+                            ("kind", "spline")):  # fmt: skip
+            object.__setattr__(self, name, value)
+
     def __call__(self, t: ArrayLike) -> Vector:
         """Return u at times t of any shape. Before the first and after the last sample u is constant, as in runs."""
-        times, values = np.asarray(self.times), np.asarray(self.values)
+        times, values = self.times, self.values
         inside = np.clip(t, times[0], times[-1])
         if self.kind == "hold":
             return np.asarray(values[np.searchsorted(times, inside, side="right") - 1])
         if self.kind == "linear":
             return np.asarray(np.interp(inside, times, values))
-        return np.asarray(self._spline[0](inside))
+        return np.asarray(self.interpolant(inside))
+
+    @property
+    def interpolant(self) -> Any:
+        """The interpolant of SciPy, made once; None of a signal that has no smooth rates: "hold" and "linear"."""
+        if self.kind not in _SMOOTH:
+            return None
+        if not self._fitted:  # SciPy takes a while to import
+            made = import_module("scipy.interpolate").CubicSpline(self.times, self.values)
+            self._fitted[:] = made, Table(made, outside="hold", name="signal")
+        return self._fitted[0]
 
     @property
     def compiled(self) -> Compiled:
-        """The kind, times and values of the `em_signal`."""
-        times, values = np.asarray(self.times), np.asarray(self.values)
-        if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
-            values = self._spline[1]
-        return _KINDS[self.kind], times, values
+        """Return the kind, times and values of the `em_signal`.
+
+        Raises
+        ------
+        ModelError
+            An interpolant that jumps, or whose rate does, or with more than the powers of a cubic.
+        """
+        if self.kind not in _SMOOTH:
+            return _KINDS[self.kind], self.times, self.values
+        return _KINDS[self.kind], self.times, cubics(self._table)
 
     @property
-    def _spline(self) -> tuple[Any, Vector]:
-        """The not-a-knot spline and its coefficients, computed once; scipy.interpolate is imported only if needed."""
-        if not self._fitted:
-            spline = import_module("scipy.interpolate").CubicSpline(np.asarray(self.times), np.asarray(self.values))
-            self._fitted.append((spline, spline.c.T.ravel()))
-        return self._fitted[0]
+    def _table(self) -> Table:
+        assert self.interpolant is not None
+        table: Table = self._fitted[1]
+        return table
 
     @property
     def kinks(self) -> Vector:
         """Times at which u or its rate jumps."""
-        return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
+        return np.empty(0) if self.kind in _SMOOTH else self.times
+
+
+def cubics(table: Table) -> Vector:
+    """Return coefficients (4 (k - 1)) of the pieces of a signal, the highest power first."""
+    axis = table.pieces.axes[0]
+    coefficients = np.array(table.pieces.coefficients).reshape(axis.count, axis.order)
+    if axis.order > _CUBIC and coefficients[:, _CUBIC:].any():
+        raise ModelError(f"a signal of degree {axis.order - 1} is not taken as an input: cubics are. Write it into the "
+                         "model: em.Table(interpolant)(t), which takes any degree.")  # fmt: skip
+    inside = axis.knots[1:-1]
+    if rough := [at for at, order in table.pieces.joins(0) if order < 2 and at in inside]:
+        raise ModelError(f"an interpolant that jumps, or whose rate does, at t = {rough[0]:g} is no input. "
+                         "Give samples, of kind 'hold' or 'linear', or a table: em.Table(interpolant)(t).")  # fmt: skip
+    made = np.zeros((axis.count, _CUBIC))
+    made[:, : axis.order] = coefficients[:, :_CUBIC]
+    return made[:, ::-1].ravel()
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +192,7 @@ class Inputs:
         for k, signal in enumerate(self.signals):
             if not isinstance(signal, Signal):
                 continue
-            first, last = float(np.asarray(signal.times)[0]), float(np.asarray(signal.times)[-1])
+            first, last = float(signal.times[0]), float(signal.times[-1])
             if min(start, end) < first or (signal.kind != "hold" and max(start, end) > last):
                 return k, f"is sampled on [{first:g}, {last:g}]"
         return None
@@ -180,21 +229,21 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
 
 
 def as_signal(given: Any, name: str) -> float | Signal:
-    """Return one input as a number or a Signal: a number, a pair (times, values) or a Signal."""
-    if isinstance(given, Signal):
-        return given
+    """Return one input as a number or a Signal: a number, a pair (times, values), a Signal or an interpolant."""
     if isinstance(given, Controlled):
         raise ModelError(f"input {name!r} is Sampled: only `simulate` and `simulate_ensemble` ask controllers")
-    if callable(given):
+    if callable(given) and not isinstance(given, Signal) and not hasattr(given, "c"):  # SciPy's have coefficients
         raise ModelError(
             f"input {name!r} is a function. Of the time: sample it, as (times, f(times)). Of the state: it is a "
             "controller, em.Sampled(function, period), which is asked with t, x, v."
         )
-    if not isinstance(given, tuple | list):
+    if not callable(given) and not isinstance(given, tuple | list):
         return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
-    if len(given) != 2:
+    if isinstance(given, tuple | list) and len(given) != 2:
         raise ModelError(f"input {name!r} is {shown(given)}: neither a number, a pair (times, values) nor a Signal")
     try:
-        return Signal(*given)
+        made = given if isinstance(given, Signal) else Signal(given) if callable(given) else Signal(*given)
+        _ = made.compiled  # which not every interpolant can be
     except ModelError as error:
         raise ModelError(f"input {name!r}: {error}") from error
+    return made

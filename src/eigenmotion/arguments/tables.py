@@ -50,7 +50,7 @@ def _number(c: CompiledModel, name: str, value: Any) -> float:
     _, arguments = c.tables[name]
     if table.arguments != arguments:
         raise ModelError(f"{what} is a function of {arguments} argument(s), and is given one of {table.arguments}.")
-    return _address(table)
+    return address_of(table)
 
 
 def _outside(c: CompiledModel, name: str) -> str:
@@ -58,7 +58,8 @@ def _outside(c: CompiledModel, name: str) -> str:
 
 
 @lru_cache(maxsize=64)
-def _address(table: Table) -> float:
+def address_of(table: Table) -> float:
+    """Return the address by which compiled code knows a table."""
     return table_address(table.pieces.numbers())
 
 

@@ -8,8 +8,9 @@ import numpy as np
 from ..arguments.members import Column, Members
 from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
 from ..arguments.own_controllers import OwnControllers
+from ..arguments.prescribed import with_prescribed
 from ..arguments.sampled import Controlled, by_input
-from ..arguments.signals import Inputs, Signal, as_signal, check_samples
+from ..arguments.signals import Inputs, as_signal, check_samples
 from ..arguments.states import refuse_states, split_states
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, shown
@@ -103,6 +104,7 @@ def gather(system: CompiledSystem, t: float, x0: Any, v0: Any, parameters: Any, 
     c, arguments = system.compiled, _Arguments()
     if isinstance(parameters, Prepared):
         parameters = np.array(system.prepare(parameters).parameters)
+    parameters, inputs = with_prescribed(c, parameters, inputs, several=True)
     p = arguments.table(with_tables(c, parameters, several=True), c.parameters, c.parameter_defaults, "parameter")
     _check_shared(c, p)
     x0, z0 = split_states(c, x0)
@@ -216,7 +218,7 @@ def _column(given: Any, name: str, arguments: _Arguments) -> Column:
     what = f"input {name!r}"
     if isinstance(given, Controlled):
         return given
-    if isinstance(given, list) and any(isinstance(one, tuple | Signal | Controlled) for one in given):
+    if isinstance(given, list) and any(isinstance(one, tuple | Controlled) or callable(one) for one in given):
         arguments.note(what, len(given))
         signals: list[Any] = [one if isinstance(one, Controlled) else as_signal(one, name) for one in given]
         return signals if len(signals) > 1 else signals[0]

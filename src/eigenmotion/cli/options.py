@@ -149,8 +149,8 @@ def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> di
     positions = [spelled(key) for key in model.coordinates]
     rates = [f"{name}'" for name in positions]
     kinds = {
-        "parameters": [spelled(key) for key, _ in model.parameters],
-        "inputs": [spelled(key) for key, _ in model.inputs],
+        "parameters": [spelled(key) for key, _ in model.parameters if spelled(key) not in model.prescribed],
+        "inputs": [*(spelled(key) for key, _ in model.inputs), *model.prescribed],
         "x0": [*positions, *(spelled(z) for z, _ in model.states)],
         "v0": [*rates, *(spelled(y) for y, _ in model.quasi_velocities)],
     }

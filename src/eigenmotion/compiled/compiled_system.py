@@ -8,7 +8,8 @@ from numpy.typing import ArrayLike
 
 from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import SHARED_FROM_START, least_norm_of
-from ..arguments.signals import Inputs, Signal, bind, check_samples
+from ..arguments.prescribed import with_prescribed
+from ..arguments.signals import Inputs, bind, check_samples
 from ..arguments.states import split_states, whole_v, whole_x
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, number, real
@@ -107,6 +108,11 @@ class CompiledSystem(Description):
         v = initial_rates(c, self.prepare(parameters), t, x, v0)
         return x, whole_v(c, v, z) if c.n_states else v
 
+    def prepare_both(self, parameters: Parameters, inputs: Any) -> tuple[Prepared, Any]:
+        """Return the constants of parameters and of those inputs that prescribe motions, and the other inputs."""
+        parameters, inputs = with_prescribed(self._compiled, parameters, inputs)
+        return self.prepare(parameters), inputs
+
     def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
         """Return the inputs of a run: `inputs` over the defaults."""
         if inputs is None:
@@ -139,8 +145,11 @@ class CompiledSystem(Description):
         EvaluationError
             M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
         """
-        c = self._defaults if parameters is None else self.prepare(parameters)
-        u = None if inputs is None else self.signals(inputs, t)
+        if inputs is None:
+            c, u = self._defaults if parameters is None else self.prepare(parameters), None
+        else:
+            c, inputs = self.prepare_both(parameters, inputs)
+            u = self.signals(inputs, t)
         try:
             return self._compiled.rhs(t, y, c, u, out)
         except (TypeError, ValueError, OverflowError) as error:  # check arguments only now: solvers call this in a loop
@@ -149,7 +158,7 @@ class CompiledSystem(Description):
 
     def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
         """Return u (n_inputs,) at t, from a mapping over the defaults, or an array in the order of `System.inputs`."""
-        if is_named(inputs) and any(isinstance(u, tuple | list | Signal) for _, u in inputs.items()):
+        if is_named(inputs) and any(isinstance(u, tuple | list) or callable(u) for _, u in inputs.items()):
             return self.bind(inputs).at(t)
         u = overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
         self._compiled.check_inputs(u)
@@ -213,7 +222,7 @@ class CompiledSystem(Description):
         result = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
         if result is not None:
             return result
-        c, t = self.prepare(parameters), number(t, "t")
+        (c, inputs), t = self.prepare_both(parameters, inputs), number(t, "t")
         position, rates = self.begin(x, v, t, c)
         least_norm = self._compiled.shares(t, position, c, least_norm)
         a, multipliers = self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
@@ -226,18 +235,20 @@ class CompiledSystem(Description):
         t: float = 0.0,
         parameters: Parameters = None,
         *,
+        inputs: Mapping[Any, Any] | None = None,
         dependent_constraints: str = "auto",
     ) -> ConsistentState:
         """Return the state x (n,), v (n,) nearest in the mass metric with phi(x, t) = 0 and A v + b = 0.
 
         The pair has the changes as attributes: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
+        `inputs` count if they prescribe motions.
 
         Raises
         ------
         EvaluationError
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
-        c, t = self.prepare(parameters), number(t, "t")
+        (c, _), t = self.prepare_both(parameters, inputs), number(t, "t")
         x, v = self.begin(x0, v0, t, c)
         shares = self._compiled.shares(t, x, c, least_norm_of(dependent_constraints))
         return Projection(self._compiled, c, t, shares)(x, v).of_coordinates(self.n)
@@ -294,7 +305,8 @@ class CompiledSystem(Description):
                              "which only systems of eigenmotion.build know; or build with 'lagrange'")  # fmt: skip
         t, y = real(t, "t"), vector(y, "y")
         try:
-            return c.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
+            prepared, inputs = self.prepare_both(parameters, inputs)
+            return c.jacobian(t, y, prepared, self.signals(inputs, t))
         except (TypeError, ValueError, OverflowError) as error:
             raise _as_our_error(error) from error
 
@@ -321,9 +333,8 @@ class CompiledSystem(Description):
         t, y = real(t, "t"), vector(y, "y")
         if y.shape != (2 * n,):
             raise ModelError(f"y has shape {y.shape}, but this model needs {(2 * n,)}")
-        _, _, da, _ = motion_derivatives(
-            c, t, y[:n], y[n:], self.prepare(parameters), self.signals(inputs, t), SHARED_FROM_START
-        )
+        prepared, inputs = self.prepare_both(parameters, inputs)
+        _, _, da, _ = motion_derivatives(c, t, y[:n], y[n:], prepared, self.signals(inputs, t), SHARED_FROM_START)
         first = 2 * n + c.n_inputs
         return np.vstack([np.zeros((n, len(c.parameters))), da[:, first : first + len(c.parameters)]])
 

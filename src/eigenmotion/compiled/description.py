@@ -74,6 +74,11 @@ class Description:
         return dict(zip(self._compiled.inputs, self._compiled.input_defaults.tolist(), strict=True))
 
     @property
+    def prescribed(self) -> tuple[str, ...]:
+        """Names of the inputs that prescribe a motion: those in constraints, which are given as smooth signals."""
+        return tuple(self._compiled.prescribed)
+
+    @property
     def outputs(self) -> tuple[str, ...]:
         """Names of the outputs."""
         return self._compiled.outputs

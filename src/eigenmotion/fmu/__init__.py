@@ -1,1 +1,1 @@
-"""Export of models as Functional Mock-up Units."""
+"""A model as a Functional Mock-up Unit, for other tools."""

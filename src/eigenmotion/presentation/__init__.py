@@ -1,1 +1,1 @@
-"""Building blocks of pictures, tables and pages, independent of any model."""
+"""Parts of pictures, tables and pages; they know no model."""

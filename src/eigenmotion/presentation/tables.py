@@ -1,4 +1,4 @@
-"""Tables for pages, and CSV and JSON."""
+"""Tables on a page, and the same numbers as CSV and JSON."""
 
 import csv
 import io
@@ -13,14 +13,14 @@ Row = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table of texts."""
+    """Texts, row by row."""
 
     head: Row
     rows: tuple[Row, ...]
 
 
 def as_csv(head: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
-    """Return CSV with one line for each row; numbers have full precision."""
+    """Write a line a row; numbers in full precision."""
     text = io.StringIO(newline="")
     table = csv.writer(text, lineterminator="\n")
     table.writerow(head)
@@ -29,7 +29,7 @@ def as_csv(head: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 
 def as_json(record: dict[str, Any]) -> str:
-    """Return a record as JSON; missing numbers, infinity and NaN are null."""
+    """Write a record; numbers that are not there, or not finite, are null."""
     return json.dumps(_finite(record), indent=1, allow_nan=False) + "\n"
 
 

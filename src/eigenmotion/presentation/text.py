@@ -1,13 +1,13 @@
-"""Numbers as text."""
+"""Numbers in words."""
 
 
 def number(value: float | None) -> str:
-    """Return a number with three digits; a dash for None."""
+    """Three digits, or a dash where there is none."""
     return "-" if value is None else f"{value:.3g}"
 
 
 def seconds(value: float | None) -> str:
-    """Return a time with a suitable unit."""
+    """A time with the unit that suits it."""
     if value is None:
         return "-"
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):

@@ -1,1 +1,1 @@
-"""Reference motions, by equations and methods that are independent of the generated code."""
+"""The same motion by equations and methods that share nothing with generated code."""

@@ -126,7 +126,14 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef struct em_table:
         int parameter
+        int is_input
         const double *numbers
+
+    ctypedef struct em_table_use:
+        int table
+        int axis
+        int order
+        int timed
 
     ctypedef struct em_model:
         int abi
@@ -230,5 +237,6 @@ cdef extern from "eigenmotion.h" nogil:
         int n_tables
         int n_table_uses
         const em_table *tables
+        const em_table_use *table_uses
         void (*table_arguments)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_states

@@ -34,6 +34,7 @@ class PointModel:
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
     tables: dict[str, tuple[int, int]]
+    prescribed: dict[str, int]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
     events: tuple[str, ...]

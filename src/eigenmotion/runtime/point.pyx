@@ -121,6 +121,9 @@ cdef class PointModel:
         self.inputs, self.outputs = texts(c.inputs, c.n_inputs), texts(c.outputs, c.n_outputs)
         self.tables = {self.parameters[c.tables[k].parameter]: (c.tables[k].parameter, <int> c.tables[k].numbers[0])
                        for k in range(c.n_tables)}
+        self.prescribed = {self.parameters[c.tables[k].parameter]:
+                           max([c.table_uses[i].order for i in range(c.n_table_uses) if c.table_uses[i].table == k])
+                           for k in range(c.n_tables) if c.tables[k].is_input}
         self.events, self.left_out = texts(c.events, c.n_events), texts(c.left_out, c.n_left_out)
         self.quasi_velocities, rows = texts(c.quasi_velocities, c.n_quasi), c.m if c.rows != NULL else 0
         self.row_names = named_rows(texts(c.rows, rows), c.m)

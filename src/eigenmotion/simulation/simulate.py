@@ -12,11 +12,12 @@ from ..arguments.differentiation import differentiated
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.named_values import Vector, unknown
 from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
+from ..arguments.prescribed import check_covered
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..compiled.compiled_system import CompiledSystem
 from ..results.multiplier_uniqueness import with_shared
 from ..results.solution import DenseOutput, Solution
-from ..runtime import CompiledModel, EvaluationError, plain
+from ..runtime import CompiledModel, EvaluationError, Prepared, plain
 from .compiled_run import run_compiled
 from .error_estimate import with_error_estimate
 from .initial_state.consistency import check_direction, start_state
@@ -183,7 +184,8 @@ def _checked(
     start, end = options.span(t_span)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
-    prepared = _prepared(system, parameters)
+    check_covered(system.compiled, inputs, start, end)
+    prepared, inputs = _prepared(system, parameters, inputs)
     signals = _inputs(system, inputs, start, end)
     y = _begin(system, prepared, start, x0, v0, given, relative, absolute)
     stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
@@ -252,9 +254,9 @@ def _check_sampled(task: Task, estimate_error: Any) -> None:
         )
 
 
-def _prepared(system: CompiledSystem, parameters: Any) -> Any:
+def _prepared(system: CompiledSystem, parameters: Any, inputs: Any) -> tuple[Prepared, Any]:
     try:
-        return system.prepare(parameters)
+        return system.prepare_both(parameters, inputs)
     except EvaluationError as error:
         raise ModelError(str(error)) from error
 

@@ -166,7 +166,7 @@ def stepper(
     first = fixed_step(named, step)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     _, longest, most = options.step_limits(None, max_step, max_steps, np.inf)
-    prepared = system.prepare(parameters)
+    prepared, inputs = system.prepare_both(parameters, inputs)
     begin, y = _start(system, prepared, t, x0, v0, start, relative, absolute)
     task = Task(
         system.compiled, prepared, system.bind(inputs), begin, np.inf, y, relative, absolute, None, False, first,

@@ -1,4 +1,4 @@
-"""Stability matrix: stiff and extreme cases with every formulation, option and method, and the outcome of each run."""
+"""The stiff and extreme cases: every formulation, option and method, and what becomes of it."""
 
 from .cases.catalogue import CASES as CASES
 from .cases.variants import Variant as Variant

@@ -1,1 +1,1 @@
-"""Interactive pages of models."""
+"""A model as a page on which it moves."""

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...arguments.named_values import Vector, overlay, rate_name, spelled, unknown
 from ...arguments.options import is_system, no_system
+from ...arguments.prescribed import with_prescribed
 from ...arguments.states import split_states, whole_v, whole_x
 from ...arguments.tables import refuse_tables, with_tables
 from ...codegen.model import ModelError
@@ -134,6 +135,7 @@ def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs
     n, (x0, z0) = system.n, split_states(c, x0)
     x = whole_x(c, x0)
     v = whole_v(c, overlay(v0, c.coordinates[:n], np.zeros(n), "coordinate of v0"), z0)
+    parameters, inputs = with_prescribed(c, parameters, inputs)
     u = overlay(inputs, c.inputs, c.input_defaults, "input")
     p = overlay(with_tables(c, parameters), c.parameters, c.parameter_defaults, "parameter")
     moving, states = system.coordinates, system.states

@@ -143,5 +143,5 @@ def operating_point(
     inputs: Mapping[Any, Any] | ArrayLike | None,
 ) -> OperatingPoint:
     """Return the operating point that the user's arguments describe."""
-    prepared, t = system.prepare(parameters), number(t, "t")
+    (prepared, inputs), t = system.prepare_both(parameters, inputs), number(t, "t")
     return OperatingPoint(system.compiled, prepared, t, *system.begin(x, v, t, prepared), system.signals(inputs, t))

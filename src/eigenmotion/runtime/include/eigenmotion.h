@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 27 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 28 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -64,9 +64,10 @@ typedef struct em_declared {
     const char *words;
 } em_declared;
 
-/* A table: the index of the parameter that replaces its data, and the model's own data (tables/em_table.h). */
+/* A table: the index of the parameter that gives it other numbers, whether it is an input that prescribes a motion, and
+ * its own numbers (tables/em_table.h). */
 typedef struct em_table {
-    int parameter;
+    int parameter, is_input;
     const double *numbers;
 } em_table;
 

@@ -136,7 +136,8 @@ def _rows(model: CompiledModel, off: Vector) -> str:
 
 
 def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> str:
-    remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
+    inputs = ", inputs=inputs" if model.prescribed else ""
+    remedy = f"system.project_initial_state(x0, v0, t, parameters{inputs}) returns the nearest consistent start"
     try:
         x, v = Projection(model, prepared, t, least_norm=True)(x, v)
     except (EvaluationError, ModelError):

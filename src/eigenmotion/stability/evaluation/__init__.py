@@ -1,1 +1,1 @@
-"""Evaluation: the runs of all cases, and their outcomes."""
+"""Every run of every case, and what becomes of it."""

@@ -1,1 +1,1 @@
-"""Expected motions of the cases: closed forms, and integration in extended precision."""
+"""Motions that the cases should show: closed forms, and integration in extended precision."""

@@ -1,4 +1,4 @@
-"""Reference motions: closed forms, or independent integration in extended precision."""
+"""References for a run: closed forms, or independent integration in extended precision."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,10 +12,10 @@ from ...codegen.model import Model
 from ...codegen.model.symbolic.lagrange import Lagrange
 from ...reference.collocation import Collocation
 from ...reference.extended_precision import Extended, Rhs, extended
-from ...reference.integration import Midpoint, integrate_adaptive, integrate_graded
+from ...reference.integration import Midpoint, followed, graded
 from ...reference.lagrange_equations import classical
 
-FINE, CHECK, ROUGH = range(3)  # levels of accuracy: for the comparison; to estimate its error; to about 1e-9
+FINE, CHECK, ROUGH = range(3)  # how well rows are wanted: to compare with; to tell the error of that; to 1e-9
 
 
 class Truth(Protocol):
@@ -23,14 +23,14 @@ class Truth(Protocol):
 
     @property
     def how(self) -> str:
-        """Description of the reference."""
+        """What it is, in words."""
 
     @property
     def own(self) -> float:
-        """Error by rounding, which the difference of two levels does not show."""
+        """Error that two levels do not show: rounding."""
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        """Return the rows at a level of accuracy."""
+        """Integrate, or evaluate."""
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,13 @@ class ClosedForm:
     how: str
     own: float = 1e-12
 
-    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, the same at all levels
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, as exact as it gets
         return self.function(start, times - times[0])
 
 
 @dataclass(frozen=True)
 class Integrated:
-    """Extrapolated midpoint steps in extended precision; `scale` (2n,) is the unit of the step error."""
+    """Extrapolated midpoint steps in extended precision; lengths in units of `scale` (2n,), for the step's error."""
 
     rhs: Rhs
     scale: Vector
@@ -55,12 +55,12 @@ class Integrated:
     own: float = 1e-14
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        values = self._integrated(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
-        return np.asarray(values * self.scale, dtype=np.float64)
+        found = self._followed(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
+        return np.asarray(found * self.scale, dtype=np.float64)
 
-    def _integrated(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
         columns, tolerance = ((7, 1e-13), (5, 1e-12), (5, 1e-9))[level]
-        return integrate_adaptive(Midpoint(columns), rhs, z, elapsed, tolerance)
+        return followed(Midpoint(columns), rhs, z, elapsed, tolerance)
 
 
 @dataclass(frozen=True)
@@ -72,8 +72,8 @@ class Collocated(Integrated):
         "the generator's"
     )
 
-    def _integrated(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
-        return integrate_graded(Collocation(5, rounding=1e-15), rhs, z, elapsed, (16, 11, 7)[level])
+    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+        return graded(Collocation(5, rounding=1e-15), rhs, z, elapsed, (16, 11, 7)[level])
 
 
 def _scaled(truth: Integrated, times: Vector) -> Rhs:

@@ -1,4 +1,4 @@
-"""Files of the stability matrix."""
+"""The files of the command."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -23,7 +23,7 @@ def write_matrix(matrix: Matrix, folder: Path) -> tuple[Path, ...]:
 
 
 def numbers(matrix: Matrix, known: Mapping[str, str]) -> str:
-    """Return all results as JSON."""
+    """Write everything that was found as JSON."""
     record = {
         "machine": known,
         "seconds": matrix.seconds,
