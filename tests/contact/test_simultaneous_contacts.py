@@ -81,7 +81,7 @@ def test_members_of_an_ensemble_have_modes_of_their_own(at, method):
         for name, values in alone.outputs.items():
             assert np.array_equal(runs.outputs[name][k], values[rows])
     assert runs.multipliers[:, 0, -1] == pytest.approx([-G, -2 * G, 0.0])
-    assert np.array_equal(pickle.loads(pickle.dumps(runs._found)).y, runs.y.swapaxes(1, 2))
+    assert np.array_equal(pickle.loads(pickle.dumps(runs._results)).y, runs.y.swapaxes(1, 2))
 
 
 @cache
