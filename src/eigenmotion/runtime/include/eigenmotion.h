@@ -101,7 +101,7 @@ typedef struct em_model {
     int conserves_energy;                /* 1: T2 - T0 + V is a constant of the motion */
 
     int (*prepare)(const double *parameters, double *c, em_fault *fault);
-    /* y in: a neighbouring state, to which the eigenfactors are to be continuous (0: none); y out: the state. */
+    /* y in: a neighbouring state, with which the new eigenfactors are continuous (0: none); y out: the state. */
     int (*state)(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
     int (*velocity)(double t, const double *y, const double *c, double *v, em_fault *fault);
     int (*rhs)(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault);
@@ -117,8 +117,8 @@ typedef struct em_model {
      * <- 1 for rows whose multipliers are not unique, else 0. */
     int (*redundant)(double t, const double *x, const double *c, int *rows);
     void (*energy)(double t, const double *x, const double *v, const double *c, double *e); /* (4) T2, T1, T0, V */
-    /* C (n, n), s (n) in: neighbouring eigenfactors, to which the result is to be continuous (C = 0: none); out:
-     * those of M(x). */
+    /* C (n, n), s (n) in: neighbouring eigenfactors, with which the result is continuous (C = 0: none); out: those of
+     * M(x). */
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
     int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                   double *out, em_fault *fault);                                           /* (n_outputs) */
@@ -146,8 +146,8 @@ typedef struct em_model {
     const em_switch *switches;     /* (n_switches) */
 
     const em_lanes *lanes; /* NULL: the right-hand side has no version for lanes */
-    /* Opens a run whose steps are to be made in lanes, at its start, and sets its mode. NULL: lanes cannot make this
-     * run, and only its fault has changed. */
+    /* Opens a run for steps in lanes, at its start, and sets its mode. NULL: lanes cannot compute this run, and only its
+     * fault has changed. */
     void *(*enter)(em_run *run, int *mode);
     void (*load)(void *run_state, em_lane_group *f, int lane); /* the run continues in this lane of a group of its
                                                                   mode */
@@ -174,7 +174,7 @@ typedef struct em_model {
     void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
 
     /* Exact derivatives, row-major, with respect to the arguments (n_arguments): x, v, inputs, parameters, time. c
-     * is held fixed but for the parameters themselves. Derivatives of xddot and lambda: da (n, n_arguments), dlambda
+     * is held fixed except for the parameters themselves. Derivatives of xddot and lambda: da (n, n_arguments), dlambda
      * (m, n_arguments). */
     int n_arguments;
     int (*motion_derivatives)(double t, const double *x, const double *v, const double *c, const double *u,

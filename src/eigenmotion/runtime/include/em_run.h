@@ -146,12 +146,11 @@ typedef struct em_run {
     int kept;                    /* flags of the constraint rows kept at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not use the published equations */
-    long n_jacobians, n_factors; /* of implicit methods: Jacobians of the acceleration, and sets of factors made of
-                                    them */
+    long n_jacobians, n_factors; /* of implicit methods: Jacobians of the acceleration, and factorisations */
     long n_stiff;                /* steps limited by stability, or by the convergence of an iteration, and not by
                                     their error */
     double t_reached;
-    const struct em_model *model; /* the caller's, if the energy of the run is to be monitored, or NULL */
+    const struct em_model *model; /* the caller's, if the energy of the run should be monitored, or NULL */
 } em_run;
 
 #endif

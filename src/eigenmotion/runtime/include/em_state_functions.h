@@ -34,7 +34,7 @@ typedef struct em_dynamics {
      * L L^T, and the lower triangle of Delta = B B^T (m, m). */
     void (*factored)(double t, const double *x, const double *c, double *M);
     int (*rows)(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault);
-    /* a (n), lambda (m): as em_model.acceleration, but for multipliers that are not unique */
+    /* a (n), lambda (m): as em_model.acceleration, except for multipliers that are not unique */
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                         double *a, double *lambda, em_fault *fault);
     /* x, v <- the nearest state that satisfies the constraints, which is close */

@@ -18,7 +18,7 @@ EM_NOINLINE void em_push(double t, const double *x, const double *v, const doubl
 #ifdef EM_NORMALS
 /* lambda (m) <- (B Q^T)^-1 lambda if norms of multipliers act, too; Q <- at the direction of the resulting multipliers.
  * 0, or -1 and *fault. */
-EM_NOINLINE int em_solve_push_anew(em_root *root, double *lambda, int flags, em_fault *fault) {
+EM_NOINLINE int em_solve_norm_push(em_root *root, double *lambda, int flags, em_fault *fault) {
     double all[EM_PUSHED], gradient[N_NORMALS * N_ROWS];
     memcpy(all, lambda, N_ROWS * sizeof *lambda);
     if (em_solve_normed(N_ROWS, N_NORMALS, normals[0], root->pushed, all, gradient, flags, fault)) return -1;

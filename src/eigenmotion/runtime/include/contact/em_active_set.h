@@ -154,7 +154,7 @@ EM_NOINLINE void em_rates_along(em_all_rows *r, const double *v) {
     }
 }
 
-/* Delta (m, m) <- of the rows that hold in every mode, but for `without`; switched (m) <- the others. Returns
+/* Delta (m, m) <- of the rows that hold in every mode, except `without`; switched (m) <- the others. Returns
  * whether there are any of the former. */
 EM_NOINLINE int em_unswitched(const em_all_rows *r, int without, double *Delta, int *switched) {
     int any = 0;

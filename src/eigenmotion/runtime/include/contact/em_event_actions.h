@@ -99,7 +99,8 @@ EM_NOINLINE int em_reset(em_acting *a, int event) {
 
 /* --- the mode afterwards --- */
 
-/* released and last <- of sticking cones: cones that share a load reach their limits at once, but for rounding. */
+/* released and last <- of sticking cones: cones that share a load reach their limits at the same time, up to
+ * rounding. */
 EM_NOINLINE void em_find_released_cones(em_acting *a) {
     double acceleration[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     em_fault fault;

@@ -7,7 +7,7 @@
 #include "dynamics/em_close_eigenvalues.h"
 #include "mass/em_root_switching.h"
 
-/* The location of the root of a block. L stands for L and 1 / diag L. */
+/* The location of the root of a block. L includes 1 / diag L. */
 typedef enum em_root_location {
     EM_IN_STATE,         /* C and s; in mode 1 L in the run's memory */
     EM_IN_MEMORY,        /* L */

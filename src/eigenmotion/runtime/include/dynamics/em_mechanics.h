@@ -1,4 +1,4 @@
-/* em_mechanics.h: acceleration, energy, momenta and the like of any model, written once over the model's own
+/* em_mechanics.h: acceleration, outputs and eigenfactors of any model, written once in terms of the model's own
  * functions.
  *
  * Included by NAME.c after it defined N, N_ROWS, N_POSITIONS, blocks, scales, factored, pfaffian, position,
@@ -100,7 +100,7 @@ EM_NOINLINE int em_acceleration_of(em_root *root, double t, const double *x, con
 #ifdef EM_PUSHES
     em_push(t, x, v, c, u, root);
 #ifdef EM_NORMALS
-    if (em_solve_push_anew(root, gamma, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault)) return -1;
+    if (em_solve_norm_push(root, gamma, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault)) return -1;
 #else
     if (em_solve_push(root, gamma, least_norm, fault)) return -1;
 #endif

@@ -49,8 +49,8 @@ EM_NOINLINE void em_widen_terms(double *terms, double *before) {
     }
 }
 
-/* terms += the terms that cancel in each row of Delta lambda, the change of phi by a correction: if a coordinate is
- * 0 but for the corrections of others, phi's own terms do not contain that rounding. lengths (m): the roots of
+/* terms += the terms that cancel in each row of Delta lambda, the change of phi by a correction: if a coordinate is 0
+ * up to the rounding of corrections of others, phi's own terms do not contain that rounding. lengths (m): the roots of
  * Delta's diagonal. */
 EM_NOINLINE void em_add_correction(const double *lengths, const double *lambda, double *terms) {
     double whole = 0.0;

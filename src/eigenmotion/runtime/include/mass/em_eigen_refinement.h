@@ -11,7 +11,7 @@
 #define EM_CONTRACTS 0.1  /* largest contraction of a pass; else two eigenvalues are too close for it */
 
 #ifdef EM_BY_TILES
-/* em_correction of four rows from i on, but for the diagonal. */
+/* em_correction for four rows from i on, without the diagonal. */
 EM_INLINE void em_correction_of_rows(int n, int i, const double *restrict R, const double *restrict Lambda,
                                      const double *restrict lambda, double *restrict E, em_numbers_4 *size,
                                      em_marks_4 *rough) {

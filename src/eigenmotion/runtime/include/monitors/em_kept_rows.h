@@ -8,7 +8,7 @@
                              on the constraints */
 
 /* Checks that the rows of B that are not kept are combinations of the others to rounding. A row that differs
- * slightly defines another motion, and Delta, made of squares, does not show it. 0, or -1 and w->reason, which names
+ * slightly defines another motion, and Delta, which has squares, does not show it. 0, or -1 and w->reason, which names
  * the row. */
 static int em_check_dropped(em_run_state *w, const double *B, int kept) {
     double Q[w->n_rows * w->n], r[w->n];

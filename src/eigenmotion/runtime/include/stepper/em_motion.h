@@ -25,8 +25,8 @@ EM_NOINLINE int em_motion_rhs(const em_model *model, double t, const double *y, 
     return model->dynamics->acceleration(t, y, y + n, c, u, flags, dy + n, lambda, fault);
 }
 
-/* As em_dynamics.settle: restores the constraints, if asked for, and the eigenfactors; not for a state within a
- * step. */
+/* As em_dynamics.settle: restores the constraints, if requested, and the eigenfactors; the latter not for a state
+ * within a step. */
 EM_NOINLINE int em_motion_settle(const em_model *model, int flags, double t, double *y, const double *c, double *memory,
                              double pace, em_fault *fault) {
     const em_dynamics *const of = model->dynamics;

@@ -95,7 +95,7 @@ typedef struct em_implicit {
     int iterations, sloped, outdated, known, accepted, averaged;
     int own;                                 /* for how many more steps each stage has its own slopes */
     double *K, *D;                           /* (n, n) da/dx and da/dv, at slopes_t, or at the end of a coupled step */
-    double *G[1 + EM_MOST_PAIRS], *H[1 + EM_MOST_PAIRS]; /* (n, n) factors made of them, real and imaginary parts */
+    double *G[1 + EM_MOST_PAIRS], *H[1 + EM_MOST_PAIRS]; /* (n, n) factors of the stage matrices, real and imaginary parts */
     int *pivot[1 + EM_MOST_PAIRS];           /* (n) */
     double *coupled;                         /* factors with slopes at each stage */
     int *coupled_pivot;

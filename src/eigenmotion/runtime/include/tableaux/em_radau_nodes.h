@@ -2,7 +2,7 @@
  * values there.
  *
  * Zeros of P_7 + P_8 (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5): a polynomial of degree 14 is
- * integrated exactly, and the first node is the start. tests/methods/test_gauss_radau.py computes all of them anew. */
+ * integrated exactly, and the first node is the start. tests/methods/test_gauss_radau.py recomputes all of them. */
 #ifndef EM_RADAU_NODES_H
 #define EM_RADAU_NODES_H
 
