@@ -24,7 +24,7 @@ from eigenmotion.stability.cases.case import EXPLICIT
 from eigenmotion.stability.cases.variants import EXTRAPOLATE, PLAIN, UNSTABILISED
 from eigenmotion.stability.evaluation import matrix
 from eigenmotion.stability.evaluation.expected_rows import expected_of
-from eigenmotion.stability.evaluation.outcome import judged
+from eigenmotion.stability.evaluation.outcome import classify
 from eigenmotion.stability.expectation.closed_forms import chain
 from eigenmotion.stability.expectation.truth import FINE, lagrange
 from eigenmotion.stability.models.smooth import elastic_link
@@ -139,11 +139,11 @@ def assert_found(faulty: System) -> None:
 
 
 def test_rules():
-    assert judged(1e-6, 1e-6, 0.0) is Outcome.RIGHT
-    assert judged(9e-5, 1e-6, 0.0) is Outcome.DEGRADED
-    assert judged(1e-3, 1e-6, 1.0) is Outcome.WRONG
-    assert judged(1e-3, 1e-6, 1e-5, periods=1e3) is Outcome.DEGRADED
-    assert judged(float("nan"), 1e-6, 1.0, periods=1e3) is Outcome.WRONG
+    assert classify(1e-6, 1e-6, 0.0) is Outcome.RIGHT
+    assert classify(9e-5, 1e-6, 0.0) is Outcome.DEGRADED
+    assert classify(1e-3, 1e-6, 1.0) is Outcome.WRONG
+    assert classify(1e-3, 1e-6, 1e-5, periods=1e3) is Outcome.DEGRADED
+    assert classify(float("nan"), 1e-6, 1.0, periods=1e3) is Outcome.WRONG
 
 
 def test_collocation_follows_a_stiff_decay():

@@ -14,8 +14,8 @@ from eigenmotion.stability import Outcome, Variant, described, examine
 from eigenmotion.stability.cases import bearings, cones, contacts
 from eigenmotion.stability.cases.case import EXPLICIT, TOLERANCES, Case
 from eigenmotion.stability.cases.variants import CONTACTS, UNSTABILISED
-from eigenmotion.stability.evaluation.contact_conditions import missed
-from eigenmotion.stability.evaluation.contact_outputs import watched
+from eigenmotion.stability.evaluation.contact_conditions import largest_violation
+from eigenmotion.stability.evaluation.contact_outputs import with_contact_outputs
 from eigenmotion.stability.expectation.piecewise_motion import Rocking, Rubbed
 from eigenmotion.stability.models.contacts import painleves_rod
 
@@ -106,7 +106,7 @@ def jellett(psi: float, theta: float, turn: float, nod: float, spin: float) -> f
 
 @cache
 def slid() -> tuple[Any, Solution, dict[str, float]]:
-    trial, system = contacts.slides(0.5), system_for(watched(painleves_rod()), "lagrange")
+    trial, system = contacts.slides(0.5), system_for(with_contact_outputs(painleves_rod()), "lagrange")
     run = system.simulate((0.0, 0.03), x0=trial.x0, v0=trial.v0, parameters=trial.parameters, rtol=1e-8, atol=1e-8)
     assert run.success
     return system, run, dict(trial.parameters)
@@ -114,7 +114,7 @@ def slid() -> tuple[Any, Solution, dict[str, float]]:
 
 def test_conditions_hold_in_a_run_that_is_right():
     system, run, parameters = slid()
-    assert missed(run, system, watched(painleves_rod()), parameters) < 1e-7
+    assert largest_violation(run, system, with_contact_outputs(painleves_rod()), parameters) < 1e-7
 
 
 @pytest.mark.parametrize("what", ["multipliers", "tip_gap", "tip_opens", "rub_slip"])
@@ -127,12 +127,12 @@ def test_a_missed_condition_is_seen(what):
     else:
         moved = -run.outputs[what] if what == "rub_slip" else run.outputs[what] - 0.1
         wrong["outputs"] = run.outputs | {what: moved}
-    assert missed(wrong, system, watched(painleves_rod()), parameters) > 0.01
+    assert largest_violation(wrong, system, with_contact_outputs(painleves_rod()), parameters) > 0.01
 
 
 @cache
 def rolled() -> tuple[Any, Solution, dict[str, float]]:
-    trial, system = cones.rolls(0.2), system_for(watched(cones.billiard_ball()), "lagrange")
+    trial, system = cones.rolls(0.2), system_for(with_contact_outputs(cones.billiard_ball()), "lagrange")
     run = system.simulate((0.0, 1.0), x0=trial.x0, v0=trial.v0, parameters=trial.parameters, rtol=1e-8, atol=1e-8)
     assert run.success
     assert len(run.modes) == 2
@@ -141,7 +141,7 @@ def rolled() -> tuple[Any, Solution, dict[str, float]]:
 
 def test_conditions_hold_of_a_cone_that_slides_and_sticks():
     system, run, parameters = rolled()
-    assert missed(run, system, watched(cones.billiard_ball()), parameters) < 1e-7
+    assert largest_violation(run, system, with_contact_outputs(cones.billiard_ball()), parameters) < 1e-7
 
 
 @pytest.mark.parametrize("what", ["rub_slip", "rub_aside", 1, 2])
@@ -153,19 +153,19 @@ def test_a_missed_condition_of_a_cone_is_seen(what):
         wrong["outputs"] = run.outputs | {what: run.outputs[what] + 0.1}
     else:
         wrong["multipliers"] = run.multipliers + np.where(np.arange(3) == what, 0.17 * 9.81 * 0.3, 0.0)[:, None]
-    assert missed(wrong, system, watched(cones.billiard_ball()), parameters) > 0.01
+    assert largest_violation(wrong, system, with_contact_outputs(cones.billiard_ball()), parameters) > 0.01
 
 
 def test_conditions_know_norms_of_reactions():
     """Frictions that are pressed by two rows, behind rows of other constraints."""
-    trial, model = bearings.turns(0.2), watched(bearings.driven_slider())
+    trial, model = bearings.turns(0.2), with_contact_outputs(bearings.driven_slider())
     system = system_for(model, "lagrange")
     given = {"x0": trial.x0, "v0": trial.v0, "parameters": trial.parameters, "rtol": 1e-8, "atol": 1e-8}
     run = system.simulate((0.0, 0.5), **given)
-    assert missed(run, system, model, dict(trial.parameters)) < 1e-7
+    assert largest_violation(run, system, model, dict(trial.parameters)) < 1e-7
     wrong = Solution(run._source, dict(run))
     wrong["outputs"] = run.outputs | {"rub_pin_slip": -run.outputs["rub_pin_slip"]}
-    assert missed(wrong, system, model, dict(trial.parameters)) > 0.01
+    assert largest_violation(wrong, system, model, dict(trial.parameters)) > 0.01
 
 
 @pytest.mark.parametrize("friction", [0.05, 0.5])

@@ -1,7 +1,7 @@
-"""Error against run time: what a tolerance, a method and a formulation buy on this machine."""
+"""Report of error against run time for tolerances, methods and formulations on this machine."""
 
-from .examine import Ask as Ask
 from .examine import Findings as Findings
+from .examine import ReportOptions as ReportOptions
 from .examine import examine as examine
 from .files import write_report as write_report
 from .measure import Budget as Budget

@@ -1,6 +1,6 @@
-"""Pictures: error against run time, against right-hand sides and against the tolerance.
+"""Pictures of error against run time, by solver and method, and against the number of steps.
 
-Each curve has a marker and a line style of its own, so that none needs its colour.
+Each curve has its own marker and line style, so that it can be told apart without its colour.
 """
 
 from collections.abc import Iterable, Sequence
@@ -32,39 +32,39 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
 _HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
 _BEST, _NODES = "dop853", "ra15"
-_GUIDED = methods.METHODS["radau5"].order  # of the implicit ones
+_GUIDED = methods.METHODS["radau5"].order  # order of the guide line for implicit methods
 
 
-def pictures(found: Findings) -> tuple[Picture, ...]:
-    """Draw all of a model's."""
-    return (_against_peers(found), _by_method(found), _convergence(found))
+def pictures(findings: Findings) -> tuple[Picture, ...]:
+    """Draw all pictures of a model."""
+    return (_against_peers(findings), _by_method(findings), _convergence(findings))
 
 
-def _against_peers(found: Findings) -> Picture:
-    """Everyone on the left; on the right those that our curves can be told from only at a larger scale."""
+def _against_peers(findings: Findings) -> Picture:
+    """Draw all solvers on the left; on the right, enlarged, those of about the run times of our explicit methods."""
     chosen = [
-        c for c in found.curves if c.points and (c.family != OURS or c.is_implicit or c.method in (_BEST, _NODES))
+        c for c in findings.curves if c.points and (c.family != OURS or c.is_implicit or c.method in (_BEST, _NODES))
     ]
     near = _near(chosen)
-    shown = {f"{found.name}, {found.ask.t_end:g} s of motion": chosen}
+    shown = {f"{findings.name}, {findings.options.t_end:g} s of motion": chosen}
     if _decades(near) < 0.6 * _decades(chosen):
-        shown["the quick ones, enlarged"] = near
+        shown["the fast solvers, enlarged"] = near
     figure, panels = _figure(len(shown), 4.5 + 3.25 * len(shown), 5.2)
     for axes, (title, lines) in zip(panels, shown.items(), strict=True):
         for curve in lines:
             _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
-        _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
+        _finish(axes, findings, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
         axes.set_title(title)
     _legend(figure, panels[0])
     return _picture(
-        figure, found, "time", "error against run time",
-        f"Our formulations with {_BEST} and with {_NODES} (dotted), our implicit methods, and what else there is. Bars"
-        ": quartiles of the repeats. Lower left is better.",
+        figure, findings, "time", "error against run time",
+        f"Our formulations with {_BEST} and with {_NODES} (dotted), our implicit methods, and other solvers. Bars: "
+        "quartiles of the repeats. Lower left is better.",
     )  # fmt: skip
 
 
 def _near(curves: Sequence[Curve]) -> list[Curve]:
-    """Return our explicit ones, or else all of ours, and who never takes more than a few times as long as they do."""
+    """Return the curves of our explicit methods (or all of ours), and others that take at most 3 times as long."""
     ours = [c for c in curves if c.family == OURS]
     base = [c for c in ours if not c.is_implicit] or ours
     longest = max((max(c.seconds) for c in base), default=0.0)
@@ -76,47 +76,47 @@ def _decades(curves: Sequence[Curve]) -> float:
     return float(np.log10(max(every) / min(every))) if every else 0.0
 
 
-def _by_method(found: Findings) -> Picture:
+def _by_method(findings: Findings) -> Picture:
     figure, panels = _figure(len(METHODS) + 1, 13.5, 4.8)
-    for axes, (title, lines, _) in zip(panels, _panels(found), strict=True):
+    for axes, (title, lines, _) in zip(panels, _panels(findings), strict=True):
         for curve in lines:
             _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors)
-        _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
+        _finish(axes, findings, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
         axes.set_title(title)
-    figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
+    figure.suptitle(f"{findings.name}, {findings.options.t_end:g} s of motion")
     _legend(figure, *panels, below=True)
     return _picture(
-        figure, found, "methods", "formulations by method",
-        "The same axes for each of the explicit methods, and for the implicit ones.",
+        figure, findings, "methods", "formulations by method",
+        "One panel for each explicit method, and one for the implicit methods; same axes.",
     )  # fmt: skip
 
 
-def _convergence(found: Findings) -> Picture:
-    """Error against steps, where order p is a line of slope -p."""
+def _convergence(findings: Findings) -> Picture:
+    """Draw error against steps: a method of order p gives a line of slope -p."""
     figure, panels = _figure(len(METHODS) + 1, 13.5, 4.8)
-    for axes, (title, lines, order) in zip(panels, _panels(found), strict=True):
+    for axes, (title, lines, order) in zip(panels, _panels(findings), strict=True):
         for curve in lines:
             _draw(axes, curve, [p.nsteps or 0 for p in curve.points], curve.errors)
-        is_guided = _guide(axes, lines, order, found.floor)
-        _finish(axes, found, "accepted steps", _ERROR if axes is panels[0] else "")
+        is_guided = _guide(axes, lines, order, findings.floor)
+        _finish(axes, findings, "accepted steps", _ERROR if axes is panels[0] else "")
         axes.set_title(f"{title}; grey: order {order}" if is_guided else title)
-    figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
+    figure.suptitle(f"{findings.name}, {findings.options.t_end:g} s of motion")
     _legend(figure, *panels, below=True)
     return _picture(
-        figure, found, "order", "order of convergence",
-        "Error against accepted steps: a method of order p falls along a line of slope -p (grey; of the implicit ones "
-        "radau5's).",
+        figure, findings, "order", "order of convergence",
+        "Error against accepted steps: a method of order p follows a line of slope -p (grey; for implicit methods the "
+        "order of radau5).",
     )  # fmt: skip
 
 
-def _panels(found: Findings) -> list[tuple[str, list[Curve], int]]:
-    """Return title, curves and order of each explicit method, and of the implicit ones together."""
-    panels = [(method, _ours(found, method), order) for method, order in METHODS.items()]
-    return [*panels, ("implicit", [c for c in found.curves if c.is_implicit and c.points], _GUIDED)]
+def _panels(findings: Findings) -> list[tuple[str, list[Curve], int]]:
+    """Return title, curves and order of each panel: one for each explicit method, one for all implicit methods."""
+    panels = [(method, _ours(findings, method), order) for method, order in METHODS.items()]
+    return [*panels, ("implicit", [c for c in findings.curves if c.is_implicit and c.points], _GUIDED)]
 
 
-def _ours(found: Findings, method: str) -> list[Curve]:
-    return [c for c in found.curves if c.family == OURS and c.method == method and c.points]
+def _ours(findings: Findings, method: str) -> list[Curve]:
+    return [c for c in findings.curves if c.family == OURS and c.method == method and c.points]
 
 
 def _figure(panels: int, width: float, height: float) -> tuple[Any, list[Any]]:
@@ -142,7 +142,7 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
 
 
 def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> bool:
-    """Draw the method's slope through the middle of the points it is about, where steps follow the tolerance at all."""
+    """Draw a line with the slope of the method through the median point; return False if there are too few points."""
     fixed = [c for c in lines if methods.METHODS[c.method].order == order and c.order(floor) is not None]
     every = [(p.nsteps or 0, p.error_max or 0.0) for curve in fixed for p in curve.points]
     points = [(steps, error) for steps, error in every if steps and floor < error < 1e-2]
@@ -154,13 +154,13 @@ def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> bool:
     return True
 
 
-def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
+def _finish(axes: Any, findings: Findings, xlabel: str, ylabel: str) -> None:
     from matplotlib.ticker import LogLocator  # noqa: PLC0415, an optional package
 
     axes.set(xlabel=xlabel, ylabel=ylabel)
-    axes.axhline(found.ask.error, color="0.4", linewidth=0.9, linestyle=(0, (6, 3)), label="accuracy asked for")
-    own = max(float(found.reference.errors.max()), 1e-17)
-    errors = [e for c in found.curves for e in c.errors if e > 0] or [found.ask.error]
+    axes.axhline(findings.options.error, color="0.4", linewidth=0.9, linestyle=(0, (6, 3)), label="requested accuracy")
+    own = max(float(findings.reference.errors.max()), 1e-17)
+    errors = [e for c in findings.curves for e in c.errors if e > 0] or [findings.options.error]
     low, high = min(errors) / 5, max(errors) * 5
     if own > low:
         axes.axhspan(low, own, color="0.92", zorder=-1, label="below the reference's own error")
@@ -171,7 +171,7 @@ def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
 
 
 def _label_times(axes: Any) -> None:
-    """Label few enough of 1, 2, 5, 10, 20, ... in plain numbers that none overlap."""
+    """Label 1, 2, 5, 10, 20, ... in plain numbers, few enough not to overlap."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: PLC0415, an optional package
 
     first, last = axes.get_xlim()
@@ -185,13 +185,13 @@ def _label_times(axes: Any) -> None:
 
 
 def _power(value: float) -> str:
-    """Write a long number short: 3e4."""
+    """Return a large number in short form: 3e4."""
     mantissa, exponent = f"{value:e}".split("e")
     return f"{float(mantissa):g}e{int(exponent)}"
 
 
 def _legend(figure: Any, *panels: Any, below: bool = False) -> None:
-    """What stands for what in any of the panels, each once."""
+    """Draw a legend with the entries of all panels, each once."""
     every = [zip(*axes.get_legend_handles_labels(), strict=True) for axes in panels]
     known = {label: handle for pairs in every for handle, label in pairs}
     if below:
@@ -200,5 +200,5 @@ def _legend(figure: Any, *panels: Any, below: bool = False) -> None:
         figure.legend(known.values(), known, loc="outside right upper", frameon=False)
 
 
-def _picture(figure: Any, found: Findings, kind: str, title: str, text: str) -> Picture:
-    return picture(figure, f"{found.name}_{kind}", f"{found.name}: {title}", text)
+def _picture(figure: Any, findings: Findings, kind: str, title: str, text: str) -> Picture:
+    return picture(figure, f"{findings.name}_{kind}", f"{findings.name}: {title}", text)

@@ -1,4 +1,4 @@
-"""One model from its equations to a recommendation."""
+"""Examination of one model: from its equations to a recommendation."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -21,13 +21,13 @@ from .solvers import OUR_TOLERANCES, Problem, Solver, explicit_solvers, implicit
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
-    """What to find out.
+class ReportOptions:
+    """Options of a report.
 
-    error : the accuracy asked for
+    error : the requested accuracy
     t_end : [s]
-    tolerances : of our runs with compiled methods, from loose to tight
-    settings : parameters, inputs, x0, v0 over the model's own, as `simulate` takes them
+    tolerances : of our explicit methods, from loose to tight
+    settings : parameters, inputs, x0, v0 of `simulate`, over those of the model
     """
 
     error: float = 1e-8
@@ -38,21 +38,21 @@ class Ask:
 
     @property
     def problem(self) -> Problem:
-        """Return what every run is of."""
+        """The span and settings of every run."""
         return Problem(self.t_end, self.settings)
 
 
 @dataclass(frozen=True, slots=True)
 class Findings:
-    """All that was found out about one model.
+    """The results for one model.
 
     start : x, v at t = 0
-    absent : peers that there are none of here, and why
-    skipped : solvers of which some tolerances were not tried, and why
+    absent : peers that could not be measured, and why
+    skipped : solvers for which some tolerances were skipped, and why
     """
 
     subject: Subject
-    ask: Ask
+    options: ReportOptions
     start: Vector
     reference: Reference
     measurements: tuple[Measurement, ...]
@@ -63,50 +63,52 @@ class Findings:
 
     @property
     def name(self) -> str:
-        """The model's."""
+        """The name of the model."""
         return self.subject.model.name
 
     @property
     def floor(self) -> float:
-        """Error below which differences say nothing: rounding, or ten times the reference's own error."""
+        """Smallest meaningful error: rounding, or ten times the error of the reference."""
         return max(1e-13, 10 * float(self.reference.errors.max()))
 
 
-def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
-    """Build, integrate and measure.
+def examine(model: Model, options: ReportOptions, progress: Progress) -> Findings:
+    """Build a model in all formulations, compute the reference, and measure all solvers.
 
     Raises
     ------
     ModelError, BuildError
         The model has a mistake, cannot be built, or has no reference to compare with.
     """
-    found = subject(model, part(progress, 0.0, 0.2))
-    system, parameters = found.systems[0], ask.settings.get("parameters", {})
+    built = subject(model, part(progress, 0.0, 0.2))
+    system, parameters = built.systems[0], options.settings.get("parameters", {})
     progress(0.2, "reference")
-    values = {**parameters, **ask.settings.get("inputs", {})}
-    equations, probe = classical(model).with_values(values), _probe(system, ask)
+    values = {**parameters, **options.settings.get("inputs", {})}
+    equations, probe = classical(model).with_values(values), _probe(system, options)
     rows = np.concatenate([probe.x, probe.v]).T
-    known = reference(equations, rows[0], ask.t_end, along=(probe.t, rows))
-    solvers, absent = _solvers(found, ask, equations, rows[0])
-    measured = measure(solvers, Judge(known, system, parameters), ask.budget, part(progress, 0.3, 1.0))
+    known = reference(equations, rows[0], options.t_end, along=(probe.t, rows))
+    solvers, absent = _solvers(built, options, equations, rows[0])
+    measured = measure(solvers, Judge(known, system, parameters), options.budget, part(progress, 0.3, 1.0))
     lines = curves(measured)
-    left = skipped(solvers, measured, ask.budget)
-    return Findings(found, ask, rows[0], known, measured, absent, left, lines, recommend(lines, ask.error))
+    left = skipped(solvers, measured, options.budget)
+    return Findings(built, options, rows[0], known, measured, absent, left, lines, recommend(lines, options.error))
 
 
 def _solvers(
-    found: Subject, ask: Ask, equations: Lagrange, y: Vector
+    built: Subject, options: ReportOptions, equations: Lagrange, y: Vector
 ) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
-    """Return ours and the peers', and what is absent."""
-    ours = [solver for system in found.systems for solver in explicit_solvers(system, ask.problem, ask.tolerances)]
-    others = peers(equations, Start(y, ask.t_end))
-    return [*ours, *implicit_solvers(found.systems, ask.problem), *others.solvers], others.absent
+    """Return our solvers and those of peers, and the peers that are absent."""
+    ours = [
+        solver for system in built.systems for solver in explicit_solvers(system, options.problem, options.tolerances)
+    ]
+    others = peers(equations, Start(y, options.t_end))
+    return [*ours, *implicit_solvers(built.systems, options.problem), *others.solvers], others.absent
 
 
-def _probe(system: System, ask: Ask) -> Solution:
-    """Return a run that got to the end: of an explicit method, or where that is held up of an implicit one."""
+def _probe(system: System, options: ReportOptions) -> Solution:
+    """Return a complete run: by an explicit method, or by an implicit method if that fails."""
     for method in ("dop853", "radau9"):
-        probe = ask.problem.simulate(system, method, 1e-8)
+        probe = options.problem.simulate(system, method, 1e-8)
         if probe.status == 0:
             return probe
     raise ModelError(

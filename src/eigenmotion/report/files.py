@@ -1,4 +1,4 @@
-"""The files of a report."""
+"""Files of a report."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ from .page import page
 
 def write_report(reports: Sequence[Findings], folder: Path) -> tuple[Path, ...]:
     """Write report.html, report.json, report.csv and NAME_*.png, NAME_*.svg; return their paths, the page first."""
-    drawings, known = [pictures(found) for found in reports], machine(toolchain().described)
+    drawings, known = [pictures(findings) for findings in reports], machine(toolchain().described)
     texts = {
         "report.html": page(reports, drawings, known),
         "report.json": record(reports, known),

@@ -1,4 +1,4 @@
-"""One model in every formulation, generated and compiled anew, so that what it takes can be told."""
+"""Build of one model in every formulation, without the cache, so that build times can be measured."""
 
 import tempfile
 import time
@@ -18,7 +18,7 @@ from ..system.system import System
 
 @dataclass(frozen=True, slots=True)
 class Built:
-    """A formulation of the model; times in s, generation includes derivation. `refused` says why there is none."""
+    """The model in one formulation; times in s, generation includes derivation. `refused`: why it cannot be built."""
 
     formulation: str
     system: System | None
@@ -29,7 +29,7 @@ class Built:
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A model and its programs."""
+    """A model and its builds."""
 
     model: Model
     derivation: float
@@ -37,17 +37,17 @@ class Subject:
 
     @property
     def systems(self) -> tuple[System, ...]:
-        """Return those that there are."""
+        """The systems of the formulations that could be built."""
         return tuple(built.system for built in self.built if built.system is not None)
 
 
 def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
-    """Derive, generate and compile.
+    """Derive, generate and compile a model in every formulation.
 
     Raises
     ------
     ModelError, BuildError
-        No formulation can be built; that of the first. Or events act, of which no other solver here knows.
+        No formulation can be built; or the model has event actions or states, which the other solvers do not support.
     """
     if any(event.acts for _, event in model.events) or model.contacts:
         raise ModelError(
@@ -66,10 +66,10 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
     for k, formulation in enumerate(FORMULATIONS):
         progress(k / len(FORMULATIONS), f"building {formulation}")
         built.append(_built(model, formulation))
-    found = Subject(model, derivation, tuple(built))
-    if not found.systems:
+    builds = Subject(model, derivation, tuple(built))
+    if not builds.systems:
         raise BuildError(f"{model.name}: no formulation can be built. {built[0].refused}")
-    return found
+    return builds
 
 
 def _built(model: Model, formulation: str) -> Built:

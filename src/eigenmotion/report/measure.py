@@ -1,4 +1,4 @@
-"""Error, cost and time of every solver at every tolerance."""
+"""Measurement of the error, cost and run time of every solver at every tolerance."""
 
 import gc
 import time
@@ -14,18 +14,18 @@ from ..reference.motion import Reference, scaled_error
 from ..system.system import System
 from .solvers import Attempt, Solver, Track
 
-_TURN = 2e-3  # [s] a turn of quicker runs is several calls, each timed alone: the median ignores the disturbed ones
-SLOW = 0.1  # [s] slower ones are timed three times, the first run included
+_TURN = 2e-3  # [s] duration of a turn: shorter runs are called several times, each timed separately for the median
+SLOW = 0.1  # [s] slower runs are timed three times, the first run included
 SLOW_TURNS = 2
 
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """One solver at one tolerance. None: there is no such number, or the run did not get there (`message`).
+    """One solver at one tolerance. None: the number does not exist, or the run did not reach the end (`message`).
 
     error_end, error_max : max over coordinates of |x - x_ref| / (1 + |x_ref|), at the end and over all rows
-    velocity_error_end, velocity_error_max : the same of the velocities
-    seconds : median of `repeats` whole calls, each timed alone; seconds_low, seconds_high : quartiles
+    velocity_error_end, velocity_error_max : the same for the velocities
+    seconds : median of `repeats` complete calls, each timed separately; seconds_low, seconds_high : quartiles
     constraint_violation, position_violation : largest |A v + b| and |phi| over all rows
     energy_integral : integral of |P(t) - P(t0)| dt over the rows (62) [J s], P = T2 - T0 + V
     factor_residual : largest max|M - C^T S^2 C| / max|M|
@@ -55,25 +55,25 @@ class Measurement:
 
     @property
     def curve(self) -> tuple[str, str, str]:
-        """Which solver this is."""
+        """The key of the solver."""
         return self.family, self.formulation, self.method
 
     @property
     def ns_per_rhs(self) -> float | None:
-        """Nanoseconds of the whole call per evaluation of the right-hand side."""
+        """Nanoseconds of the complete call per evaluation of the right-hand side."""
         return None if self.seconds is None or not self.nfev else 1e9 * self.seconds / self.nfev
 
 
 @dataclass(frozen=True, slots=True)
 class Judge:
-    """What runs are compared with; the system's functions tell residuals and energy of anyone's rows."""
+    """Comparison of runs with the reference; the system computes residuals and energy from the rows of any solver."""
 
     reference: Reference
     system: System
     parameters: Mapping[str, float] = field(default_factory=dict)
 
     def __call__(self, blank: Measurement, track: Track) -> Measurement:
-        """Fill in all but the time."""
+        """Return the measurement with all numbers but the time."""
         counted = replace(
             blank, nfev=track.nfev, nsteps=track.nsteps, nrejected=track.nrejected,
             factor_residual=track.factor_residual, message=track.message,
@@ -108,11 +108,11 @@ class Judge:
 
 @dataclass(frozen=True, slots=True)
 class Budget:
-    """How long to go on.
+    """Limits of the measurement.
 
-    grain : [s] after a run that took k times as long, a solver skips k tolerances; after one that took as long and did
-        not get to its end, all that are tighter
-    rounds : turns that every run gets; slow runs get fewer
+    grain : [s] after a run that took k times this, a solver skips k tolerances; after a run that took longer and did
+        not reach the end, all tighter tolerances
+    rounds : number of turns of each run; fewer for slow runs
     """
 
     grain: float = 0.1
@@ -121,7 +121,7 @@ class Budget:
 
 @dataclass(slots=True)
 class _Pending:
-    """A measurement in the making."""
+    """An unfinished measurement."""
 
     measurement: Measurement
     attempt: Attempt
@@ -130,7 +130,7 @@ class _Pending:
 
 
 def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: Progress) -> tuple[Measurement, ...]:
-    """Measure errors first, each solver from loose to tight; then times, in rounds over all of them."""
+    """Measure the errors first, for each solver from loose to tight; then the times, in rounds over all runs."""
     pending: list[_Pending] = []
     for k, solver in enumerate(solvers):
         progress(0.6 * k / len(solvers), f"error of {solver.label}")
@@ -142,20 +142,20 @@ def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: P
 
 
 def skipped(solvers: Sequence[Solver], measured: Sequence[Measurement], budget: Budget) -> tuple[tuple[str, str], ...]:
-    """Return which solvers have tolerances that were not tried, and why."""
-    found = []
+    """Return the solvers with skipped tolerances, and why these were skipped."""
+    skips = []
     for solver in solvers:
         own = [m for m in measured if m.curve == (solver.family, solver.formulation, solver.method)]
         untried = set(solver.tolerances) - {m.tolerance for m in own}
         if untried:
             why = " and ".join(_reasons(own[-1], untried, budget))
             words = f"{len(untried)} of {len(solver.tolerances)} tolerances left out, as {why}"
-            found.append((solver.label, words))
-    return tuple(found)
+            skips.append((solver.label, words))
+    return tuple(skips)
 
 
 def _reasons(last: Measurement, untried: set[float], budget: Budget) -> list[str]:
-    """What was skipped before the last run is due to slowness; what is tighter, to how that ended."""
+    """Return the reasons: before the last run tolerances are skipped for slowness, after it because it ended early."""
     reached = last.error_end is not None
     reasons = [f"runs took more than {budget.grain:g} s"] if reached or max(untried) > last.tolerance else []
     if not reached and min(untried) < last.tolerance:
@@ -177,7 +177,7 @@ def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Pending]:
 
 
 def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Pending:
-    """Run once for the clock and once for the rows. Whatever a solver raises is its result."""
+    """Run once for the time and once for the rows. An exception of a solver is its result."""
     start = time.perf_counter()
     try:
         attempt = solver.attempt(blank.tolerance)
@@ -186,8 +186,10 @@ def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Pending:
         first = time.perf_counter() - start
         return _Pending(judge(blank, attempt.track(judge.reference.t, done)), attempt, first, [])
     except Exception as error:
-        said = f"{type(error).__name__}: {error}".splitlines()[0]
-        return _Pending(replace(blank, message=said), Attempt(lambda: None, _nothing), time.perf_counter() - start, [])
+        message = f"{type(error).__name__}: {error}".splitlines()[0]
+        return _Pending(
+            replace(blank, message=message), Attempt(lambda: None, _nothing), time.perf_counter() - start, []
+        )
 
 
 def _nothing(times: Vector, done: object) -> Track:
@@ -195,7 +197,7 @@ def _nothing(times: Vector, done: object) -> Track:
 
 
 def _time(pending: list[_Pending], turn: int) -> None:
-    """A turn for each run that got to its end; no garbage is collected meanwhile."""
+    """Time one turn of each complete run, with the garbage collector off."""
     gc.collect()
     gc.disable()
     try:
@@ -207,7 +209,7 @@ def _time(pending: list[_Pending], turn: int) -> None:
 
 
 def _samples(run: Callable[[], object], expected: float) -> list[float]:
-    """Return the seconds of each of a few calls in a row, after one that warms the caches where runs are quick."""
+    """Return the seconds of each of a few consecutive calls; for short runs after a call that warms the caches."""
     count = max(1, min(10, round(_TURN / expected)))
     if count > 1:
         run()

@@ -1,4 +1,4 @@
-"""The page of a report, model by model."""
+"""Page of a report, with a section for each model."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _YARDSTICK = (OURS, "eigenfactor", "dop853")
 
 @dataclass(frozen=True, slots=True)
 class ModelSection:
-    """One model on the page."""
+    """The section of one model."""
 
     name: str
     about: str
@@ -37,66 +37,70 @@ class ModelSection:
 
 
 def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Picture]], machine: Mapping[str, str]) -> str:
-    """Render the page of all models; `drawings` are each one's pictures."""
-    sections = [_section(found, drawn) for found, drawn in zip(reports, drawings, strict=True)]
+    """Render the page; `drawings` are the pictures of each model."""
+    sections = [_section(findings, drawn) for findings, drawn in zip(reports, drawings, strict=True)]
     return render(__package__, sections=sections, machine=machine)
 
 
-def _section(found: Findings, drawn: Sequence[Picture]) -> ModelSection:
-    reference = found.reference
+def _section(findings: Findings, drawn: Sequence[Picture]) -> ModelSection:
+    reference = findings.reference
     return ModelSection(
-        name=found.name,
-        about=_about(found),
-        advice=recommendation(found),
+        name=findings.name,
+        about=_about(findings),
+        advice=recommendation(findings),
         pictures=tuple(drawn),
-        reaching=_reaching(found),
-        ratios=_ratios(found),
-        costs=_costs(found),
-        builds=_builds(found),
-        left_out=tuple((s.formulation, s.left_out or ("nothing",)) for s in found.subject.systems),
-        limits=_limits(found),
-        absent=(*found.absent, *found.skipped),
+        reaching=_reaching(findings),
+        ratios=_ratios(findings),
+        costs=_costs(findings),
+        builds=_builds(findings),
+        left_out=tuple((s.formulation, s.left_out or ("nothing",)) for s in findings.subject.systems),
+        limits=_limits(findings),
+        absent=(*findings.absent, *findings.skipped),
         reference=f"{reference.how} Estimate: {number(float(reference.errors[-1]))} at the end, "
         f"{number(float(reference.errors.max()))} at the most.",
-        measurements=_measurements(found.measurements),
+        measurements=_measurements(findings.measurements),
     )
 
 
-def _about(found: Findings) -> str:
-    system = found.subject.systems[0]
+def _about(findings: Findings) -> str:
+    system = findings.subject.systems[0]
     given = [f"{name}{mark} = {value:g}" for kind, mark in (("parameters", ""), ("inputs", ""), ("x0", ""), ("v0", "'"))
-             for name, value in found.ask.settings.get(kind, {}).items()]  # fmt: skip
+             for name, value in findings.options.settings.get(kind, {}).items()]  # fmt: skip
     return (
         f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "
-        f"Motion: t = 0 ... {found.ask.t_end:g}, errors at {len(found.reference.t)} equidistant times. "
+        f"Motion: t = 0 ... {findings.options.t_end:g}, errors at {len(findings.reference.t)} equidistant times. "
         + (f"Set: {', '.join(given)}." if given else "Parameters and start: the model's own.")
     )
 
 
-def _limits(found: Findings) -> str:
-    """Say what is measured less often than the rest, and why."""
-    budget, plain = found.ask.budget, next((c.formulation for c in found.curves if c.is_implicit), "none here")
+def _limits(findings: Findings) -> str:
+    """Return a text about measurements that are left out or repeated less often."""
+    budget, plain = (
+        findings.options.budget,
+        next((c.formulation for c in findings.curves if c.is_implicit), "none here"),
+    )
     return (
         f"The implicit methods {', '.join(IMPLICIT)} integrate (x, xdot) with a compiled Jacobian in every "
-        f"formulation, which only says what a row holds beside them: they are measured once, on {plain}, at whole "
-        f"decades of the tolerance. A run is stopped after {MOST_STEPS:,} steps of ours, of heyoka.py or of CVODES, "
-        f"or {LONGEST:g} s of SciPy's; nothing tighter is tried then. After a run that took k times {budget.grain:g} s "
-        f"the next k tolerances are skipped. Runs of more than {SLOW:g} s are timed {SLOW_TURNS + 1} times."
+        f"formulation, which only adds other numbers to the rows: they are measured once, with {plain}, at whole "
+        f"decades of the tolerance. A run is stopped after {MOST_STEPS:,} steps (ours, heyoka.py, CVODES) or "
+        f"{LONGEST:g} s (SciPy); tighter tolerances are then skipped. After a run that took k times "
+        f"{budget.grain:g} s the next k tolerances are skipped. Runs of more than {SLOW:g} s are timed "
+        f"{SLOW_TURNS + 1} times."
     )
 
 
-def _reaching(found: Findings) -> Table:
-    rows = [(c.label, *(seconds(c.seconds_at(level)) for level in LEVELS)) for c in found.curves]
+def _reaching(findings: Findings) -> Table:
+    rows = [(c.label, *(seconds(c.seconds_at(level)) for level in LEVELS)) for c in findings.curves]
     return Table(("solver", *(f"{level:.0e}" for level in LEVELS)), tuple(rows))
 
 
-def _ratios(found: Findings) -> Table:
-    """How many times longer than the paper's formulation each solver takes to the same error."""
-    yardstick = next((c for c in found.curves if (c.family, c.formulation, c.method) == _YARDSTICK), None)
+def _ratios(findings: Findings) -> Table:
+    """Return the run time of each solver relative to the paper's formulation at the same error."""
+    yardstick = next((c for c in findings.curves if (c.family, c.formulation, c.method) == _YARDSTICK), None)
     head = ("solver", *(f"{level:.0e}" for level in LEVELS))
     if yardstick is None:
         return Table(head, ())
-    return Table(head, tuple((c.label, *(_ratio(c, yardstick, level) for level in LEVELS)) for c in found.curves))
+    return Table(head, tuple((c.label, *(_ratio(c, yardstick, level) for level in LEVELS)) for c in findings.curves))
 
 
 def _ratio(curve: Curve, yardstick: Curve, level: float) -> str:
@@ -104,9 +108,9 @@ def _ratio(curve: Curve, yardstick: Curve, level: float) -> str:
     return "-" if own is None or other is None else f"{own / other:.3g}"
 
 
-def _costs(found: Findings) -> Table:
+def _costs(findings: Findings) -> Table:
     head = ("solver", "order seen", "a call", "a right-hand side more")
-    return Table(head, tuple((c.label, *_cost(c, found.floor)) for c in found.curves))
+    return Table(head, tuple((c.label, *_cost(c, findings.floor)) for c in findings.curves))
 
 
 def _cost(curve: Curve, floor: float) -> Row:
@@ -117,13 +121,13 @@ def _cost(curve: Curve, floor: float) -> Row:
     return seen, seconds(cost[0]) if cost[0] > 0 else "too little to see", seconds(cost[1])
 
 
-def _builds(found: Findings) -> Table:
-    derived = seconds(found.subject.derivation)
+def _builds(findings: Findings) -> Table:
+    derived = seconds(findings.subject.derivation)
     rows = [
         (b.formulation, derived, seconds(b.generation), seconds(b.compilation), str(b.system.n_state))
         if b.system
         else (b.formulation, derived, "-", "-", f"refused: {b.refused.splitlines()[0]}")
-        for b in found.subject.built
+        for b in findings.subject.built
     ]
     return Table(("formulation", "derivation", "generation (with it)", "compilation", "states"), tuple(rows))
 

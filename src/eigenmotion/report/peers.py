@@ -1,4 +1,4 @@
-"""Peers on the same model: SciPy always, heyoka.py and CasADi where they are installed."""
+"""Peers: solvers of other packages on the same model (SciPy; heyoka.py and CasADi if they are installed)."""
 
 import time
 import warnings
@@ -17,13 +17,13 @@ from .solvers import MOST_STEPS, Attempt, Solver, Track
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
 _SCIPY = ("DOP853", "LSODA", "Radau")
-_TAYLOR_TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)  # each is compiled anew: a second or two
+_TAYLOR_TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)  # each needs a compilation of a second or two
 _FUNCTIONS = (
     *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
     *("sinh", "cosh", "tanh", "sqrt", "exp", "log"),
 )
-_LARGEST = 8  # coordinates up to which the accelerations are written out for peers that compile expressions
-LONGEST = 5.0  # [s] after which a run of SciPy's is stopped
+_LARGEST = 8  # the most coordinates for peers that compile written-out accelerations
+LONGEST = 5.0  # [s] after which a run of SciPy is stopped
 _CVODES: dict[str, dict[str, Any]] = {
     "Adams": {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"},
     "BDF": {},
@@ -32,7 +32,7 @@ _CVODES: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """Where the motion begins: y = (x, v) at t = 0; and ends."""
+    """The start y = (x, v) at t = 0, and the end time."""
 
     y: Vector
     t_end: float
@@ -40,25 +40,25 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class Peers:
-    """The peers that can be measured, and why the others cannot: (name, reason)."""
+    """The solvers of peers that can be measured; for the others (name, reason)."""
 
     solvers: tuple[Solver, ...]
     absent: tuple[tuple[str, str], ...]
 
 
 def peers(equations: Lagrange, start: Start) -> Peers:
-    """Set up every peer."""
-    found: list[Solver] = _scipy(equations, start)
+    """Return the solvers of all peers."""
+    solvers: list[Solver] = _scipy(equations, start)
     absent: list[tuple[str, str]] = []
     for module, name, make in (("heyoka", "heyoka.py", _heyoka), ("casadi", "CasADi/CVODES", _casadi)):
         reason = _obstacle(module, len(equations.x))
         try:
-            found += [] if reason else make(equations, start)
-        except Exception as error:  # a peer that cannot take the model is a result, whatever it raises
+            solvers += [] if reason else make(equations, start)
+        except Exception as error:  # whatever a peer raises for this model is a result
             reason = f"{type(error).__name__}: {error}".splitlines()[0]
         if reason:
             absent.append((name, reason))
-    return Peers(tuple(found), tuple(absent))
+    return Peers(tuple(solvers), tuple(absent))
 
 
 def _obstacle(module: str, n: int) -> str:
@@ -86,7 +86,7 @@ def _scipy(equations: Lagrange, start: Start) -> list[Solver]:
 
 
 def _limited(rhs: Callable[[float, Vector], Vector], longest: float) -> Callable[[float, Vector], Vector]:
-    """Stop a run from within: SciPy's have no limit of their own."""
+    """Return the right-hand side with a time limit, since SciPy's solvers have none."""
     deadline = time.perf_counter() + longest
 
     def limited(t: float, y: Vector) -> Vector:
@@ -104,7 +104,7 @@ def _scipy_track(at_rows: Any, at_steps: Any) -> Track:
 
 
 def _heyoka(equations: Lagrange, start: Start) -> list[Solver]:
-    """Taylor's method on the accelerations written out by elimination."""
+    """Return Taylor's method of heyoka.py, on accelerations written out by elimination."""
     import heyoka  # noqa: PLC0415, an optional package
 
     n = len(equations.x)
@@ -136,7 +136,7 @@ def _heyoka(equations: Lagrange, start: Start) -> list[Solver]:
 
 
 def _casadi(equations: Lagrange, start: Start) -> list[Solver]:
-    """SUNDIALS' CVODES on the accelerations written out, with CasADi's exact Jacobian."""
+    """Return CVODES of SUNDIALS, on written-out accelerations with CasADi's exact Jacobian."""
     import casadi  # noqa: PLC0415, an optional package
 
     n = len(equations.x)
@@ -164,7 +164,7 @@ def _casadi(equations: Lagrange, start: Start) -> list[Solver]:
 
 
 def _in_brief(integrator: Callable[..., Any], y: Vector) -> Any:
-    """Integrate; of CasADi's words about a failure leave the last."""
+    """Integrate; shorten CasADi's error message to its last part."""
     try:
         return integrator(x0=y)
     except RuntimeError as error:
@@ -172,5 +172,5 @@ def _in_brief(integrator: Callable[..., Any], y: Vector) -> Any:
 
 
 def functions_of(module: Any) -> dict[str, Callable[..., Any]]:
-    """SymPy's names of functions -> those of an algebra; what it lacks is missed when the model needs it."""
+    """Return SymPy's function names -> functions of an algebra module, as far as it has them."""
     return {name: getattr(module, name) for name in _FUNCTIONS if hasattr(module, name)}

@@ -14,7 +14,7 @@ LEVELS = (1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12)
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """One solver's measurements that got to their end, from loose to tight."""
+    """The complete measurements of one solver, from loose to tight."""
 
     family: str
     formulation: str
@@ -29,12 +29,12 @@ class Curve:
 
     @property
     def group(self) -> str:
-        """What it is compared as: our compiled methods by formulation, everything else by its label."""
+        """The group for comparisons: the formulation for our explicit methods, the label for all others."""
         return self.formulation if self.family == OURS and not self.is_implicit else self.label
 
     @property
     def errors(self) -> list[float]:
-        """(k,) largest on the way."""
+        """(k,) largest errors over all rows."""
         return [point.error_max or 0.0 for point in self.points]
 
     @property
@@ -43,16 +43,16 @@ class Curve:
         return [point.seconds or np.nan for point in self.points]
 
     def reaching(self, error: float) -> list[Measurement]:
-        """Return the points that reach `error` and are not lucky: the next tighter one, if any, reaches it too."""
+        """Return the points that reach `error`, and whose next tighter point reaches it too, so that it is not luck."""
         good = [e <= error for e in self.errors]
         steady = [a and b for a, b in pairwise([*good, True])]
         return [point for point, is_steady in zip(self.points, steady, strict=True) if is_steady]
 
     def seconds_at(self, error: float) -> float | None:
-        """Return the time to reach `error` [s], of the quickest that do; None where the curve does not reach it.
+        """Return the least time [s] to reach `error`; None if the curve does not reach it.
 
-        Up to the loosest that does, the times are interpolated in logarithms. Where the loosest tolerance measured is
-        better than `error` already, looser ones may be quicker.
+        Before the loosest point that reaches it, times are interpolated in logarithms. If the loosest measured
+        tolerance reaches `error` already, looser tolerances might be faster.
         """
         reached = self.reaching(error)
         if not reached:
@@ -72,7 +72,7 @@ class Curve:
     def order(self, floor: float) -> float | None:
         """Return p of error ~ steps^-p, fitted where the error is below 1e-2 and above `floor`.
 
-        None where there are too few points, or hardly more steps at the last than at the first: the order varies.
+        None if there are too few points, or if the steps of the first and last point differ by less than a factor of 2.
         """
         used = [p for p in self.points if p.nsteps and p.error_max and floor < p.error_max < 1e-2]
         if len(used) < 4 or (used[-1].nsteps or 0) < 2 * (used[0].nsteps or 0):
@@ -81,7 +81,7 @@ class Curve:
         return -float(np.polyfit(steps, errors, 1)[0])
 
     def cost(self) -> tuple[float, float] | None:
-        """Return a [s] and b [s] of seconds = a + b nfev, fitted to relative deviations: a call, and an evaluation."""
+        """Return a [s], the cost of a call, and b [s], of an evaluation: seconds = a + b nfev, fitted relatively."""
         used = [p for p in self.points if p.nfev and p.seconds]
         if len(used) < 3:
             return None
@@ -92,14 +92,14 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Recommendation:
-    """What to use for an error of `asked`, largest on the way.
+    """The recommendation for a largest error of `requested`.
 
-    chosen : the measurement that reaches it soonest, or None where none does
-    as_fast : others whose spread of times overlaps with that of the chosen one
-    closest : where none reaches it, the smallest error there is
+    chosen : the fastest measurement that reaches it, or None
+    as_fast : others whose range of times overlaps with that of the chosen one
+    closest : if none reaches it, the one with the smallest error
     """
 
-    asked: float
+    requested: float
     chosen: Measurement | None
     as_fast: tuple[Measurement, ...]
     closest: Measurement | None
@@ -114,14 +114,14 @@ def curves(measurements: Sequence[Measurement]) -> tuple[Curve, ...]:
     )
 
 
-def recommend(found: Sequence[Curve], asked: float) -> Recommendation:
-    """Choose among our curves."""
-    ours = [curve for curve in found if curve.family == OURS]
-    able = sorted((p for curve in ours for p in curve.reaching(asked)), key=lambda p: p.seconds or np.inf)
+def recommend(candidates: Sequence[Curve], requested: float) -> Recommendation:
+    """Return the recommendation among our curves."""
+    ours = [curve for curve in candidates if curve.family == OURS]
+    able = sorted((p for curve in ours for p in curve.reaching(requested)), key=lambda p: p.seconds or np.inf)
     if not able:
         every = [p for curve in ours for p in curve.points]
-        return Recommendation(asked, None, (), min(every, key=lambda p: p.error_max or np.inf, default=None))
+        return Recommendation(requested, None, (), min(every, key=lambda p: p.error_max or np.inf, default=None))
     best, *others = able
     overlapping = [p for p in others if p.curve != best.curve and (p.seconds_low or 0) <= (best.seconds_high or 0)]
     first_of_each = {p.curve: p for p in reversed(overlapping)}
-    return Recommendation(asked, best, tuple(p for p in overlapping if first_of_each[p.curve] is p), None)
+    return Recommendation(requested, best, tuple(p for p in overlapping if first_of_each[p.curve] is p), None)

@@ -1,4 +1,4 @@
-"""Solvers that are measured: one record for ours and for peers alike."""
+"""Solvers of a report: a common interface for ours and those of peers."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from ..simulation.simulate import simulate
 from ..system.system import System
 
 METHODS = {name: method.order for name, method in methods.METHODS.items() if not method.implicit}
-"""Explicit ones, with the order that error falls with."""
+"""Explicit methods -> order."""
 IMPLICIT = tuple(methods.IMPLICIT)
 OURS = "eigenmotion"
 OUR_TOLERANCES = tuple(float(10.0 ** (-k / 2)) for k in range(6, 28))  # 1e-3, 3e-4, ... 3e-14
@@ -24,9 +24,9 @@ _PLAIN = "lagrange"
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """A run seen at the rows asked for, as many as were reached.
+    """The rows of a run at requested times, as far as it got.
 
-    x, v : (k, n); counts are None where a solver does not tell or has no such thing
+    x, v : (k, n); counts are None if a solver does not have them
     message : why the run ended early, or ""
     """
 
@@ -41,10 +41,10 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """A solver at one tolerance, ready to go.
+    """A solver that is set up for one tolerance.
 
-    run : integrates once, over the whole span, and is what the clock sees
-    track : the rows at given times, off the clock; it is handed what `run` returned
+    run : integrates over the complete span; this is timed
+    track : returns the rows at given times, from the times and the result of `run`; this is not timed
     """
 
     run: Callable[[], Any]
@@ -53,7 +53,7 @@ class Attempt:
 
 @dataclass(frozen=True, slots=True)
 class Solver:
-    """A way to integrate the model; `tolerances` from loose to tight, for absolute and relative error alike."""
+    """A solver for the model; `tolerances`, absolute and relative, from loose to tight."""
 
     family: str
     formulation: str
@@ -63,13 +63,13 @@ class Solver:
 
     @property
     def label(self) -> str:
-        """Say who and how, in two words."""
+        """The label in two words."""
         return f"{self.formulation if self.family == OURS else self.family} {self.method}"
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What every run of ours is given: the span, and the arguments parameters, inputs, x0, v0 of `simulate`."""
+    """The span and the arguments parameters, inputs, x0, v0 of all runs by `simulate`."""
 
     t_end: float
     settings: Mapping[str, Mapping[str, float]]
@@ -83,15 +83,15 @@ class Problem:
 
 
 def explicit_solvers(system: System, problem: Problem, tolerances: tuple[float, ...]) -> list[Solver]:
-    """Every explicit method on one formulation."""
+    """Return every explicit method for one formulation."""
     return [_solver(system, problem, method, tolerances) for method in METHODS]
 
 
 def implicit_solvers(systems: Sequence[System], problem: Problem) -> list[Solver]:
-    """Every implicit method, once.
+    """Return every implicit method, for one formulation.
 
-    They integrate (x, v) with a compiled Jacobian whatever the formulation, which only says what a row holds beside
-    them: lagrange nothing, so that its rows are the quickest.
+    They integrate (x, v) with a compiled Jacobian in every formulation, which only adds other numbers to the rows.
+    "lagrange" adds none, so that its rows are the fastest.
     """
     chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
     return [_solver(chosen, problem, method, IMPLICIT_TOLERANCES) for method in IMPLICIT]
@@ -111,7 +111,7 @@ def _attempt(system: System, problem: Problem, method: str, tolerance: float) ->
 
 
 def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:
-    """Rows of one run; the end and counts of the other, which is timed: rows cost right-hand sides, shorter steps."""
+    """Return the rows of one run, with the last row and the counts of the timed run, whose steps are longer."""
     x, v = at_rows.x.T.copy(), at_rows.v.T.copy()
     x[-1:], v[-1:] = at_steps.x.T[-1:], at_steps.v.T[-1:]
     factors = at_rows.factor_residual if system.formulation == "eigenfactor" else np.empty(0)

@@ -1,4 +1,4 @@
-"""Advice in words."""
+"""Recommendation of a report as text."""
 
 from ..presentation.text import number, seconds
 from .examine import Findings
@@ -6,55 +6,56 @@ from .measure import Measurement
 from .solvers import OURS
 
 STEADY = 1.25
-"""Quartiles of repeated calls lie closer than this on a machine that does nothing else."""
+"""Largest ratio of the quartiles of repeated calls on an idle machine."""
 
 
 def spread(m: Measurement) -> str:
-    """The quartiles of a run time."""
+    """Return the quartiles of a run time as text."""
     return "-" if m.seconds_low is None else f"{seconds(m.seconds_low)} ... {seconds(m.seconds_high)}"
 
 
-def recommendation(found: Findings) -> tuple[str, ...]:
-    """Say what to use, what is as good, and how far peers are; sentence by sentence."""
-    advice = found.recommendation
+def recommendation(findings: Findings) -> tuple[str, ...]:
+    """Return the recommendation as sentences: what to use, alternatives, times of others, warnings."""
+    advice = findings.recommendation
     if advice.chosen is None:
-        return (_not_reached(found), *_caution(found))
+        return (_not_reached(findings), *_caution(findings))
     best = advice.chosen
     choice = (
-        f"For an error of {advice.asked:g}, largest on the way, on this machine: formulation {best.formulation}, "
+        f"For an error of {advice.requested:g}, largest on the way, on this machine: formulation {best.formulation}, "
         f"method {best.method}, rtol = atol = {best.tolerance:.1e}: error {number(best.error_max)} in "
         f"{seconds(best.seconds)} ({spread(best)})."
     )
-    given = "".join(f", {name}={dict(numbers)}" for name, numbers in found.ask.settings.items())
+    given = "".join(f", {name}={dict(numbers)}" for name, numbers in findings.options.settings.items())
     call = (
         f'system = eigenmotion.build(model, formulation="{best.formulation}"); eigenmotion.simulate(system, '
-        f'(0, {found.ask.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
+        f'(0, {findings.options.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
         f"atol={best.tolerance:.1e})"
     )
-    return (choice, call, *_as_fast(found), *_others(found), *_spread(best), *_caution(found))
+    return (choice, call, *_as_fast(findings), *_others(findings), *_spread(best), *_caution(findings))
 
 
-def _not_reached(found: Findings) -> str:
-    closest = found.recommendation.closest
+def _not_reached(findings: Findings) -> str:
+    closest = findings.recommendation.closest
     least = "nothing was measured" if closest is None else f"the least is {number(closest.error_max)}, {closest.label}"
-    return f"No run reaches an error of {found.recommendation.asked:g}: {least}. Ask for less, or for a shorter span."
+    limit = findings.recommendation.requested
+    return f"No run reaches an error of {limit:g}: {least}. Ask for less, or for a shorter span."
 
 
-def _as_fast(found: Findings) -> tuple[str, ...]:
-    names = [f"{m.label} at {m.tolerance:.1e} ({seconds(m.seconds)})" for m in found.recommendation.as_fast]
+def _as_fast(findings: Findings) -> tuple[str, ...]:
+    names = [f"{m.label} at {m.tolerance:.1e} ({seconds(m.seconds)})" for m in findings.recommendation.as_fast]
     return (f"As fast within the spread: {', '.join(names)}.",) if names else ()
 
 
-def _others(found: Findings) -> tuple[str, ...]:
-    """Say how much longer the others take to the same error, each family by its best."""
-    asked, chosen = found.recommendation.asked, found.recommendation.chosen
+def _others(findings: Findings) -> tuple[str, ...]:
+    """Return the relative times of other solvers for the same error, the best of each group."""
+    requested, chosen = findings.recommendation.requested, findings.recommendation.chosen
     best: dict[str, float] = {}
-    own = next((c for c in found.curves if chosen and c.label == chosen.label and c.family == OURS), None)
-    for curve in found.curves:
-        needed = curve.seconds_at(asked)
+    own = next((c for c in findings.curves if chosen and c.label == chosen.label and c.family == OURS), None)
+    for curve in findings.curves:
+        needed = curve.seconds_at(requested)
         if needed is not None and (own is None or curve.group != own.group):
             best[curve.group] = min(needed, best.get(curve.group, needed))
-    least = own.seconds_at(asked) if own else None
+    least = own.seconds_at(requested) if own else None
     if not best or not least:
         return ()
     ranked = sorted(best.items(), key=lambda item: item[1])
@@ -72,9 +73,9 @@ def _spread(best: Measurement) -> tuple[str, ...]:
     return (words,)
 
 
-def _caution(found: Findings) -> tuple[str, ...]:
-    own = float(found.reference.errors.max())
-    if own < 0.1 * found.recommendation.asked:
+def _caution(findings: Findings) -> tuple[str, ...]:
+    own = float(findings.reference.errors.max())
+    if own < 0.1 * findings.recommendation.requested:
         return ()
     words = (
         f"Caution: the reference itself is only good to {number(own)}, as the motion magnifies small differences; "

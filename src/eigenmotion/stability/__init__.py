@@ -1,4 +1,4 @@
-"""The stiff and extreme cases: every formulation, option and method, and what becomes of it."""
+"""Stability matrix: stiff and extreme cases with every formulation, option and method, and the outcome of each run."""
 
 from .cases.catalogue import CASES as CASES
 from .cases.variants import Variant as Variant

@@ -8,7 +8,7 @@ import click
 from eigenmotion.building.request import Request, request
 from eigenmotion.presentation.figures import require_matplotlib
 from eigenmotion.progress import bar
-from eigenmotion.report import Ask, examine, recommendation, write_report
+from eigenmotion.report import ReportOptions, examine, recommendation, write_report
 
 from ..options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, folder, setting, values
 
@@ -44,17 +44,17 @@ def command(
     check_writable(output, "-o")
     if models:
         requests = distinct([request(file, assignments(define, "-D")) for file in models])
-        asked = [Ask(error=error, t_end=t_end, settings=values(each.model, settings)) for each in requests]
-        _report(requests, asked, output)
+        options = [ReportOptions(error=error, t_end=t_end, settings=values(each.model, settings)) for each in requests]
+        _report(requests, options, output)
     if paper:
         _draw_paper(output)
 
 
-def _report(requests: list[Request], asked: list[Ask], output: Path) -> None:
+def _report(requests: list[Request], options: list[ReportOptions], output: Path) -> None:
     reports = []
-    for each, ask in zip(requests, asked, strict=True):
+    for each, settings in zip(requests, options, strict=True):
         with bar(each.model.name) as progress:
-            reports.append(examine(each.model, ask, progress))
+            reports.append(examine(each.model, settings, progress))
     page, *others = write_report(reports, output)
     for found in reports:
         click.echo(f"{found.name}: " + "\n  ".join(recommendation(found)))

@@ -1,1 +1,1 @@
-"""Cases: a mechanism, a parameter that drives it to its limits, what should come of it."""
+"""Cases: a mechanism, a parameter that drives it to its limits, and the expected motion."""

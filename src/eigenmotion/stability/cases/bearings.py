@@ -1,4 +1,4 @@
-"""The case of friction in joints: a crank drives a slider; its guide and bearings rub as much as they are pressed."""
+"""Case with friction in joints: a crank drives a slider, whose guide and bearings rub in proportion to their forces."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -25,7 +25,7 @@ START = 0.9, 6.0  # [rad, rad/s] of the crank
 
 @cache
 def driven_slider() -> Model:
-    """Return crank phi, rod at (X, Y) turned by psi, slider at (s, w): bodies held together by five rows."""
+    """Return a crank phi, a rod at (X, Y) turned by psi, and a slider at (s, w), joined by five constraint rows."""
     phi, X, Y, psi, s, w = coordinates = dynamicsymbols("phi X Y psi s w")
     a, l, I, m_2, I_2, m_3, drive, drag = symbols(list(SIZES), positive=True)
     mu, g, r_pin, r_end = symbols("mu g r_pin r_end", positive=True)
@@ -53,10 +53,10 @@ def driven_slider() -> Model:
 
 
 @dataclass(frozen=True)
-class Turning:
-    """The crank alone: what the others do follows from its angle. Forces by Newton's method, signs of slip by quarters.
+class CrankMotion:
+    """Motion of the crank, from whose angle the other bodies follow; forces by Newton's method, quarter by quarter.
 
-    Frictions turn round where sin phi = 0 (the guide) or cos phi = 0 (the rod's end); that of the pin does not, a < l.
+    Friction changes its sign where sin phi = 0 (the guide) or cos phi = 0 (the rod's end), but never at the pin (a < l).
     """
 
     mu: float
@@ -66,18 +66,18 @@ class Turning:
         return np.array([self.shown(*row) for row in self._turned(start[0], start[6], elapsed)])
 
     def _turned(self, phi: float, rate: float, elapsed: Vector) -> Vector:
-        found, t = np.empty((len(elapsed), 2)), 0.0
+        values, t = np.empty((len(elapsed), 2)), 0.0
         quarter = ceil(2 * phi / pi)
         while t < elapsed[-1]:
             done = self._within(quarter, t, elapsed[-1], phi, rate)
             here = (elapsed >= t) & (elapsed <= done.t[-1])
             if here.any():
-                found[here] = done.sol(elapsed[here]).T
+                values[here] = done.sol(elapsed[here]).T
             t, phi, rate, quarter = float(done.t[-1]), quarter * pi / 2, float(done.y[1, -1]), quarter + 1
-        return found
+        return values
 
     def _within(self, quarter: int, t: float, end: float, phi: float, rate: float) -> Any:
-        """Turn on to the end of a quarter, forwards."""
+        """Return the motion to the end of a quarter turn, forwards."""
         middle = (quarter - 0.5) * pi / 2
         signs = -np.sign(sin(middle)), -1.0, -np.sign(cos(middle))  # of the slips of guide, pin, end
 
@@ -109,7 +109,7 @@ class Turning:
         return np.asarray(u, dtype=np.float64)
 
     def _newtons(self, phi: float, rate: float) -> tuple[Vector, Vector]:
-        """Newton's law for crank, rod and slider, without friction: 0 = constant (6,) + linear (6, 6) u."""
+        """Return Newton's law of crank, rod and slider without friction: 0 = constant (6,) + linear (6, 6) u."""
         a, l, I, m_2, I_2, m_3, drive, drag = SIZES.values()
         s, c = sin(phi), cos(phi)
         place, slope, bend = _followers(phi)
@@ -151,9 +151,11 @@ def _followers(phi: float) -> tuple[Vector, Vector, Vector]:
 
 
 def turns(friction: float) -> Trial:
-    """Some four turns of the crank: each slip of guide and rod's end turns round twice in one."""
-    start = Turning.shown(*START)
-    truth = ClosedForm(Turning(friction), "the crank alone, forces by Newton's method, quarter by quarter", own=1e-11)
+    """Return about four turns of the crank: in each, the slips of guide and rod's end change their sign twice."""
+    start = CrankMotion.shown(*START)
+    truth = ClosedForm(
+        CrankMotion(friction), "the crank alone, forces by Newton's method, quarter by quarter", own=1e-11
+    )
     times = rows(0.0, 1.5)
     return Trial(
         f"{friction:g}", {"mu": friction}, start[:6], start[6:], np.ones(6), 0.0, times, truth, conserves=False
@@ -163,7 +165,8 @@ def turns(friction: float) -> Trial:
 CASES = (
     Case(
         "bearings", "A slider whose bearings rub",
-        "A crank drives a slider: guide, pin and rod's end rub by the reactions that they bear, and turn round.",
+        "A crank drives a slider. Friction in guide, pin and rod's end is in proportion to the reactions, and changes "
+        "its sign.",
         "friction coefficient", (0.05, 0.2, 0.5), lambda _: driven_slider(), turns, variants=CONTACTS, reduced=(0.2,),
     ),
 )  # fmt: skip

@@ -20,21 +20,21 @@ TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
 
 @dataclass(frozen=True)
 class Trial:
-    """What is run at one value of a case's parameter.
+    """The run at one value of a case's parameter.
 
     Attributes
     ----------
-    label : the value in words
+    label : the value as text
     parameters : over the model's defaults
     x0, v0 : (n,)
-    units : (n,) size of a small coordinate: atol is tolerance x units, of the velocity as well
-    times : (k,) rows that are compared; the run goes from `start` to the last
-    truth : what they are compared with
-    conserves : whether T2 - T0 + V is constant here
-    turns : (n,) after which a coordinate is the same again, 0: never; None: no coordinate is an angle that may wind
-    periods : how many the span holds, 0 where they are few or have no meaning
+    units : (n,) size of a small coordinate; atol is tolerance x units, also for velocities
+    times : (k,) of the rows that are compared; the run goes from `start` to the last
+    truth : the motion that the rows are compared with
+    conserves : whether T2 - T0 + V is constant
+    turns : (n,) period of a coordinate that is an angle, 0: not periodic; None: no coordinate may wind
+    periods : number of periods in the span; 0 if they are few or have no meaning
     inputs : over the model's defaults
-    nearby : whether starts near this one are ones, by which kappa is measured: of what begins in contact they are not
+    nearby : whether perturbed starts are possible, to measure kappa (they are not if the motion begins in contact)
     """
 
     label: str
@@ -58,14 +58,14 @@ class Case:
 
     Attributes
     ----------
-    axis : what is swept, with its unit
-    values : what `trial` is called with, and `model` too
-    reduced : those of the quick check
-    tolerances : of the methods it is run with
-    max_steps : accepted steps after which a run gives up
+    axis : name of the swept value, with its unit
+    values : arguments of `trial` and `model`
+    reduced : values of the quick check
+    tolerances : method -> tolerance
+    max_steps : accepted steps after which a run ends
     flags : C compiler flags after ours
-    weight : expected cost of a value, to begin with the longest
-    growth : of that cost, relative to it, with the value
+    weight : expected cost of a value; the longest runs begin first
+    growth : relative growth of that cost with the value
     """
 
     name: str
@@ -84,12 +84,12 @@ class Case:
     growth: float = 0.0
 
     def cost(self, value: float) -> float:
-        """Return what a value is expected to cost."""
+        """Return the expected cost of a value."""
         return self.weight * (1 + self.growth * value)
 
 
 def power(value: float) -> str:
-    """Write a value of a sweep as a power of ten where it is one."""
+    """Return a value as text, as a power of ten if it is one."""
     if value == 0:
         return "0"
     exponent = np.log10(value)
@@ -102,12 +102,12 @@ def start_of(model: Model) -> tuple[Vector, Vector]:
 
 
 def scale_of(units: Vector, x0: Vector, v0: Vector) -> Vector:
-    """Return (2n,) by which a reference measures its own steps."""
+    """Return the scale (2n,) of the step error of a reference."""
     return np.concatenate([units + np.abs(x0), units + np.abs(v0)])
 
 
 def rows(start: float, end: float, count: int = 40) -> Vector:
-    """Return the times of `count` rows, the last at the end and none at the start; where they are one, of one row."""
+    """Return the times of `count` rows, the last at the end, none at the start; one row if start and end are equal."""
     return np.linspace(start, end, count + 1)[1:] if start != end else np.array([end])
 
 
@@ -115,5 +115,5 @@ def integrated(
     label: str, rhs: Rhs, parameters: Mapping[str, float], x0: Vector, v0: Vector, units: Vector, times: Vector,
     start: float = 0.0,
 ) -> Trial:  # fmt: skip
-    """Return a trial whose truth is integrated in extended precision."""
+    """Return a trial whose motion is integrated in extended precision."""
     return Trial(label, parameters, x0, v0, units, start, times, Integrated(rhs, scale_of(units, x0, v0)))

@@ -1,4 +1,4 @@
-"""The cases of singular places of the coordinates: motions that are regular, seen in charts that are not."""
+"""Cases with singular coordinates: regular motions in coordinates that are not."""
 
 from math import asin, cos, pi, sin, sqrt
 
@@ -17,7 +17,7 @@ _TURN = 2 * pi
 
 
 def polar(miss: float) -> Trial:
-    """A particle that passes the centre at a distance, r = 1 before and after; rows after the passage."""
+    """Return a particle that passes the centre at a distance, r = 1 before and after; rows after the passage."""
     along = sqrt(1 - miss**2)
     x0, v0 = np.array([0.2, pi - asin(miss), 1.0]), np.array([0.3, -miss, -along])
     units = np.array([1.0, max(miss, 1e-300), 1.0])
@@ -38,12 +38,12 @@ def _straight_on(start: Vector, elapsed: Vector) -> Vector:
 
 
 def gimbal(miss: float) -> Trial:
-    """A free symmetric top whose axis passes the vertical at an angle; rows after the passage."""
+    """Return a free symmetric top whose axis passes the vertical at an angle; rows after the passage."""
     tilt, rate, spin, half = 0.6, 3.0, 4.0, 0.5
     momentum = np.array([sin(tilt + miss), 0.0, cos(tilt + miss)])
     R = Rotation.from_rotvec(-rate * half * momentum) * Rotation.from_euler("ZXZ", [pi / 2, miss, spin])
     axis = R.apply([0.0, 0.0, 1.0])
-    along = _TOP["J"] * rate * cos(tilt)  # of the angular momentum on the figure axis
+    along = _TOP["J"] * rate * cos(tilt)  # component of the angular momentum along the figure axis
     omega = rate * momentum + along * (1 / _TOP["J3"] - 1 / _TOP["J"]) * axis
     start = _euler(R, omega)
     truth = ClosedForm(_free_top, "steady precession of the axis about the angular momentum")
@@ -53,7 +53,7 @@ def gimbal(miss: float) -> Trial:
 
 
 def _free_top(start: Vector, elapsed: Vector) -> Vector:
-    """R(t) = precession about L at |L| / J, after a turn about the axis at L_3 (1 / J3 - 1 / J)."""
+    """Return R(t): precession about L at the rate |L| / J, after a turn about the axis at L_3 (1 / J3 - 1 / J)."""
     phi, theta, psi = start[:3]
     R = Rotation.from_euler("ZXZ", [phi, theta, psi])
     axis, nodes = R.apply([0.0, 0.0, 1.0]), np.array([cos(phi), sin(phi), 0.0])
@@ -69,7 +69,7 @@ def _free_top(start: Vector, elapsed: Vector) -> Vector:
 
 
 def _euler(R: Rotation, omega: Vector) -> Vector:
-    """Return phi, theta, psi and their rates of an attitude and its angular velocity in fixed axes."""
+    """Return phi, theta, psi and their rates from an attitude and its angular velocity in fixed axes."""
     axis = R.apply([0.0, 0.0, 1.0])
     theta, phi = np.arctan2(np.hypot(axis[0], axis[1]), axis[2]), np.arctan2(axis[0], -axis[1])
     nodes = np.array([cos(phi), sin(phi), 0.0])
@@ -79,7 +79,7 @@ def _euler(R: Rotation, omega: Vector) -> Vector:
 
 
 def cardan(miss: float) -> Trial:
-    """A heavy body of three different inertias that passes gimbal lock of its angles; rows after the passage."""
+    """Return a heavy body with three different inertias that passes gimbal lock; rows after the passage."""
     angles = np.array([0.3, pi / 2 - miss, 0.2])
     at_passage = body_start(angles, _cardan_axes(angles[2]).T @ [0.0, 1.0, 3.0])
     begin = body_rows(_INERTIA, at_passage, np.array([0.5, 0.0]))[-1]
@@ -102,7 +102,7 @@ def _cardan_axes(theta: float) -> Vector:
 
 
 def _cardan(z: Vector) -> Vector:
-    """Return psi, phi, theta and their rates of (q, omega)."""
+    """Return psi, phi, theta and their rates from (q, omega)."""
     (a, b, c, d), omega = z[:4], z[4:]
     up = upwards(z.astype(np.longdouble)).astype(np.float64)
     psi = np.arctan2(-2 * (b * c - a * d), a * a - b * b + c * c - d * d)
@@ -112,14 +112,14 @@ def _cardan(z: Vector) -> Vector:
     return np.array([psi, phi, theta, psi_dot, phi_dot, along - up[1] * psi_dot])
 
 
-_INERTIA = np.array([0.05, 0.06, 0.02])  # of the model
+_INERTIA = np.array([0.05, 0.06, 0.02])  # as in the model
 _MISSES = tuple(10.0**-e for e in range(1, 10))
 
 CASES = (
     Case(
         "polar", "Polar coordinates near the centre",
-        "A particle on a cart, free of forces, passes the centre of its polar coordinates at a distance: an "
-        "eigenvalue of M falls to its square and grows again. Compared after the passage.",
+        "A particle on a cart, without forces, passes the centre of its polar coordinates at a distance; an "
+        "eigenvalue of M falls to the square of this distance and grows again. Compared after the passage.",
         "least distance r [m]", _MISSES, lambda _: polar_on_cart(), polar,
     ),
     Case(
@@ -131,8 +131,8 @@ CASES = (
     ),
     Case(
         "cardan", "Cardan angles near gimbal lock",
-        "A heavy body of three different inertias turns about a point and passes the attitude where two of its angles "
-        "are about the same axis. Compared after the passage.",
+        "A heavy body with three different inertias turns about a point and passes the attitude where two of its "
+        "angles are about the same axis. Compared after the passage.",
         "least angle [rad]", _MISSES, lambda _: body_in_cardan_angles(), cardan, reduced=(1e-2, 1e-7),
     ),
 )  # fmt: skip

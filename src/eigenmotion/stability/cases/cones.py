@@ -1,4 +1,4 @@
-"""The cases of friction in a plane: a billiard ball that slides and rolls, a tippe top that turns over."""
+"""Cases with friction in a plane: a billiard ball that slides and rolls, a tippe top that turns over."""
 
 from dataclasses import replace
 from functools import cache
@@ -10,7 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from ...arguments.named_values import Vector
 from ...codegen.model import Contact, Friction, Model
 from ...reference.extended_precision import Extended
-from ..expectation.piecewise_motion import Followed
+from ..expectation.piecewise_motion import ReducedMotion
 from ..expectation.truth import ClosedForm, Integrated, Truth
 from ..models.contacts import SLOW
 from .case import Case, Trial, rows
@@ -18,13 +18,13 @@ from .variants import CONTACTS
 
 m, g, mu = symbols("m g mu", positive=True)
 G, BALL, TOP = 9.81, 0.03, 0.02  # [m/s^2], radii [m]
-OFF, INERTIA = 0.4 * TOP, 0.4 * 0.006 * TOP**2  # of the top: its centre of mass is off [m]; inertias of a full sphere
+OFF, INERTIA = 0.4 * TOP, 0.4 * 0.006 * TOP**2  # of the top: offset of its centre of mass [m], inertia of a full sphere
 TILT, SPIN = 0.3, 100.0  # [rad], [rad/s]
 
 
 @cache
 def billiard_ball() -> Model:
-    """Return a ball on cloth: of its turning the rates about x and y matter alone, those of alpha and beta."""
+    """Return a ball on cloth; of its rotation only the rates about x and y matter, those of alpha and beta."""
     x, y, z, alpha, beta = dynamicsymbols("x y z alpha beta")
     r = symbols("r", positive=True)
     return Model(
@@ -44,7 +44,7 @@ def billiard_ball() -> Model:
 
 @cache
 def tippe_top() -> Model:
-    """Return a sphere whose centre of mass is a below its middle, along its axis; Euler's angles z, x, z."""
+    """Return a sphere whose centre of mass is at a distance a below its centre; Euler angles z, x, z."""
     x, y, z, psi, theta, phi = dynamicsymbols("x y z psi theta phi")
     A, C, R, a = symbols("A C R a", positive=True)
     axis = Matrix([sin(theta) * sin(psi), -sin(theta) * cos(psi), cos(theta)])
@@ -68,7 +68,7 @@ def tippe_top() -> Model:
 
 
 def rolls(friction: float) -> Trial:
-    """Slips evenly less along one direction, mu g of the centre and 7/2 mu g of the point; then rolls."""
+    """Return a ball whose slip decreases evenly, by mu g at the centre, 7/2 mu g at the contact, until it rolls."""
     v0 = np.array([1.0, 0.5, 0.0, 30.0, -20.0])
 
     def struck(start: Vector, elapsed: Vector) -> Vector:
@@ -79,38 +79,37 @@ def rolls(friction: float) -> Trial:
         a = -friction * G * slip / size
         turn = 2.5 / BALL * np.array([a[1], -a[0]])  # m r^2 2/5 alpha'' = r F_y, and beta'' = -r F_x
         late = elapsed[:, None] - t
-        found = np.tile(start, (len(elapsed), 1))
-        found[:, 5:7], found[:, 8:10] = v + a * t, w + turn * t
-        found[:, :2] += v * t + a * t**2 / 2 + found[:, 5:7] * late
-        found[:, 3:5] += w * t + turn * t**2 / 2 + found[:, 8:10] * late
-        return found
+        values = np.tile(start, (len(elapsed), 1))
+        values[:, 5:7], values[:, 8:10] = v + a * t, w + turn * t
+        values[:, :2] += v * t + a * t**2 / 2 + values[:, 5:7] * late
+        values[:, 3:5] += w * t + turn * t**2 / 2 + values[:, 8:10] * late
+        return values
 
     x0 = np.array([0.0, 0.0, BALL, 0.0, 0.0])
     return _trial(f"{friction:g}", {"mu": friction}, x0, v0, 1.0, ClosedForm(struck, "a parabola, then a line"))
 
 
 def turns_over(friction: float) -> Trial:
-    """The top in x, y, three angles while it slips; the force of the floor from z = R - a cos theta."""
+    """Return the slipping top in x, y and three angles; the force of the floor follows from z = R - a cos theta."""
     p = {"m": 0.006, "A": INERTIA, "C": INERTIA, "a": OFF}
 
-    def shown(found: Vector) -> Vector:
-        x, theta, v, w = found[:, :2], found[:, 3:4], found[:, 5:7], found[:, 8:9]
+    def shown(values: Vector) -> Vector:
+        x, theta, v, w = values[:, :2], values[:, 3:4], values[:, 5:7], values[:, 8:9]
         z, fall = TOP - p["a"] * np.cos(theta), p["a"] * np.sin(theta) * w
-        return np.hstack([x, z, found[:, 2:5], v, fall, found[:, 7:]])
+        return np.hstack([x, z, values[:, 2:5], v, fall, values[:, 7:]])
 
     keep = [0, 1, 3, 4, 5, 6, 7, 9, 10, 11]
     scale = np.array([0.01, 0.01, 1, 1, 1, 0.1, 0.1, 10, 10, 100.0])
     inner = Integrated(lambda _, z: top_rates(z, friction, **p), scale)
     x0 = np.array([0.0, 0.0, TOP - OFF * np.cos(TILT), 0.0, TILT, 0.0])
     v0 = np.array([0.0, 0.0, 0.0, 0.0, 0.0, SPIN])
-    truth = Followed(inner, lambda start: start[keep], shown)
-    return replace(
-        _trial(f"{friction:g}", {"mu": friction}, x0, v0, 2.5, truth), nearby=True
-    )  # on the floor all the same
+    truth = ReducedMotion(inner, lambda start: start[keep], shown)
+    # perturbed starts are on the floor, too
+    return replace(_trial(f"{friction:g}", {"mu": friction}, x0, v0, 2.5, truth), nearby=True)
 
 
 def top_rates(state: Extended, friction: float, m: float, A: float, C: float, a: float) -> Extended:
-    """Return the rates of x, y, psi, theta, phi and their rates, by Euler's equations in the axes of the nodal line."""
+    """Return the rates of x, y, psi, theta, phi and of their rates, by Euler's equations in axes of the nodal line."""
     _, _, psi, theta, _, vx, vy, turn, nod, spin = state
     s, c, sp, cp = np.sin(theta), np.cos(theta), np.sin(psi), np.cos(psi)
     e1, e3, up = np.array([cp, sp, 0 * s]), np.array([s * sp, -s * cp, c]), np.array([0 * s, 0 * s, 1 + 0 * s])
@@ -138,12 +137,12 @@ def _trial(label: str, parameters: dict[str, float], x0: Vector, v0: Vector, end
 CASES = (
     Case(
         "billiard", "A billiard ball",
-        "Struck with side and draw it slides along a parabola and then rolls on straight.",
+        "Struck with side and draw, it slides along a parabola and then rolls straight on.",
         "friction coefficient", (0.05, 0.2, 0.5), lambda _: billiard_ball(), rolls, variants=CONTACTS, reduced=(0.2,),
     ),
     Case(
         "tippe_top", "A tippe top",
-        "Spun on its round side it rights itself, then turns over, here by up to 1.4 rad, and slips all along.",
+        "Spun on its round side, it rises and turns over, here by up to 1.4 rad; it slips all the time.",
         "friction coefficient", (0.04, 0.06, 0.08), lambda _: tippe_top(), turns_over, variants=CONTACTS,
         reduced=(0.06,),
     ),

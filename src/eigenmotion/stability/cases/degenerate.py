@@ -1,4 +1,4 @@
-"""The cases of matrices that lack rank: M that is regular under the constraints only, and rows that depend."""
+"""Cases with rank-deficient matrices: M that is regular only with the constraints, and dependent constraint rows."""
 
 from math import cos, sin
 
@@ -13,7 +13,7 @@ from .variants import CONSTRAINED, DEPENDENT_ROWS
 
 
 def massless(m_z: float) -> Trial:
-    """The height of an elastic pendulum as a coordinate of its own, with a mass that is small or none."""
+    """Return an elastic pendulum whose height is a coordinate of its own, with a small mass or none."""
     parameters = {"m_z": m_z} if m_z > 0 else {}
     one = Integrated(lagrange(pendulum_with_bead(), {"m_z": m_z}), scale_of(np.ones(2), np.ones(2), np.ones(2)))
     theta, r, theta_dot, r_dot = 0.8, 1.2, 0.5, -0.3
@@ -29,7 +29,7 @@ def massless(m_z: float) -> Trial:
 
 
 def slender(ratio: float) -> Trial:
-    """A heavy body in quaternions, ever more slender: without any inertia about its axis it has no motion."""
+    """Return a heavy body in quaternions; without inertia about its axis it has no motion."""
     inertia = np.array([0.05, 0.05, 0.05 * ratio])
     start = body_start(np.array([0.3, 0.9, 0.2]), np.array([1.0, -2.0, 4.0]))
     rate = _quaternion_rate(start)
@@ -39,8 +39,8 @@ def slender(ratio: float) -> Trial:
 
 
 def _in_quaternions(inertia: Vector, start: Vector, elapsed: Vector) -> Vector:
-    found = body_rows(inertia, np.concatenate([start[:4], 2 * _turning(start[:4]) @ start[4:]]), elapsed)
-    return np.array([[*row[:4], *_quaternion_rate(row)] for row in found])
+    values = body_rows(inertia, np.concatenate([start[:4], 2 * _turning(start[:4]) @ start[4:]]), elapsed)
+    return np.array([[*row[:4], *_quaternion_rate(row)] for row in values])
 
 
 def _quaternion_rate(row: Vector) -> Vector:
@@ -54,7 +54,7 @@ def _turning(q: Vector) -> Vector:
 
 
 def cranks(offset: float) -> Trial:
-    """Three parallel cranks of one coupler: two rows too many for their motion, and three where all are in line."""
+    """Return three parallel cranks with one coupler: two redundant rows, three if all are in line."""
     rate = 4.0
     x0, v0 = np.array([offset, offset, offset, 0.0]), np.array([rate, rate, rate, 0.0])
     one = Integrated(lambda _, y: np.array([y[1], -_CRANK_PULL * np.cos(y[0])]), np.ones(2))
@@ -73,8 +73,8 @@ _LEAST_NORM = tuple(variant for variant in DEPENDENT_ROWS if variant.dependent_c
 CASES = (
     Case(
         "massless", "Singular M: a coordinate without mass",
-        "An elastic pendulum whose height is a coordinate of its own, held by a constraint, with a mass that is small "
-        "or, at 0, none: M is singular then, and regular together with the constraint.",
+        "An elastic pendulum whose height is a coordinate of its own, tied by a constraint, with a small mass or, at "
+        "0, none: then M is singular, and regular only together with the constraint.",
         "mass m_z [kg]", (1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0), lambda m_z: height_of_pendulum(m_z > 0), massless,
         variants=CONSTRAINED, reduced=(0.0,),
     ),
@@ -87,8 +87,8 @@ CASES = (
     ),
     Case(
         "cranks", "Redundant rows, from a start in line",
-        "Three parallel cranks of one coupler: four rows for three that are independent, and two only where cranks and "
-        "coupler are in line. The motion starts at an angle from there, under least norm.",
+        "Three parallel cranks with one coupler: of four rows three are independent, and only two if cranks and "
+        "coupler are in line. The motion starts at an angle from this position, with least norm.",
         "angle [rad]", (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 0.0), lambda _: three_cranks(), cranks,
         variants=_LEAST_NORM, reduced=(1.0, 0.0),
     ),

@@ -1,7 +1,7 @@
-"""The cases of roots, absolute values, kinks and jumps: of M, of forces, of inputs.
+"""Cases with roots, absolute values, kinks and jumps in M, in forces and in inputs.
 
-All are two oscillators u = x + b(z), z in coordinates in which M is coupled and varies; of u and z the motion is known
-piece by piece.
+All are two oscillators u = x + b(z) and z, in coordinates x, z in which M is coupled and varies. The motion of u and z
+is known piece by piece.
 """
 
 from collections.abc import Callable, Iterator
@@ -40,7 +40,7 @@ def _parabola(z: Vector) -> tuple[Vector, Vector]:
 
 
 def roots(width: float) -> Trial:
-    """b = c z sqrt(z^2 + width^2) / 2: dM/dz turns round within the width of z = 0, and jumps there for width 0."""
+    """Return b = c z sqrt(z^2 + width^2) / 2: dM/dz changes its sign within the width of z = 0; it jumps for 0."""
 
     def bend(z: Vector) -> tuple[Vector, Vector]:
         root = np.hypot(z, width)
@@ -55,12 +55,12 @@ def roots(width: float) -> Trial:
 
 
 def contact(k: float) -> Trial:
-    """A spring of stiffness k that is there for u > 0 only: its force has a kink."""
+    """Return a spring of stiffness k that acts only for u > 0: its force has a kink."""
     return _switching(power(k), {"k": k})
 
 
 def sides(f: float) -> Trial:
-    """A force of size f towards u = 0: it jumps there."""
+    """Return a force of size f towards u = 0, where it jumps."""
     return _switching(power(f), {"f": f})
 
 
@@ -74,8 +74,8 @@ def _switching(label: str, parameters: dict[str, float]) -> Trial:
 
 
 def _between_sides(u: float, v: float, t: Vector, k: float, f: float) -> tuple[Vector, Vector]:
-    """u'' = -(w_1^2 + k [u > 0]) u - f sign(u), from one zero of u to the next."""
-    found, rates, begin = np.empty_like(t), np.empty_like(t), 0.0
+    """Return u'' = -(w_1^2 + k [u > 0]) u - f sign(u), from one zero of u to the next."""
+    values, rates, begin = np.empty_like(t), np.empty_like(t), 0.0
     side = 1.0 if u > 0 or (u == 0 and v > 0) else -1.0
     while begin <= t[-1]:
         w = sqrt(W_1**2 + (k if side > 0 else 0.0))
@@ -85,18 +85,18 @@ def _between_sides(u: float, v: float, t: Vector, k: float, f: float) -> tuple[V
         length = ((phase + leaving) % (2 * pi)) / w
         here = (t >= begin) & (t < begin + length)
         offset, rates[here] = oscillation(u - centre, v, w, t[here] - begin)
-        found[here] = centre + offset
+        values[here] = centre + offset
         begin, u, v, side = begin + length, 0.0, -radius * w * sin(leaving), -side
-    return found, rates
+    return values, rates
 
 
 def held(period: float) -> Trial:
-    """An acceleration of u that jumps at every sample."""
+    """Return an acceleration of u that jumps at every sample."""
     return _sampled(period, "hold")
 
 
 def ramped(period: float) -> Trial:
-    """One that has a kink at every sample."""
+    """Return an acceleration of u with a kink at every sample."""
     return _sampled(period, "linear")
 
 
@@ -106,7 +106,7 @@ def _sampled(period: float, kind: str) -> Trial:
     signal = Signal(times, values, "hold" if kind == "hold" else "linear")
     truth = ClosedForm(
         lambda start, t: in_bent_axes(start, t, lambda u, v, t: _driven(u, v, t, signal), _parabola),
-        "pieces of harmonic motion about a centre that moves evenly",
+        "pieces of harmonic motion about a uniformly moving centre",
     )
     model = kinked_oscillators()
     return Trial(
@@ -116,16 +116,16 @@ def _sampled(period: float, kind: str) -> Trial:
 
 
 def _driven(u: float, v: float, t: Vector, signal: Signal) -> tuple[Vector, Vector]:
-    """u'' = -w_1^2 u + a(t), from one sample to the next."""
-    found, rates = np.empty_like(t), np.empty_like(t)
+    """Return u'' = -w_1^2 u + a(t), from one sample to the next."""
+    values, rates = np.empty_like(t), np.empty_like(t)
     for begin, end, a, slope in _pieces(signal):
         here = (t >= begin) & (t <= end)
         both = np.append(t[here], end) - begin
         offset, rate = oscillation(u - a / W_1**2, v - slope / W_1**2, W_1, both)
         position, rate = offset + (a + slope * both) / W_1**2, rate + slope / W_1**2
-        found[here], rates[here] = position[:-1], rate[:-1]
+        values[here], rates[here] = position[:-1], rate[:-1]
         u, v = float(position[-1]), float(rate[-1])
-    return found, rates
+    return values, rates
 
 
 def _pieces(signal: Signal) -> Iterator[tuple[float, float, float, float]]:
@@ -140,14 +140,14 @@ _PERIODS = (1.0, 0.3, 1e-1, 3e-2, 1e-2)
 CASES = (
     Case(
         "roots", "Roots and absolute values in M",
-        "Two oscillators in coordinates that are bent by z sqrt(z^2 + w^2): the derivatives of M turn round within a "
-        "width w of z = 0; 0: they jump there, by way of |z|.",
+        "Two oscillators in coordinates that are bent by z sqrt(z^2 + w^2): derivatives of M change their sign within "
+        "a width w of z = 0; with w = 0 they jump there (z |z|).",
         "width w [m]", (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 0.0),
         lambda width: rooted_oscillators(width > 0), roots, reduced=(1e-3, 0.0),
     ),
     Case(
         "contact", "Forces with kinks",
-        "Two oscillators in bent coordinates; a spring acts on one side of u = 0 only.",
+        "Two oscillators in bent coordinates; a spring acts only on one side of u = 0.",
         "stiffness k [1/s^2]", (1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6), lambda _: kinked_oscillators(), contact,
         reduced=(1e2,),
     ),

@@ -1,4 +1,4 @@
-"""The cases of long spans, units, starts and size."""
+"""Cases with long spans, extreme units, special starts and large size."""
 
 from math import cos, pi, sin, sqrt
 from typing import NamedTuple
@@ -20,7 +20,7 @@ ROWS = 400
 
 
 def oscillators(periods: float) -> Trial:
-    """Two linear oscillators in curved coordinates, for many periods of the slower."""
+    """Return two linear oscillators in curved coordinates, for many periods of the slower one."""
     x0, v0 = start_of(bent_oscillators())
     truth = ClosedForm(_bent, "linear oscillators", own=1e-9)
     times = rows(0.0, 2 * pi * periods, ROWS)
@@ -36,7 +36,7 @@ def _bent(start: Vector, elapsed: Vector) -> Vector:
 
 
 def pendulum(periods: float) -> Trial:
-    """A pendulum of 1 rad under a holonomic constraint."""
+    """Return a pendulum with amplitude 1 rad and a holonomic constraint."""
     x0, v0 = start_of(cartesian_pendulum())
     period = float(4 * ellipk(sin(0.5) ** 2))
     truth = ClosedForm(_swing, "Jacobi's elliptic functions", own=1e-9)
@@ -45,7 +45,7 @@ def pendulum(periods: float) -> Trial:
 
 
 def _swing(start: Vector, elapsed: Vector) -> Vector:
-    """sin(theta / 2) = k sn(t + t0), theta' = 2 k cn(t + t0), where g = l."""
+    """Return the rows of sin(theta / 2) = k sn(t + t0), theta' = 2 k cn(t + t0), for g = l."""
     x, y, x_dot, y_dot = start
     theta = np.arctan2(x, -y)
     rate = x_dot * cos(theta) + y_dot * sin(theta)
@@ -58,7 +58,7 @@ def _swing(start: Vector, elapsed: Vector) -> Vector:
 
 
 def origin(distance: float) -> Trial:
-    """The same, hung so that the mass passes the origin (1), or far from it; in its own direction of both axes."""
+    """Return the same pendulum, hung so that its mass passes the origin (1), or far away, off both axes."""
     hung = distance * np.array([0.0, 1.0]) if distance == 1.0 else distance * np.array([1.0, -1.0])
     x0, v0 = start_of(hung_pendulum())
     truth = ClosedForm(lambda start, t: _swing_about(hung, start, t), "Jacobi's elliptic functions", own=1e-13)
@@ -72,12 +72,12 @@ def _swing_about(hung: Vector, start: Vector, elapsed: Vector) -> Vector:
 
 
 def lengths_of_link(u: float) -> Trial:
-    """The elastic link with lengths in a unit of u metres: angles and times are the same."""
+    """Return the elastic link with lengths in a unit of u metres; angles and times do not change."""
     return _elastic(u, 1.0, power(u))
 
 
 def masses_of_link(w: float) -> Trial:
-    """The same with masses in a unit of w kilograms."""
+    """Return the elastic link with masses in a unit of w kilograms."""
     return _elastic(1.0, w, power(w))
 
 
@@ -90,12 +90,12 @@ def _elastic(u: float, w: float, label: str) -> Trial:
 
 
 def lengths_of_crank(u: float) -> Trial:
-    """The slider-crank with lengths in a unit of u metres."""
+    """Return the slider-crank with lengths in a unit of u metres."""
     return _crank(u, 1.0, power(u))
 
 
 def masses_of_crank(w: float) -> Trial:
-    """The same with masses in a unit of w kilograms."""
+    """Return the slider-crank with masses in a unit of w kilograms."""
     return _crank(1.0, w, power(w))
 
 
@@ -107,7 +107,7 @@ def _crank(u: float, w: float, label: str, start: float = 0.0, end: float = 1.0,
 
 
 class _Start(NamedTuple):
-    """Where and when a mechanism starts, and until when it runs [s]; `angle` is that of a pendulum's links."""
+    """Start and end of a run [s], the angle of a pendulum's links, and whether the mechanism moves at the start."""
 
     label: str
     start: float = 0.0
@@ -124,7 +124,7 @@ _STARTS = (
 
 
 def starts_of_pendulum(which: float) -> Trial:
-    """A double pendulum that starts as `_STARTS` say."""
+    """Return a double pendulum with a start of `_STARTS`."""
     chosen, units = _STARTS[int(which)], np.ones(2)
     x0, v0 = chosen.angle * units, np.array([0.5, -0.5]) if chosen.moves else np.zeros(2)
     times = rows(chosen.start, chosen.end)
@@ -132,13 +132,13 @@ def starts_of_pendulum(which: float) -> Trial:
 
 
 def starts_of_crank(which: float) -> Trial:
-    """A slider-crank that does."""
+    """Return a slider-crank with a start of `_STARTS`."""
     chosen = _STARTS[int(which)]
     return _crank(1.0, 1.0, chosen.label, chosen.start, chosen.end, rate=5.0 * chosen.moves)
 
 
 def links(n: float) -> Trial:
-    """A chain of n links let go at 45 degrees."""
+    """Return a chain of n links, released at 45 degrees."""
     ones, x0 = np.ones(int(n)), np.full(int(n), pi / 4)
     return integrated(str(int(n)), chain(ones, ones, 9.81), {}, x0, 0 * x0, ones, rows(0.0, 1.0, 20))
 
@@ -164,14 +164,14 @@ CASES = (
     ),
     Case(
         "origin", "Origin",
-        "A pendulum in x and y that hangs elsewhere; 1: its mass passes the origin. Errors count beside the size of "
-        "the coordinates.",
+        "A pendulum in x and y that hangs at a distance from the origin; 1: its mass passes the origin. Errors are "
+        "relative to the size of the coordinates.",
         "distance [m]", (0.0, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6), lambda _: hung_pendulum(), origin,
         variants=CONSTRAINED, reduced=(1.0, 1e3),
     ),
     Case(
         "lengths", "Unit of length, mixed coordinates",
-        "The elastic link, two angles and a length, with lengths in ever larger units. atol goes with the unit.",
+        "The elastic link, two angles and a length, with lengths in ever larger units. atol is scaled with the unit.",
         "unit [m]", _UNITS, lambda _: elastic_link(), lengths_of_link,
         reduced=(1e-12,),
     ),
@@ -192,7 +192,7 @@ CASES = (
     ),
     Case(
         "starts", "Starts and spans",
-        "A double pendulum that starts at rest, at an equilibrium, for no time, backwards.",
+        "A double pendulum that starts at rest or at an equilibrium, and runs over no time or backwards.",
         "", tuple(map(float, range(len(_STARTS)))), lambda _: chain_model.model(2), starts_of_pendulum,
     ),
     Case(
@@ -202,7 +202,7 @@ CASES = (
     ),
     Case(
         "chain", "Chains",
-        "Chains of n links, let go at 45 degrees, for 1 s: within what can be predicted.",
+        "Chains of n links, released at 45 degrees, for 1 s, over which their motion can be predicted.",
         "links n", (2.0, 4.0, 8.0, 16.0, 32.0), lambda n: chain_model.model(int(n)), links,
         flags="-O1", weight=30.0, growth=1.0,
     ),

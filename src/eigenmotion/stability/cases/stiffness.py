@@ -1,4 +1,4 @@
-"""The cases of stiffness, mass and eigenvalues."""
+"""Cases with extreme stiffness, masses and eigenvalues."""
 
 from collections.abc import Mapping
 from math import pi, sqrt
@@ -15,12 +15,12 @@ from ..models.smooth import elastic_link, parallel_eigenvalues, triple_veering
 from .case import Case, Trial, integrated, power, rows, scale_of, start_of
 
 PERIODS = 20
-SPEED = 1.0  # [m/s] at which the undamped stretch starts
-STRETCH = 1e-2  # [m] from which the damped one does
+SPEED = 1.0  # [m/s] initial rate of the undamped stretch
+STRETCH = 1e-2  # [m] initial damped stretch
 
 
 def undamped(k: float) -> Trial:
-    """A spring of stiffness k, for PERIODS of it or 2 s."""
+    """Return an undamped spring of stiffness k, for PERIODS periods or 2 s."""
     span = min(2.0, PERIODS * 2 * pi / sqrt(k))
     parameters, units = {"k": k, "d": 0.0}, np.array([1.0, 1.0, min(1.0, SPEED / sqrt(k))])
     x0, v0 = start_of(elastic_link())
@@ -29,7 +29,7 @@ def undamped(k: float) -> Trial:
 
 
 def damped(k: float) -> Trial:
-    """The same with five times the critical damping, for 1 s: k = 1e10 has d = 1e6."""
+    """Return a spring with five times the critical damping, for 1 s: k = 1e10 has d = 1e6."""
     parameters, units = {"k": k, "d": 10 * sqrt(k)}, np.array([1.0, 1.0, STRETCH])
     x0, v0 = start_of(elastic_link())
     x0[2] = STRETCH
@@ -38,14 +38,14 @@ def damped(k: float) -> Trial:
 
 
 def link(parameters: Mapping[str, float], x0: Vector, v0: Vector, span: float, label: str) -> Trial:
-    """Two links of given sizes."""
+    """Return two links of given sizes."""
     masses, lengths = (np.array([parameters.get(f"{c}_{k}", 1.0) for k in (1, 2)]) for c in "ml")
     rhs = chain(masses, lengths, parameters.get("g", 9.81))
     return integrated(label, rhs, parameters, x0, v0, np.ones(2), rows(0.0, span))
 
 
 def mass_ratio(ratio: float) -> Trial:
-    """m_2 / m_1; heavy below light is a stiff string with a bead on it."""
+    """Return two links with a mass ratio m_2 / m_1; a heavy mass below a light one is a stiff string with a bead."""
     fast = sqrt(9.81 * 2 * (1 + ratio))
     span = min(2.0, PERIODS * 2 * pi / fast)
     parameters = {"m_1": 1.0, "m_2": ratio} if ratio <= 1 else {"m_1": 1 / ratio, "m_2": 1.0}
@@ -53,7 +53,7 @@ def mass_ratio(ratio: float) -> Trial:
 
 
 def short_link(length: float) -> Trial:
-    """l_2 -> 0: an eigenvalue of M goes with its square."""
+    """Return two links with l_2 -> 0: an eigenvalue of M is proportional to its square."""
     span = min(2.0, PERIODS * 2 * pi * sqrt(max(length, 1e-300) / 9.81)) if length else 1.0
     return link({"l_2": length}, np.array([0.7, 1.5]), np.zeros(2), span, power(length))
 
@@ -92,18 +92,18 @@ CASES = (
     ),
     Case(
         "gap", "Eigenvalue gap, to an exact crossing",
-        "Eigenvalues 2 + x/2 and 2 - x/2 that miss each other by twice the gap, again and again; 0: they cross.",
+        "Eigenvalues 2 + x/2 and 2 - x/2 that approach each other to twice the gap, again and again; 0: they cross.",
         "gap", _GAPS, lambda _: veering_model.model, lambda gap: _crossing(veering_model.model, gap, 6.0),
         reduced=(1e-8, 0.0),
     ),
     Case(
         "triple", "Triple coincidence",
-        "Three eigenvalues that meet at one instant, but for a coupling of the size of the gap; 0: exactly.",
+        "Three eigenvalues that meet at one instant, up to a coupling of the size of the gap; 0: exactly.",
         "gap", _GAPS, lambda _: triple_veering(), lambda gap: _crossing(triple_veering(), gap, 6.0),
     ),
     Case(
         "equal", "Eigenvalues equal for ever",
-        "Eigenvalues 2 + x/2 +- gap, which keep their distance; 0: they are equal all the time.",
+        "Eigenvalues 2 + x/2 +- gap at a constant distance; 0: they are equal all the time.",
         "gap", _GAPS, lambda _: parallel_eigenvalues(), lambda gap: _crossing(parallel_eigenvalues(), gap, 6.0),
     ),
     Case(

@@ -1,4 +1,4 @@
-"""Formulations and options: what the columns of the matrix are."""
+"""Variants: formulations and options, the columns of the matrix."""
 
 from dataclasses import dataclass, fields
 
@@ -7,14 +7,14 @@ from ...codegen.choices import FORMULATIONS, Choices
 
 @dataclass(frozen=True, slots=True)
 class Variant(Choices):
-    """What shapes the code, and options of a run."""
+    """Options of the generated code and of a run."""
 
     stabilisation: str = "project"
     dependent_constraints: str = "refuse"
 
     @property
     def label(self) -> str:
-        """Name it by what differs from the defaults."""
+        """The formulation, and the options that differ from the defaults."""
         defaults = {"bounded", "auto", "project", "refuse"}
         words = {"eigenfactor": "schur eigenfactor", "none": "not stabilised", "least_norm": "least norm"}
         chosen = (self.close_eigenvalues, self.schur, self.stabilisation, self.dependent_constraints)
@@ -22,12 +22,12 @@ class Variant(Choices):
 
     @property
     def build(self) -> dict[str, str]:
-        """Return the options of `eigenmotion.build`."""
+        """The options of `eigenmotion.build`."""
         return {option.name: getattr(self, option.name) for option in fields(Choices)}
 
     @property
     def run(self) -> dict[str, str]:
-        """Return the options of `eigenmotion.simulate`."""
+        """The options of `eigenmotion.simulate`."""
         return {"stabilisation": self.stabilisation, "dependent_constraints": self.dependent_constraints}
 
 

@@ -1,1 +1,1 @@
-"""Every run of every case, and what becomes of it."""
+"""Evaluation: the runs of all cases, and their outcomes."""

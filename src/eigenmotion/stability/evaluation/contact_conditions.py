@@ -1,8 +1,8 @@
-"""Conditions of contacts and frictions, checked at every accepted step of a run.
+"""Conditions of contacts and friction, checked at every accepted step of a run.
 
-No held contact pulls, no closed gap accelerates inwards or is negative, no sticking friction exceeds its limit, none
-slides the wrong way or slips as it sticks. Read off the run's own modes, multipliers and the outputs of `watched`.
-Where forces are not unique some of the same sum have to obey.
+No closed contact pulls; no gap is negative or accelerates inwards; no sticking friction exceeds its limit, slips, or
+slides the wrong way. The check uses the modes and multipliers of the run and the outputs of `with_contact_outputs`. If
+forces are not unique, some forces of the same sum must satisfy the conditions.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -19,20 +19,20 @@ from ...results.solution import Solution
 from ...system.system import System
 
 _UNMOVED = 1e-6
-"""A mechanism that has moved by less is at rest where its coordinates vanish: they have no size, its gaps have."""
+"""Least size of the coordinates to which gaps are compared, for a mechanism at rest at x = 0."""
 
 
-def missed(solution: Solution, system: System, model: Model, parameters: Mapping[str, float]) -> float:
-    """Return by how much a condition is missed at most, relative to the largest force, gap or slip of the run.
+def largest_violation(solution: Solution, system: System, model: Model, parameters: Mapping[str, float]) -> float:
+    """Return the largest violation of a condition, relative to the largest force, gap or slip of the run.
 
-    The system is that of the model as `watched`.
+    The system is that of the model `with_contact_outputs`.
     """
-    return max(_Watched(solution, system, model, parameters).misses(), default=0.0)
+    return max(_ContactRun(solution, system, model, parameters).violations(), default=0.0)
 
 
 @dataclass(frozen=True)
-class _Watched:
-    """A run row by row (k): of contacts (c, k), of frictions (r, k); modes are NaN where nothing is decided yet."""
+class _ContactRun:
+    """A run by rows (k): arrays (c, k) of contacts, (r, k) of frictions; modes are NaN before the first decision."""
 
     solution: Solution
     system: System
@@ -57,21 +57,21 @@ class _Watched:
 
     @cached_property
     def ways(self) -> Vector:
-        """1 or -1, which way they slide; of a cone 1."""
+        """1 or -1: the direction of slip; 1 for a cone."""
         return self.mode(self.frictions, "_slides")
 
     def mode(self, of: list[Switch], end: str) -> Vector:
         return self.rows(_along(self.solution, one.name + end) for one in of)
 
     def outputs(self, of: list[Switch], end: str) -> Vector:
-        """(j, k) those of this ending."""
+        """Return the outputs (j, k) with this ending of the name."""
         return self.rows(self.solution.outputs[one.name + end] for one in of)
 
     def rows(self, values: Iterable[Vector]) -> Vector:
         return np.array(list(values)).reshape(-1, len(self.solution.t))
 
-    def misses(self) -> Iterator[float]:
-        """Yield what each condition is missed by."""
+    def violations(self) -> Iterator[float]:
+        """Yield the violation of each condition."""
         gaps, opens = (self.outputs(self.contacts, end) for end in ("_gap", "_opens"))
         slips, held, stuck = self.slips(), self.held == 1, self.stuck == 1
         size = max(_size(self.solution.x), _UNMOVED)
@@ -83,14 +83,14 @@ class _Watched:
         yield self.forces()
 
     def slips(self) -> Vector:
-        """(r, k) of cones their size: their force is against it by what it is made of."""
+        """Return the slips (r, k); for a cone the magnitude, since its force opposes the slip by construction."""
         slips, outputs = self.outputs(self.frictions, "_slip"), self.solution.outputs
         aside = self.rows(outputs.get(f"{one.name}_aside", np.zeros(len(self.solution.t))) for one in self.frictions)
         cones = np.array([[one.cone] for one in self.frictions], dtype=bool)
         return np.where(cones, np.hypot(slips, aside), slips)
 
     def forces(self) -> float:
-        """Return by how much forces are beyond what they may be, where there are no others of the same sum."""
+        """Return the largest violation by forces, if no other forces of the same sum violate less."""
         multipliers = self.solution.multipliers
         press = -multipliers[[one.row for one in self.contacts]]
         rub, size = self.rubs(), max(_size(multipliers), 1e-300)
@@ -102,7 +102,7 @@ class _Watched:
         return max((min(beyond[k] / size, self.others(int(k)) / size) for k in wrong), default=0.0)
 
     def rubs(self) -> Vector:
-        """(r, k) sizes of the multipliers of frictions."""
+        """Return the magnitudes (r, k) of the multipliers of frictions."""
         rows = [self.model.h + one.row for one in self.frictions]
         lambdas = self.solution.multipliers
         return self.rows(
@@ -110,11 +110,11 @@ class _Watched:
         )
 
     def limits(self, end: str) -> Vector:
-        """(r, k) forces up to which frictions stick ("_sticks"), or which hold back what slides ("_limit")."""
+        """Return the forces (r, k) up to which frictions stick ("_sticks"), or with which they slide ("_limit")."""
         return np.asarray(self.outputs(self.frictions, end) * self.rows(map(self.pressing, self.frictions)))
 
     def pressing(self, friction: Switch) -> Vector:
-        """(k,) what its limit is counted in."""
+        """Return the normal force (k,) to which the limit of a friction is relative; 1 for an absolute limit."""
         multipliers = self.solution.multipliers
         if friction.over is not None:
             return np.asarray(-multipliers[next(one.row for one in self.contacts if one.name == friction.over)])
@@ -122,9 +122,9 @@ class _Watched:
         return np.asarray(np.linalg.norm(pressed, axis=0)) if len(pressed) else np.ones(len(self.solution.t))
 
     def others(self, k: int) -> float:
-        """Return by how much the best forces of the same sum in row k miss their limits [N].
+        """Return the violation [N] by the best forces of the same sum in row k.
 
-        Of cones, and where norms of multipliers press, no others are looked for: inf.
+        Not implemented, and infinite, for cones and for friction in joints.
         """
         if any(one.cone or one.presses for one in self.frictions):
             return np.inf
@@ -148,7 +148,7 @@ class _Watched:
 def _least(
     A: Vector, total: Vector, c: int, limit: Vector, on: Vector, way: Vector, held: Vector, stuck: Vector
 ) -> float:
-    """Return the least s with A^T f = total, f >= -s of contacts, |f| <= limit + s of what sticks."""
+    """Return the least s with A^T f = total, f >= -s for contacts, |f| <= limit + s for sticking frictions."""
     m = len(A)
     equal, right, bounded, bounds = [np.append(row, 0.0) for row in A.T], list(total), [], []
     for j, (L, way_j) in enumerate(zip(limit, way, strict=True)):
@@ -169,9 +169,9 @@ def _least(
 
 
 def _along(solution: Solution, name: str) -> Vector:
-    """Return the value of a mode's parameter in each row (k,); of two rows at a time the first is of that before.
+    """Return the value of a mode's parameter in each row (k,); of two rows at one time, the first has the mode before.
 
-    NaN: nothing was decided yet.
+    NaN: before the first decision.
     """
     since = np.array([t for t, _ in solution.modes])
     values = np.array([mode[name] for _, mode in solution.modes])

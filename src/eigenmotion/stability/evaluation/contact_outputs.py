@@ -1,4 +1,4 @@
-"""Outputs of a model with contacts and frictions that `conditions` reads."""
+"""Outputs of contacts and frictions, for contact_conditions.py."""
 
 from dataclasses import replace
 
@@ -7,10 +7,10 @@ from sympy import Expr
 from ...codegen.model import Contact, Model, t
 
 
-def watched(model: Model) -> Model:
-    """Return a model with outputs of its contacts and frictions; one without any is the same.
+def with_contact_outputs(model: Model) -> Model:
+    """Return the model with outputs of its contacts and frictions, if it has any.
 
-    NAME_gap and NAME_opens, its acceleration; NAME_slip, of a cone NAME_aside too, NAME_limit, NAME_sticks (at rest).
+    NAME_gap and its acceleration NAME_opens; NAME_slip, for a cone also NAME_aside; NAME_limit, NAME_sticks (at rest).
     """
     outputs: dict[str, Expr] = {}
     for name, entry in model.contacts:

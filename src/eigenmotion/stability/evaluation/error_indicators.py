@@ -14,13 +14,13 @@ _TINY = 1e-300
 
 @dataclass(frozen=True, slots=True)
 class Indicators:
-    """None: the model has no such thing.
+    """Error indicators of one run. None: the model does not have the quantity.
 
-    energy : largest |P(t) - P(t0)| relative to the energies exchanged, P = T2 - T0 + V; where P is conserved
+    energy : largest |P(t) - P(t0)| relative to the exchanged energy, P = T2 - T0 + V, if P is conserved
     constraint, position : largest |A v + b| and |phi| relative to the terms that cancel in them
     factor : largest max|M - C^T S^2 C| / max|M|
-    energy_slope, position_slope : least-squares slopes of energy and position, by the period where there are many,
-    else by the span
+    energy_slope, position_slope : least-squares slopes of energy and position, per period if there are many, else per
+    span
     """
 
     energy: float | None = None
@@ -32,7 +32,7 @@ class Indicators:
 
     @property
     def largest(self) -> float:
-        """The largest of them."""
+        """The largest indicator."""
         shown = (self.energy, self.constraint, self.position, self.factor)
         return max((i for i in shown if i is not None), default=0.0)
 
@@ -41,7 +41,7 @@ NOTHING_SHOWN = Indicators()
 
 
 def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
-    """Compute them from the rows of a run."""
+    """Return the indicators of the rows of a run."""
     t, x, v = (np.ascontiguousarray(rows) for rows in (solution.t, solution.x.T, solution.v.T))
     periods = (t - trial.start) * (trial.periods or 1.0) / (abs(float(trial.times[-1]) - trial.start) or 1.0)
     drift = _energy_drift(trial, system, t, x, v) if trial.conserves else None
@@ -58,7 +58,7 @@ def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
 
 
 def _energy_drift(trial: Trial, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
-    """Return P(t) - P(t0) over the sum of the largest kinetic energy and the range of the others."""
+    """Return P(t) - P(t0) divided by the sum of the largest kinetic energy and the range of the others."""
     t, x, v = (np.concatenate([[first], rows]) for first, rows in ((trial.start, t), (trial.x0, x), (trial.v0, v)))
     energies = system.compiled.energy_rows(t, x, v, system.prepare(trial.parameters))
     T2, others = energies[:, 0], energies @ (0.0, 0.0, -1.0, 1.0)

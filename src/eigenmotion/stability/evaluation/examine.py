@@ -1,4 +1,4 @@
-"""One point of a case: every run, and what becomes of it."""
+"""Examination of one point of a case: all its runs and their outcomes."""
 
 import time
 import warnings
@@ -18,16 +18,16 @@ from ...simulation.simulate import simulate
 from ...system.system import System
 from ..cases.case import Case, Trial
 from ..cases.variants import Variant
-from .contact_conditions import missed
-from .contact_outputs import watched
+from .contact_conditions import largest_violation
+from .contact_outputs import with_contact_outputs
 from .error_indicators import indicators
 from .expected_rows import Expected, expected_of
-from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
+from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, classify
 
 
 @dataclass(frozen=True, slots=True)
-class Examined:
-    """A point of a case and its cells; `how`, `reference_error` and `kappa` are those of what is Expected there."""
+class PointResult:
+    """A point of a case and its cells; `how`, `reference_error` and `kappa` are those of `Expected`."""
 
     case: str
     point: str
@@ -38,13 +38,13 @@ class Examined:
     cells: tuple[Cell, ...]
 
 
-def examine(case: Case, value: float, planted: Mapping[Variant, System] | None = None) -> Examined:
+def examine(case: Case, value: float, planted: Mapping[Variant, System] | None = None) -> PointResult:
     """Run every variant and method of a case at one value.
 
     Parameters
     ----------
     planted
-        Programs to use in place of those of the case's model: a test plants faults in them.
+        Systems to use instead of the built ones; tests plant faults in them.
 
     Raises
     ------
@@ -52,21 +52,21 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
         Generated code does not compile.
     """
     known = planted or {}
-    model = watched(case.model(value))
+    model = with_contact_outputs(case.model(value))
     built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
     expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
     chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
     cells = tuple(_cell(case, model, expected, built[variant], variant, method) for variant, method in chosen)
-    return Examined(
+    return PointResult(
         case.name, expected.trial.label, expected.how, expected.error, expected.kappa, expected.trial.periods, cells
     )
 
 
 def program(case: Case, value: float, variant: Variant) -> System | str:
-    """Return the compiled program, or why there is none."""
+    """Return the compiled system, or the reason why there is none."""
     try:
-        return _built(watched(case.model(value)), tuple(variant.build.items()), case.flags)
-    except BuildError:  # code that does not compile is no answer to a user
+        return _built(with_contact_outputs(case.model(value)), tuple(variant.build.items()), case.flags)
+    except BuildError:  # a failed compilation is not an answer to users
         raise
     except ModelError as error:
         return str(error)
@@ -90,7 +90,7 @@ def _cell(
         solution = _run(case, expected.trial, system, variant, method)
     except (ModelError, EvaluationError) as error:
         return replace(blank, reason="start refused", message=str(error), seconds=time.perf_counter() - begin)
-    except Exception as error:  # whatever else: it has no name
+    except Exception as error:  # any other exception is not a named reason
         return replace(blank, outcome=Outcome.WRONG, reason="unnamed", message=f"{type(error).__name__}: {error}")
     done = replace(blank, nsteps=int(solution.nsteps), nfev=int(solution.nfev), seconds=time.perf_counter() - begin)
     if not solution.success:
@@ -99,11 +99,11 @@ def _cell(
     if not solution.modes:
         return compared
     at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
-    return _with_conditions(compared, missed(at_every_step, system, model, expected.trial.parameters))
+    return _with_conditions(compared, largest_violation(at_every_step, system, model, expected.trial.parameters))
 
 
 def _with_conditions(compared: Cell, by: float) -> Cell:
-    """Return a cell whose contacts and frictions miss their conditions by so much."""
+    """Return the cell, with outcome WRONG if contacts and frictions violate their conditions by too much."""
     if compared.bound is None or by <= compared.bound:
         return compared
     return replace(compared, outcome=Outcome.WRONG, reason="contacts and frictions", message=f"off by {by:.2g}")
@@ -137,6 +137,6 @@ def _compared(done: Cell, expected: Expected, system: System, solution: Solution
         return replace(done, outcome=Outcome.WRONG, reason="rows missing", message=message, bound=bound)
     error = expected.error_of(np.concatenate([solution.x, solution.v]).T)
     shown = indicators(trial, system, solution)
-    outcome = judged(error, bound, shown.largest, trial.periods)
+    outcome = classify(error, bound, shown.largest, trial.periods)
     reason = "" if np.isfinite(error) else "not finite"
     return replace(done, outcome=outcome, reason=reason, error=error, bound=bound, shown=shown)

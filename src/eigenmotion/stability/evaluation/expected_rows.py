@@ -1,4 +1,4 @@
-"""The rows that the runs of a point are compared with, how far they can be trusted, and kappa."""
+"""Expected rows of the runs of a point, their error, and kappa."""
 
 from dataclasses import dataclass, replace
 
@@ -11,19 +11,19 @@ from ...system.system import System
 from ..cases.case import Trial
 from ..expectation.truth import CHECK, FINE, ROUGH
 
-DIRECTIONS = 3  # random ones, in which the initial data are perturbed
+DIRECTIONS = 3  # number of random directions in which the initial data are perturbed
 _DELTA = 1e-6  # size of the perturbations
 
 
 @dataclass(frozen=True)
 class Expected:
-    """What the runs of a point are compared with, and its worth.
+    """The expected rows of the runs of a point, and their error.
 
     Attributes
     ----------
     exact : (k, 2n) rows of x, v
-    scale : (2n,) by which errors are divided
-    error : of the rows themselves, so scaled
+    scale : (2n,) divisor of errors
+    error : scaled error of the rows themselves
     kappa : growth of a perturbation of the initial data
     """
 
@@ -45,7 +45,7 @@ class Expected:
 
 
 def expected_of(trial: Trial, system: System | None) -> Expected:
-    """Compute all of it; the system, if there is one, puts perturbed starts back onto its constraints."""
+    """Return the expected rows of a trial; the system, if any, projects perturbed starts onto its constraints."""
     start = np.concatenate([trial.x0, trial.v0])
     times = np.concatenate([[trial.start], trial.times])
     with np.errstate(all="ignore"):
@@ -61,13 +61,13 @@ def expected_of(trial: Trial, system: System | None) -> Expected:
 
 
 def _none(trial: Trial, why: str) -> Expected:
-    """No motion to compare with, as where M is singular: whoever finds one is wrong."""
+    """Return that no motion is expected, for example if M is singular: a run that succeeds is wrong."""
     shape = len(trial.times), 2 * len(trial.x0)
     return Expected(trial, f"none: {why}", np.full(shape, np.nan), np.ones(shape[1]), np.nan, 0.0)
 
 
 def _growth(expected: Expected, start: Vector, times: Vector) -> float:
-    """Return by how much a perturbation of the start has grown at the most."""
+    """Return the largest growth factor of a perturbation of the start."""
     before = float(np.max(np.abs(start - expected.exact[0]) / expected.scale))
     if before == 0.0:
         return 0.0
@@ -75,7 +75,7 @@ def _growth(expected: Expected, start: Vector, times: Vector) -> float:
 
 
 def _perturbed(trial: Trial, system: System | None) -> list[Vector]:
-    """Return starts (2n,) near the trial's, each moved in a random direction, back onto the constraints."""
+    """Return starts (2n,) near that of the trial, perturbed in random directions and projected onto the constraints."""
     if not trial.nearby:
         return []
     random, n = np.random.default_rng(0), len(trial.x0)

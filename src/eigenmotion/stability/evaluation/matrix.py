@@ -1,4 +1,4 @@
-"""The whole matrix: all points of all cases, on two processors."""
+"""Stability matrix: all points of all cases, examined in parallel."""
 
 import multiprocessing
 import time
@@ -11,7 +11,7 @@ from ...progress import Progress, part
 from ..cases.case import Case
 from ..cases.catalogue import CASES
 from ..cases.variants import Variant
-from .examine import Examined, examine, program
+from .examine import PointResult, examine, program
 from .outcome import Cell, Outcome
 
 CaseValue = tuple[str, float]  # a case's name and one of its values
@@ -20,9 +20,9 @@ Result = TypeVar("Result")
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """All points, in the order of the cases, and how long it took [s]."""
+    """All points, in the order of the cases, and the run time [s]."""
 
-    points: tuple[Examined, ...]
+    points: tuple[PointResult, ...]
     seconds: float
     workers: int
 
@@ -36,49 +36,49 @@ class Matrix:
         """The cases that were examined."""
         return tuple(CASES[name] for name in dict.fromkeys(point.case for point in self.points))
 
-    def of(self, case: Case) -> tuple[Examined, ...]:
+    def of(self, case: Case) -> tuple[PointResult, ...]:
         """Return the points of a case."""
         return tuple(point for point in self.points if point.case == case.name)
 
     def has_periods(self, case: Case) -> bool:
-        """Whether a case's spans hold many periods, so that drifts have a slope."""
+        """Return whether a case spans many periods, so that drifts have a slope per period."""
         return any(point.periods for point in self.of(case))
 
     def count(self, outcome: Outcome) -> int:
-        """Return how many cells ended so."""
+        """Return the number of cells with this outcome."""
         return sum(cell.outcome is outcome for cell in self.cells)
 
 
 def survey(names: Sequence[str], workers: int, progress: Progress, reduced: bool = False) -> Matrix:
-    """Build what the cases need, then examine every point, or the few of each case's `reduced`."""
+    """Build the systems of the cases, then examine every point, or only those of each case's `reduced`."""
     begin = time.perf_counter()
     chosen = [CASES[name] for name in names]
-    wanted = [(case.name, value) for case in chosen for value in (case.reduced if reduced else case.values)]
+    points = [(case.name, value) for case in chosen for value in (case.reduced if reduced else case.values)]
     if workers <= 1:
-        found = _in_turn(wanted, progress)
+        results = _in_turn(points, progress)
     else:
         with _pool(workers) as pool:
-            found = _in_parallel(pool, wanted, progress)
-    return Matrix(tuple(found[one] for one in wanted), time.perf_counter() - begin, workers)
+            results = _in_parallel(pool, points, progress)
+    return Matrix(tuple(results[one] for one in points), time.perf_counter() - begin, workers)
 
 
-def _in_turn(wanted: Sequence[CaseValue], progress: Progress) -> dict[CaseValue, Examined]:
-    found = {}
-    for k, (name, value) in enumerate(wanted):
-        found[name, value] = examine(CASES[name], value)
-        progress((k + 1) / len(wanted), name)
-    return found
+def _in_turn(points: Sequence[CaseValue], progress: Progress) -> dict[CaseValue, PointResult]:
+    results = {}
+    for k, (name, value) in enumerate(points):
+        results[name, value] = examine(CASES[name], value)
+        progress((k + 1) / len(points), name)
+    return results
 
 
 def _pool(workers: int) -> ProcessPoolExecutor:
-    """Return fresh processes: forks of one that has threads may hang."""
+    """Return a pool of new processes, since forks of a process with threads may hang."""
     return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
 
 
-def _in_parallel(pool: ProcessPoolExecutor, wanted: Sequence[CaseValue], progress: Progress
-                 ) -> dict[CaseValue, Examined]:  # fmt: skip
-    """Programs first, each built once, the longest to build first; then points, likewise."""
-    by_cost = sorted(wanted, key=lambda one: -CASES[one[0]].cost(one[1]))
+def _in_parallel(pool: ProcessPoolExecutor, points: Sequence[CaseValue], progress: Progress
+                 ) -> dict[CaseValue, PointResult]:  # fmt: skip
+    """Build each system once, then examine the points; the most expensive ones begin first."""
+    by_cost = sorted(points, key=lambda one: -CASES[one[0]].cost(one[1]))
     builds = {pool.submit(_build, *one): f"building {CASES[one[0]].model(one[1]).name}" for one in _programs(by_cost)}
     for build in _finished(builds, part(progress, 0.0, 0.5)):
         build.result()
@@ -88,7 +88,7 @@ def _in_parallel(pool: ProcessPoolExecutor, wanted: Sequence[CaseValue], progres
 
 
 def _finished(futures: Mapping["Future[Result]", str], progress: Progress) -> Iterator["Future[Result]"]:
-    """Yield them as they end, by name in the progress; the first failure ends the rest."""
+    """Yield futures as they end, with their names in the progress; the first failure cancels the rest."""
     for k, future in enumerate(as_completed(futures)):
         if future.exception() is not None:
             for other in futures:
@@ -97,10 +97,10 @@ def _finished(futures: Mapping["Future[Result]", str], progress: Progress) -> It
         progress((k + 1) / len(futures), futures[future])
 
 
-def _programs(wanted: Iterable[CaseValue]) -> Iterator[tuple[str, float, Variant]]:
-    """Yield what to build: cases that share a model share its programs."""
+def _programs(points: Iterable[CaseValue]) -> Iterator[tuple[str, float, Variant]]:
+    """Yield the systems to build: cases with the same model share its systems."""
     seen = set()
-    for name, value in wanted:
+    for name, value in points:
         case = CASES[name]
         for variant in case.variants:
             key = (case.model(value).name, *variant.build.values(), case.flags)
@@ -113,5 +113,5 @@ def _build(name: str, value: float, variant: Variant) -> None:
     program(CASES[name], value, variant)
 
 
-def _examine(name: str, value: float) -> Examined:
+def _examine(name: str, value: float) -> PointResult:
     return examine(CASES[name], value)

@@ -1,4 +1,4 @@
-"""The outcome of a run: right, degraded, refused or wrong."""
+"""Outcome of a run: right, degraded, refused or wrong."""
 
 from dataclasses import dataclass
 from enum import StrEnum
@@ -6,13 +6,13 @@ from math import pi
 
 from .error_indicators import NOTHING_SHOWN, Indicators
 
-MARGIN = 100.0  # a right error is at most this many tolerances times 1 + kappa
-MEANINGLESS = 0.1  # and never more than this part of the motion itself
-DEGRADED = 100.0  # and one that is larger by no more than this is degraded
+MARGIN = 100.0  # bound of a right error, in tolerances times 1 + kappa
+MEANINGLESS = 0.1  # largest bound, relative to the motion itself
+DEGRADED = 100.0  # an error of up to this many bounds is degraded
 
 
 class Outcome(StrEnum):
-    """How a cell of the matrix ended; from best to worst."""
+    """The outcome of a cell of the matrix; from best to worst."""
 
     RIGHT = "right"
     REFUSED = "refused"
@@ -36,11 +36,11 @@ RULES = {
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """One run of the matrix. None: there is no such number.
+    """One run of the matrix. None: the number does not exist.
 
     error : largest, over rows and over components of x and v, of |y - y_ref| / (unit + max |y_ref|)
     bound : of a right error
-    shown : what the run itself shows of it
+    shown : the error indicators of the run
     """
 
     case: str
@@ -59,8 +59,8 @@ class Cell:
     seconds: float = 0.0
 
 
-def judged(error: float, bound: float, indicator: float, periods: float = 0.0) -> Outcome:
-    """Return the outcome of a run that says it succeeded; NaN is wrong."""
+def classify(error: float, bound: float, indicator: float, periods: float = 0.0) -> Outcome:
+    """Return the outcome of a run that reports success; NaN is wrong."""
     if error <= bound:
         return Outcome.RIGHT
     return Outcome.DEGRADED if error <= max(DEGRADED * bound, 2 * pi * periods * indicator) else Outcome.WRONG

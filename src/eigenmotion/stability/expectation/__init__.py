@@ -1,1 +1,1 @@
-"""Motions that the cases should show: closed forms, and integration in extended precision."""
+"""Expected motions of the cases: closed forms, and integration in extended precision."""

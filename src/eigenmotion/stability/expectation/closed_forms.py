@@ -1,4 +1,4 @@
-"""Motions and equations written down by hand: an oscillation, a hanging chain, Euler's equations in quaternions."""
+"""Closed forms and equations written by hand: an oscillation, a hanging chain, Euler's equations in quaternions."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ def oscillation(a: float, b: float, w: float, t: Vector) -> tuple[Vector, Vector
 
 
 def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
-    """Return f(t, y) of a hanging chain written down by hand: sums of masses below, differences of angles.
+    """Return f(t, y) of a hanging chain, written by hand: sums of masses below, differences of angles.
 
     sum_j mu_ij l_i l_j (cos(a_i - a_j) a_j'' + sin(a_i - a_j) a_j'^2) + mu_ii l_i g sin a_i = 0,
     mu_ij the mass below link max(i, j).
@@ -32,9 +32,9 @@ def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
 
     def rhs(time: Any, y: Extended) -> Extended:  # noqa: ARG001, nothing depends on it
         angle, rate = y[:n], y[n:]
-        apart = angle[:, None] - angle[None, :]
-        force = -(shared * np.sin(apart)) @ rate**2 - weight * np.sin(angle)
-        return np.concatenate([rate, solve_array(shared * np.cos(apart), force)])
+        difference = angle[:, None] - angle[None, :]
+        force = -(shared * np.sin(difference)) @ rate**2 - weight * np.sin(angle)
+        return np.concatenate([rate, solve_array(shared * np.cos(difference), force)])
 
     return rhs
 
@@ -45,7 +45,7 @@ def body_start(angles: Vector, omega: Vector) -> Vector:
 
 
 def body_rows(inertia: Vector, start: Vector, times: Vector) -> Vector:
-    """Return (q, omega) (k, 7) at times (k,), the first of which is the start; the weight hangs on the third axis."""
+    """Return (q, omega) (k, 7) at times (k,), the first of which is the start; the weight acts on the third axis."""
     return euler(inertia).rows(start, times, FINE)
 
 

@@ -1,4 +1,4 @@
-"""Motions with contacts, piece by piece: each in closed form or by Integrated, from one event to the next."""
+"""Piecewise motions with contacts: from one event to the next in closed form, or by Integrated."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -14,8 +14,12 @@ from .truth import Integrated
 
 
 @dataclass(frozen=True)
-class Followed:
-    """Rows of a mechanism from those of fewer coordinates: `begin` (2n,) -> theirs, `shown` their rows -> (k, 2n)."""
+class ReducedMotion:
+    """Rows of a mechanism from a motion in fewer coordinates.
+
+    begin : start (2n,) -> start of the inner motion
+    shown : rows of the inner motion -> rows (k, 2n)
+    """
 
     inner: Integrated
     begin: Callable[[Vector], Vector]
@@ -28,22 +32,22 @@ class Followed:
 
 
 @dataclass(frozen=True)
-class Pinned:
-    """Rows that are known at some times alone: (k, 1 + 2n), the time before them."""
+class TabulatedMotion:
+    """Rows from a table (k, 1 + 2n), with the time as first column."""
 
     table: Vector
     how: str
     own: float = 1e-10
 
-    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, they are what they are
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, the same at all levels
         return np.vstack([start, self.table[np.searchsorted(self.table[:, 0], times[1:]), 1:]])
 
 
 @dataclass(frozen=True)
-class Rubbed:
-    """A mass m under A sin(w t) on a floor that takes up to `limit`, with a stop at x = 1 that gives back a part e.
+class DrivenFrictionMass:
+    """A mass m under A sin(w t) with friction of up to `limit`, and a stop at x = 1 with restitution e (None: no stop).
 
-    What comes back no faster than `rest` stays there. No stop: e is None.
+    A mass that rebounds with at most the speed `rest` stays at the stop.
     """
 
     m: float
@@ -55,11 +59,11 @@ class Rubbed:
 
     def __call__(self, start: Vector, elapsed: Vector) -> Vector:
         """Return rows (k, 2)."""
-        found = np.empty((len(elapsed), 2))
+        values = np.empty((len(elapsed), 2))
         for begin, end, x, v, way in self._pieces(float(start[0]), float(start[1]), float(elapsed[-1])):
             here = (elapsed >= begin) & (elapsed <= end)
-            found[here] = np.stack(self._at(elapsed[here], begin, x, v, way), axis=1)
-        return found
+            values[here] = np.stack(self._at(elapsed[here], begin, x, v, way), axis=1)
+        return values
 
     def _at(self, t: Vector, begin: float, x: float, v: float, way: float) -> tuple[Vector, Vector]:
         """Return x and its rate, sliding to one side; 0: at rest."""
@@ -73,25 +77,25 @@ class Rubbed:
         return x + there, v + (A * (cos(w * begin) - np.cos(w * t)) - way * self.limit * s) / self.m
 
     def _pieces(self, x: float, v: float, end: float) -> Iterator[tuple[float, float, float, float, float]]:
-        """Yield begin, end, x and its rate there, and the way it slides."""
+        """Yield begin, end, x and its rate at the beginning, and the direction of slip, of each piece."""
         t = 0.0
         while t < end:
-            way = float(np.sign(v)) or self._begins(t, x)
-            until = self._stops(t, x, v, way, end) if way else self._lets_go(t, x)
+            way = float(np.sign(v)) or self._slip_direction(t, x)
+            until = self._next_stop(t, x, v, way, end) if way else self._next_slip(t, x)
             yield t, until, x, v, way
             (x,), (v,) = self._at(np.array([until]), t, x, v, way)
             if way and until < end:
-                x, v = self._ended(x, v)
+                x, v = self._after_piece(x, v)
             t = until
 
-    def _ended(self, x: float, v: float) -> tuple[float, float]:
-        """Return x and its rate after a piece: at rest, or back from the stop."""
+    def _after_piece(self, x: float, v: float) -> tuple[float, float]:
+        """Return x and its rate after a piece: at rest, or rebounding from the stop."""
         if self.e is None or v < 1e-9:
             return x, 0.0
         return 1.0, -self.e * v if self.e * v > self.rest else 0.0
 
-    def _begins(self, t: float, x: float) -> float:
-        """Return to which side it begins to slide; 0: it does not."""
+    def _slip_direction(self, t: float, x: float) -> float:
+        """Return the direction in which the mass begins to slide; 0: it does not."""
         force, grows = self.A * sin(self.w * t), cos(self.w * t) * sin(self.w * t) > 0
         over = abs(force) > self.limit * (1 + 1e-12) or (abs(force) > self.limit * (1 - 1e-12) and grows)
         way = float(np.sign(force)) * over
@@ -100,24 +104,24 @@ class Rubbed:
     def _pressed(self, x: float) -> bool:
         return self.e is not None and abs(x - 1.0) < 1e-12
 
-    def _lets_go(self, t: float, x: float) -> float:
-        """Return when the force next goes beyond the limit, to the side that is open."""
+    def _next_slip(self, t: float, x: float) -> float:
+        """Return the time at which the force next exceeds the limit towards a free side."""
         first = asin(self.limit / self.A) if self.limit < self.A else np.inf
         starts = (pi + first,) if self._pressed(x) else (first, pi + first)
         phase = self.w * t
         nexts = [s + 2 * pi * ceil((phase - s) / (2 * pi) + 1e-12) for s in starts if np.isfinite(s)]
         return min(nexts, default=np.inf) / self.w
 
-    def _stops(self, t: float, x: float, v: float, way: float, end: float) -> float:
-        """Return when what slides stands still or comes to the stop; `end` where that is later."""
+    def _next_stop(self, t: float, x: float, v: float, way: float, end: float) -> float:
+        """Return the time at which the sliding mass comes to rest or reaches the stop, at most `end`."""
         times = np.linspace(t, end, 2 + floor(400 * self.w * (end - t)))
         places, rates = self._at(times, t, x, v, way)
         stands = np.flatnonzero(way * rates[1:] < 0)
         meets = np.flatnonzero(places[1:] > 1.0) if self.e is not None and way > 0 else np.zeros(0, int)
-        found = [
+        values = [
             self._root(times, k, t, x, v, way, part) for part, all_of in ((1, stands), (0, meets)) for k in all_of[:1]
         ]
-        return min(found, default=end)
+        return min(values, default=end)
 
     def _root(self, times: Vector, k: int, t: float, x: float, v: float, way: float, part: int) -> float:
         value = lambda s: float(self._at(np.array([s]), t, x, v, way)[part][0]) - (1.0 - part)  # noqa: E731
@@ -126,20 +130,20 @@ class Rubbed:
 
 
 @dataclass(frozen=True)
-class Rocking:
-    """Housner's block: p'' = -3 g (b cos p - h |sin p|) sign p / (4 (b^2 + h^2)); each blow leaves a part of p'."""
+class RockingBlock:
+    """Housner's block: p'' = -3 g (b cos p - h |sin p|) sign p / (4 (b^2 + h^2)); each impact reduces p'."""
 
     b: float
     h: float
     g: float
 
     @property
-    def kept(self) -> float:
-        """1 - 3/2 sin^2 alpha, what angular momentum about the new corner leaves."""
+    def remaining(self) -> float:
+        """1 - 3/2 sin^2 alpha: the part of p' after an impact, by angular momentum about the new corner."""
         return 1 - 1.5 * self.b**2 / (self.b**2 + self.h**2)
 
     def until_the_first(self, p: float) -> float:
-        """Return when it comes down for the first time, let go at an angle p > 0 [s]."""
+        """Return the time [s] of the first impact after a release at an angle p > 0."""
         return float(self._about(1.0, 0.0, np.inf, p, 0.0).t[-1])
 
     def __call__(self, start: Vector, elapsed: Vector) -> Vector:
@@ -147,16 +151,16 @@ class Rocking:
         return np.array([self._shown(*row) for row in self._turned(start[2], start[5], elapsed)])
 
     def _turned(self, p: float, rate: float, elapsed: Vector) -> Vector:
-        found, t, side = np.empty((len(elapsed), 2)), 0.0, float(np.sign(p))
+        values, t, side = np.empty((len(elapsed), 2)), 0.0, float(np.sign(p))
         while t < elapsed[-1]:
             done = self._about(side, t, elapsed[-1], p, rate)
             here = (elapsed >= t) & (elapsed <= done.t[-1])
-            found[here] = done.sol(elapsed[here]).T
-            t, p, rate, side = float(done.t[-1]), 0.0, self.kept * float(done.y[1, -1]), -side
-        return found
+            values[here] = done.sol(elapsed[here]).T
+            t, p, rate, side = float(done.t[-1]), 0.0, self.remaining * float(done.y[1, -1]), -side
+        return values
 
     def _about(self, side: float, t: float, end: float, p: float, rate: float) -> Any:
-        """Turn about the corner of one side until the other comes down."""
+        """Return the rotation about the corner of one side until the other corner lands."""
         pull = 0.75 * self.g / (self.b**2 + self.h**2)
 
         def rates(_: float, z: Vector) -> list[float]:

@@ -1,4 +1,4 @@
-"""References for a run: closed forms, or independent integration in extended precision."""
+"""Reference motions: closed forms, or independent integration in extended precision."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from ...reference.extended_precision import Extended, Rhs, extended
 from ...reference.integration import Midpoint, followed, graded
 from ...reference.lagrange_equations import classical
 
-FINE, CHECK, ROUGH = range(3)  # how well rows are wanted: to compare with; to tell the error of that; to 1e-9
+FINE, CHECK, ROUGH = range(3)  # levels of accuracy: for the comparison; to estimate its error; to about 1e-9
 
 
 class Truth(Protocol):
@@ -23,14 +23,14 @@ class Truth(Protocol):
 
     @property
     def how(self) -> str:
-        """What it is, in words."""
+        """Description of the reference."""
 
     @property
     def own(self) -> float:
-        """Error that two levels do not show: rounding."""
+        """Error by rounding, which the difference of two levels does not show."""
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        """Integrate, or evaluate."""
+        """Return the rows at a level of accuracy."""
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,13 @@ class ClosedForm:
     how: str
     own: float = 1e-12
 
-    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, as exact as it gets
+    def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, the same at all levels
         return self.function(start, times - times[0])
 
 
 @dataclass(frozen=True)
 class Integrated:
-    """Extrapolated midpoint steps in extended precision; lengths in units of `scale` (2n,), for the step's error."""
+    """Extrapolated midpoint steps in extended precision; `scale` (2n,) is the unit of the step error."""
 
     rhs: Rhs
     scale: Vector
@@ -55,8 +55,8 @@ class Integrated:
     own: float = 1e-14
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        found = self._followed(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
-        return np.asarray(found * self.scale, dtype=np.float64)
+        values = self._followed(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
+        return np.asarray(values * self.scale, dtype=np.float64)
 
     def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
         columns, tolerance = ((7, 1e-13), (5, 1e-12), (5, 1e-9))[level]

@@ -1,6 +1,6 @@
-"""Glocker's woodpecker for one period and more: rows found by matrix exponentials from event to event, apart from ours.
+"""Reference rows of Glocker's woodpecker over more than one period, by matrix exponentials from event to event.
 
-`tests/oracles/hybrid.py` makes them, and goes through the events of the publication (`contact_models.woodpecker`).
+`tests/oracles/hybrid.py` computes them independently, with the events of the publication (`contact_models.woodpecker`).
 """
 
 import numpy as np
@@ -23,4 +23,4 @@ ROWS = np.array([
     (0.185, -0.0200494330972, -0.0511739226429, -0.0221318553617, -0.28801977919, 26.1484474526, 14.9468729246),
     (0.2, -0.0220083057946, 0.0958865998438, 0.0822885351491, 0.0655071857965, -5.90680735871, -5.68103585038),
 ])  # fmt: skip
-"""t, y, phi_M, phi_S and their rates, from where the sleeve has jammed and the bird is at its lowest."""
+"""t, y, phi_M, phi_S and their rates; the start has the sleeve jammed and the bird at its lowest position."""

@@ -1,1 +1,1 @@
-"""Small mechanisms made to be driven to their limits."""
+"""Small mechanisms with parameters that drive them to their limits."""

@@ -1,4 +1,4 @@
-"""Mechanisms whose contacts close, open, stick and slide."""
+"""Mechanisms with contacts and friction."""
 
 from functools import cache
 
@@ -7,7 +7,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from ...codegen.model import Contact, Friction, Model, t
 
-SLOW = 1e-6  # [m/s] rebounds no faster than that stay
+SLOW = 1e-6  # [m/s] `rest` of the contacts
 x, y, p = dynamicsymbols("x y p")
 m, g, J, b, h, mu = symbols("m g J b h mu", positive=True)
 
@@ -41,15 +41,15 @@ def box_on_slope() -> Model:
 
 
 def _foot(side: int) -> Matrix:
-    """Return where a foot of the box is: the lower one of a box turned by p clockwise, or the upper one."""
+    """Return the position of a foot of a box turned clockwise by p: the lower one (1), or the upper one (-1)."""
     return Matrix([x + side * b * cos(p) - h * sin(p), y - side * b * sin(p) - h * cos(p)])
 
 
 @cache
 def drawer() -> Model:
-    """Return a drawer between two rough guides, pushed by F beside its middle: opposite corners press and rub.
+    """Return a drawer between two rough guides, pushed by F beside its middle: opposite corners touch and rub.
 
-    Jams where 2 mu e > l, whatever the push; else x'' = F (1 - 2 mu e / l) / m.
+    It jams if 2 mu e > l, for any F; else x'' = F (1 - 2 mu e / l) / m.
     """
     F, e, l, w = symbols("F e l w", positive=True)
     front = Matrix([x + l / 2 * cos(p) - w / 2 * sin(p), y + l / 2 * sin(p) + w / 2 * cos(p)])
@@ -69,7 +69,7 @@ def drawer() -> Model:
 
 @cache
 def two_brakes() -> Model:
-    """Return a mass driven by A sin(w t) that two brakes hold: one brake of both limits, whatever the share of each."""
+    """Return a mass driven by A sin(w t) with two brakes. They act as one brake with the sum of the limits."""
     A, w, total, share = symbols("A w total share", positive=True)
     return Model(
         name="two_brakes",
@@ -83,7 +83,7 @@ def two_brakes() -> Model:
 
 @cache
 def jaws() -> Model:
-    """Return a block that two jaws press with less and less force P - k t: stuck as long as (mu_1 + mu_2) P > m g."""
+    """Return a block between two jaws with a force P - k t; it sticks while (mu_1 + mu_2) (P - k t) > m g."""
     left, right = dynamicsymbols("left right")
     M, P, k, mu_1, mu_2 = symbols("M P k mu_1 mu_2", positive=True)
     return Model(
@@ -102,7 +102,7 @@ def jaws() -> Model:
 
 @cache
 def stopped() -> Model:
-    """Return a mass driven by A sin(w t) on a rough floor, with a stop at x = 1: the row of both is the same."""
+    """Return a mass driven by A sin(w t) on a rough floor, with a stop at x = 1; both have the same row."""
     A, w, limit = symbols("A w limit", positive=True)
     e, rest = symbols("e rest", nonnegative=True)
     return Model(
@@ -117,7 +117,7 @@ def stopped() -> Model:
 
 @cache
 def painleves_rod() -> Model:
-    """Return a slender rod of length 2 l that slides on its tip, which it pushes ahead of it; p from upright.
+    """Return a slender rod of length 2 l that slides on its tip, which it pushes ahead; p from upright.
 
     No motion is consistent beyond mu = (1 + 3 sin^2 p) / (3 sin p cos p), 1.40 at 0.6.
     """
@@ -136,7 +136,7 @@ def painleves_rod() -> Model:
 
 @cache
 def rocking_block() -> Model:
-    """Return Housner's block, homogeneous, which rocks from corner to corner and does not slide; p turns it left."""
+    """Return Housner's homogeneous block, which rocks on its corners without sliding; p turns it left."""
     left, right = (Matrix([x + s * b * cos(p) + h * sin(p), y + s * b * sin(p) - h * cos(p)]) for s in (-1, 1))
     return Model(
         name="rocking_block",
@@ -153,14 +153,14 @@ def rocking_block() -> Model:
 
 @cache
 def woodpecker() -> Model:
-    """Return Glocker's woodpecker: a sleeve on a pole, and on its spring a bird that pecks at the pole.
+    """Return Glocker's woodpecker: a sleeve on a pole, and a bird on a spring that pecks at the pole.
 
     ::
 
-        M (y, phi_M, phi_S)'' linear, as published; the sleeve has clearance: its lower or upper edge comes to the pole
+        M (y, phi_M, phi_S)'' linear, as published; the sleeve has clearance: its lower or upper edge touches the pole
 
     Leine, Glocker, van Campen, Nonlinear dynamics of the woodpecker toy, DETC2001/VIB-21608, (6)-(10) and their data:
-    period 0.1452 s, phi_S down to -0.53; of its eight events the sleeve jams last.
+    period 0.1452 s, phi_S down to -0.53; of its eight events the last is the jamming of the sleeve.
     """
     y, phi_M, phi_S = dynamicsymbols("y phi_M phi_S")
     m_M, m_S, J_M, J_S, c = symbols("m_M m_S J_M J_S c", positive=True)

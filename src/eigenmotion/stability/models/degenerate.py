@@ -1,4 +1,4 @@
-"""Mechanisms whose M or A lacks rank."""
+"""Mechanisms with rank-deficient M or A."""
 
 from functools import cache
 
@@ -30,7 +30,7 @@ def height_of_pendulum(heavy: bool = True) -> Model:
 
 @cache
 def pendulum_with_bead() -> Model:
-    """Return the same in theta and r alone."""
+    """Return the same pendulum in theta and r only."""
     theta, r = dynamicsymbols("theta r")
     m_z = symbols("m_z", nonnegative=True)
     T, V, parameters = _elastic_pendulum(theta, r, r * cos(theta))

@@ -1,4 +1,4 @@
-"""Small mechanisms made to be driven to their limits; each has a parameter that is changed at run time."""
+"""Mechanisms without contacts; each has a parameter that drives it to its limits."""
 
 from functools import cache
 from typing import Any
@@ -14,7 +14,7 @@ _HALF = Rational(1, 2)
 
 @cache
 def elastic_link() -> Model:
-    """Return an arm and an elastic, damped link on a turntable: T2, T1 and T0, all of M coupled and varying.
+    """Return an arm and an elastic, damped link on a turntable, with T2, T1 and T0; M is coupled and varies.
 
     ::
 
@@ -46,7 +46,7 @@ def elastic_link() -> Model:
 
 
 def _square(position: Matrix, Omega: Expr) -> Expr:
-    """Return the square of the velocity of a point given in axes that turn at Omega."""
+    """Return the square of the velocity of a point given in axes that rotate at Omega."""
     x, y = position
     velocity = position.diff(t) + Omega * Matrix([-y, x])
     return velocity.dot(velocity)
@@ -54,18 +54,18 @@ def _square(position: Matrix, Omega: Expr) -> Expr:
 
 @cache
 def triple_veering() -> Model:
-    """Return three coupled masses: at x = 0 all eigenvalues of M meet but for `gap`."""
+    """Return three coupled masses; at x = 0 all eigenvalues of M coincide if `gap` is 0."""
     coordinates = dynamicsymbols("x y z")
     gap = symbols("gap", real=True)
     stiffness = symbols("k_1:4", positive=True)
-    apart = Matrix([[1, _HALF, Rational(1, 4)], [_HALF, -1, Rational(1, 4)], [Rational(1, 4), Rational(1, 4), -_HALF]])
-    M = 2 * Matrix.eye(3) + coordinates[0] / 2 * apart + gap * Matrix([[0, 2, 1], [2, 0, -1], [1, -1, 0]]) / 2
+    offset = Matrix([[1, _HALF, Rational(1, 4)], [_HALF, -1, Rational(1, 4)], [Rational(1, 4), Rational(1, 4), -_HALF]])
+    M = 2 * Matrix.eye(3) + coordinates[0] / 2 * offset + gap * Matrix([[0, 2, 1], [2, 0, -1], [1, -1, 0]]) / 2
     return _springs("triple_veering", coordinates, M, stiffness, {gap: 0.1}, (4.0, 1.0, 2.0))
 
 
 @cache
 def parallel_eigenvalues() -> Model:
-    """Return two masses whose eigenvalues 2 + x/2 +- gap vary together and never part."""
+    """Return two masses with eigenvalues 2 + x/2 +- gap, which vary at a constant distance."""
     coordinates = dynamicsymbols("x y")
     gap = symbols("gap", real=True)
     both = 2 + coordinates[0] / 2
@@ -89,7 +89,7 @@ def _springs(
 
 @cache
 def polar_on_cart() -> Model:
-    """Return a particle in polar coordinates about a point of a cart, free of forces: r = 0 is no place for it."""
+    """Return a particle without forces, in polar coordinates about a point of a cart; singular at r = 0."""
     X, theta, r = dynamicsymbols("X theta r")
     m, m_c = symbols("m m_c", positive=True)
     velocity = (Matrix([X, 0]) + r * Matrix([cos(theta), sin(theta)])).diff(t)
@@ -104,7 +104,7 @@ def polar_on_cart() -> Model:
 
 @cache
 def blade_and_slave(rows: int = 2) -> Model:
-    """Return a sleigh with a blade, and a slide z that follows its direction; the rows are alike but for `part`.
+    """Return a sleigh with a blade, and a slide z that follows its direction; the rows differ by `part`.
 
     ::
 
@@ -132,7 +132,7 @@ def blade_and_slave(rows: int = 2) -> Model:
 
 @cache
 def folding_crank() -> Model:
-    """Return the slider-crank whose rod is as long as its crank, phi = theta: it has one coordinate."""
+    """Return the slider-crank with rod and crank of equal length, phi = theta, in one coordinate."""
     full, (theta, phi, x) = slider_crank.model, slider_crank.model.coordinates
     folded = {phi: theta, x: 2 * slider_crank.r * cos(theta), slider_crank.l: slider_crank.r}
     return Model(
@@ -146,14 +146,14 @@ def folding_crank() -> Model:
 
 @cache
 def bent_oscillators() -> Model:
-    """Return two free oscillators u = x + c z^2 / 2, z in coordinates in which M is coupled and varies."""
+    """Return two free oscillators u = x + c z^2 / 2 and z, in coordinates x, z in which M is coupled and varies."""
     z, c = dynamicsymbols("z"), symbols("c", positive=True)
     return _oscillators("bent_oscillators", c * z**2 / 2, Integer(0), {c: 0.8}, z_0=0.0)
 
 
 @cache
 def rooted_oscillators(wide: bool = True) -> Model:
-    """Return the same, bent by z sqrt(z^2 + w^2) / 2 in place of z^2 / 2, or by z |z| / 2 where w is 0."""
+    """Return the same with z sqrt(z^2 + w^2) / 2 in place of z^2 / 2, or z |z| / 2 for w = 0."""
     z = dynamicsymbols("z")
     c, w = symbols("c w", positive=True)
     if not wide:
@@ -163,7 +163,7 @@ def rooted_oscillators(wide: bool = True) -> Model:
 
 @cache
 def kinked_oscillators() -> Model:
-    """Return them bent by z^2 / 2, with forces on u that have a kink (k), a jump (f) or come from outside (a)."""
+    """Return the same with forces on u that have a kink (k) or a jump (f), and an acceleration as input (a)."""
     x, z, a = dynamicsymbols("x z a")
     m_1, c = symbols("m_1 c", positive=True)
     k, f = symbols("k f", nonnegative=True)
@@ -175,7 +175,7 @@ def kinked_oscillators() -> Model:
 
 
 def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], z_0: float = 0.1, **given: Any) -> Model:
-    """Return free oscillators u = x + bend(z) and z under a potential V besides their own."""
+    """Return free oscillators u = x + bend(z) and z with an additional potential V."""
     x, z = dynamicsymbols("x z")
     m_1, m_2, w_1, w_2 = symbols("m_1 m_2 w_1 w_2", positive=True)
     u = x + bend
@@ -192,10 +192,7 @@ def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], z_0: f
 
 @cache
 def body_in_cardan_angles() -> Model:
-    """Return a body about a fixed point, turned by psi about z, phi about x, theta about y.
-
-    phi = pi / 2 is no place for it.
-    """
+    """Return a body with a fixed point, turned by psi about z, phi about x, theta about y; singular at phi = pi / 2."""
     psi, phi, theta = dynamicsymbols("psi phi theta")
     J = symbols("J_1:4", positive=True)
     weight = symbols("mgl", real=True)
@@ -222,7 +219,7 @@ def hung_pendulum() -> Model:
 
 @cache
 def cartesian_pendulum() -> Model:
-    """Return one that hangs at the origin; its rod is a holonomic constraint."""
+    """Return a pendulum that hangs at the origin; its rod is a holonomic constraint."""
     return _pendulum("cartesian_pendulum", Integer(0), Integer(0), {})
 
 

@@ -1,11 +1,11 @@
-"""Pictures of the matrix; each outcome has a pattern or mark of its own as well as a colour."""
+"""Pictures of the matrix; each outcome has a pattern as well as a colour."""
 
 from collections.abc import Sequence
 from typing import Any
 
 from ...presentation.figures import BLACK, FORMULATIONS, ORANGE, Picture, blank, picture, uncluttered
 from ..cases.case import Case
-from ..evaluation.examine import Examined
+from ..evaluation.examine import PointResult
 from ..evaluation.matrix import Matrix
 from ..evaluation.outcome import Cell, Outcome
 from .text import LETTERS, mark
@@ -24,7 +24,7 @@ _DRIFT_LOOKS = {
 
 
 def pictures(matrix: Matrix) -> dict[str, tuple[Picture, ...]]:
-    """Draw each case by its name, with its drift where it has many periods; before them "", the overview of all."""
+    """Return case name -> pictures, with the drift if there are many periods; "" -> the overview of all cases."""
     return {"": (overview(matrix),)} | {case.name: _pictures(matrix, case) for case in matrix.cases}
 
 
@@ -33,7 +33,7 @@ def _pictures(matrix: Matrix, case: Case) -> tuple[Picture, ...]:
 
 
 def overview(matrix: Matrix) -> Picture:
-    """Draw each case against each variant: the worst outcome, and how many runs of all were right."""
+    """Draw each case and variant: the worst outcome, and the number of right runs."""
     cases = matrix.cases
     columns = list(dict.fromkeys(cell.variant for cell in matrix.cells))
     figure, axes = _figure(3.4 + 1.15 * len(columns), 1.9 + 0.36 * len(cases))
@@ -44,7 +44,7 @@ def overview(matrix: Matrix) -> Picture:
                 right = sum(c.outcome is Outcome.RIGHT for c in cells)
                 _tile(axes, column, row, _worst(cells), f"{right}/{len(cells)}")
     _frame(axes, [c.replace(", ", ",\n").replace("schur ", "schur\n") for c in columns], [c.title for c in cases])
-    axes.set_title("worst outcome of all methods and values; number: runs that are right, of all", fontsize=10)
+    axes.set_title("worst outcome of all methods and values; numbers: right runs / all runs", fontsize=10)
     _legend(figure)
     return picture(figure, "stability", "All cases", "Rows: cases. Columns: formulations and options.")
 
@@ -68,7 +68,7 @@ def detail(matrix: Matrix, case: Case) -> Picture:
 
 
 def drift(matrix: Matrix, case: Case) -> Picture:
-    """Draw the drift of a case with many periods against their number, a panel a method."""
+    """Draw the drift of a case with many periods against their number, one panel for each method."""
     figure = blank(3.6 * len(case.tolerances), 4.6)
     panels = figure.subplots(1, len(case.tolerances), sharey=True, squeeze=False)[0]
     for axes, (method, tolerance) in zip(panels, case.tolerances.items(), strict=True):
@@ -84,17 +84,17 @@ def drift(matrix: Matrix, case: Case) -> Picture:
 
 
 def _draw_drift(axes: Any, cells: Sequence[Cell], label: str, colour: str, style: str) -> None:
-    """Draw what there is of one variant: its energy filled, its error hollow and thinner."""
-    kept = [(float(c.point), c.shown.energy, c.error) for c in cells if c.shown.energy and c.error]
-    if kept:
-        periods, energies, errors = zip(*kept, strict=True)
+    """Draw one variant: energy drift with filled markers, error with hollow markers and thinner lines."""
+    points = [(float(c.point), c.shown.energy, c.error) for c in cells if c.shown.energy and c.error]
+    if points:
+        periods, energies, errors = zip(*points, strict=True)
         axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=label)
         hollow = {"marker": "^", "markersize": 5, "markerfacecolor": "white", "linewidth": 0.8}
         axes.loglog(periods, errors, style, color=colour, **hollow)
 
 
-def _key(points: Sequence[Examined]) -> str:
-    """Explain the marks that occur."""
+def _key(points: Sequence[PointResult]) -> str:
+    """Return an explanation of the marks in a picture."""
     used = {cell.reason for point in points for cell in point.cells if cell.error is None}
     letters = ", ".join(f"{letter}: {reason}" for reason, letter in LETTERS.items() if reason in used)
     return "Numbers: power of ten of the error." + (f" Refused, {letters}." if letters else "")

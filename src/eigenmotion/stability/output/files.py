@@ -1,4 +1,4 @@
-"""The files of the command."""
+"""Files of the stability matrix."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -23,7 +23,7 @@ def write_matrix(matrix: Matrix, folder: Path) -> tuple[Path, ...]:
 
 
 def numbers(matrix: Matrix, known: Mapping[str, str]) -> str:
-    """Write everything that was found as JSON."""
+    """Return all results as JSON."""
     record = {
         "machine": known,
         "seconds": matrix.seconds,

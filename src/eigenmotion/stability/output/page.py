@@ -1,4 +1,4 @@
-"""The page of the matrix."""
+"""Page of the stability matrix."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from .text import reasons, summary
 
 @dataclass(frozen=True, slots=True)
 class CaseSection:
-    """One case on the page, or all; tables are (title, table)."""
+    """The section of one case, or of all cases; tables are (title, table)."""
 
     name: str
     title: str
@@ -25,7 +25,7 @@ class CaseSection:
 
 
 def page(matrix: Matrix, drawn: Mapping[str, tuple[Picture, ...]], machine: Mapping[str, str]) -> str:
-    """Render the page; `drawn` as by `pictures`."""
+    """Render the page; `drawn` are the pictures of `pictures`."""
     sections = [
         CaseSection("", drawn[""][0].title, drawn[""], ()), *(_section(matrix, c, drawn[c.name]) for c in matrix.cases),
     ]  # fmt: skip
@@ -51,7 +51,7 @@ def _reasons(matrix: Matrix, case: Case) -> tuple[str, Table]:
 
 
 def _cells(matrix: Matrix, case: Case) -> tuple[str, Table]:
-    per = "a period" if matrix.has_periods(case) else "a span"  # what slopes are told by
+    per = "a period" if matrix.has_periods(case) else "a span"  # unit of slopes
     head = (
         "formulation", case.axis or "start", "method", "tolerance", "outcome", "error", "bound", "energy drift",
         per, "|A v + b|", "|phi|", per, "factor residual", "steps", "seconds", "message",

@@ -1,4 +1,4 @@
-"""The matrix in words."""
+"""Text about the stability matrix."""
 
 from collections import Counter
 
@@ -16,7 +16,7 @@ LETTERS = {
 
 
 def summary(matrix: Matrix) -> tuple[str, ...]:
-    """Count outcomes; name what is wrong and what is degraded."""
+    """Return the number of each outcome, and the wrong cells."""
     counts = ", ".join(f"{matrix.count(outcome)} {outcome}" for outcome in Outcome)
     lines = [f"{len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: {counts}."]
     lines += [f"WRONG: {described(cell)}" for cell in matrix.cells if cell.outcome is Outcome.WRONG]
@@ -24,7 +24,7 @@ def summary(matrix: Matrix) -> tuple[str, ...]:
 
 
 def described(cell: Cell) -> str:
-    """One cell in a line."""
+    """Return one line about a cell."""
     point = cell.point.replace("\n", " ")
     error = f"error {number(cell.error)}, bound {number(cell.bound)}, indicators {number(cell.shown.largest)}"
     what = cell.reason if cell.error is None else error
@@ -32,13 +32,13 @@ def described(cell: Cell) -> str:
 
 
 def mark(cell: Cell) -> str:
-    """Write a cell as the power of ten of its error, or the letter of its reason."""
+    """Return the mark of a cell: the power of ten of its error, or the letter of its reason."""
     if cell.error is None:
         return LETTERS.get(cell.reason, "!")
     return "" if not cell.error > 0 else f"{cell.error:.0e}".split("e")[1].replace("-0", "-").replace("+0", "")
 
 
 def reasons(matrix: Matrix, case: Case) -> tuple[tuple[str, int], ...]:
-    """Return the named reasons of a case and how often each is given."""
-    found = Counter(cell.reason for point in matrix.of(case) for cell in point.cells if cell.reason)
-    return tuple(found.most_common())
+    """Return the reasons in a case, and the number of runs with each."""
+    counts = Counter(cell.reason for point in matrix.of(case) for cell in point.cells if cell.reason)
+    return tuple(counts.most_common())
