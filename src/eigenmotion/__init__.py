@@ -1,6 +1,6 @@
 """A compiler from energies to motion.
 
-Names load what they need when first used, so that `eigenmotion --help` does not wait for SymPy and SciPy.
+Modules are imported when a name is first used, so that `eigenmotion --help` does not wait for SymPy and SciPy.
 """
 
 from importlib import import_module
@@ -75,7 +75,7 @@ _HOME = {
     "t": ".codegen.model",
 }
 
-__all__ = list(_HOME)  # what `from eigenmotion import *` gives
+__all__ = list(_HOME)
 
 
 def __getattr__(name: str) -> object:

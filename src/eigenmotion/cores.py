@@ -1,8 +1,8 @@
-"""The processor's cores."""
+"""Number of processor cores."""
 
 import os
 
 
 def cores() -> int:
-    """Return how many this process may use."""
+    """Return the number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -1,4 +1,4 @@
-"""Files that are either there in full or not at all."""
+"""Atomic writing of files."""
 
 import os
 import secrets
@@ -6,12 +6,12 @@ from pathlib import Path
 
 
 def write(path: Path, content: bytes) -> bool:
-    """Make `path` hold `content`; readers see the old file or the new one, never a part.
+    """Write `content` to `path`; readers see the old file or the new one, never a part of it.
 
     Returns
     -------
     bool
-        False where `path` held it already and was left alone.
+        False if `path` had this content already and was not written.
     """
     if path.is_file() and path.read_bytes() == content:
         return False

@@ -1,6 +1,7 @@
-"""Garbage in circles is not looked for while what is made is kept: expressions, graphs, modules.
+"""Pause of the cyclic garbage collector while many long-lived objects are created: expressions, graphs, modules.
 
-Python would go through all of them again and again: that is a tenth of importing SymPy, and more of a generation.
+The collector would traverse all of them again and again, which takes a tenth of the time of importing SymPy, and more
+during a generation.
 """
 
 import gc
@@ -10,7 +11,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Look for none meanwhile; whoever has switched that off for good finds it so."""
+    """Disable the collector in a `with` block, and restore its state afterwards."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

@@ -8,40 +8,40 @@ from contextlib import contextmanager
 from threading import Event, Thread
 
 Progress = Callable[[float, str], None]
-"""Takes the part of the whole that is done, 0 ... 1, and the name of what comes next or was done last."""
+"""Called with the finished part of the task, 0 ... 1, and the name of the current or last stage."""
 
-_PATIENCE = 1.0  # [s] quicker tasks show nothing
-_TICK, _SELDOM = 0.2, 30.0  # [s] between two readings of the clock; between two lines off a terminal
+_PATIENCE = 1.0  # [s] shorter tasks show nothing
+_POLL, _SELDOM = 0.2, 30.0  # [s] between two readings of the clock; between two lines if not on a terminal
 _CLEAR = "\r\x1b[K"
 
 
 class _Line:
-    """A line on standard error, which a terminal shows in one place."""
+    """A line on standard error that is overwritten on a terminal."""
 
     def __init__(self) -> None:
         self._stream, self._written = sys.stderr, False
-        self.watched = self._stream.isatty()
+        self.is_terminal = self._stream.isatty()
 
     def write(self, words: str) -> None:
-        self._stream.write(f"{_CLEAR}{words}" if self.watched else f"{words}\n")
+        self._stream.write(f"{_CLEAR}{words}" if self.is_terminal else f"{words}\n")
         self._stream.flush()
         self._written = True
 
     def wipe(self) -> None:
-        if self._written and self.watched:
+        if self._written and self.is_terminal:
             self.write("")
 
 
 @contextmanager
 def bar(name: str = "", every: float = 0.0) -> Iterator[Progress]:
-    """Show the progress of a task and the time left; yield the function to report to. `every` [s]: between lines."""
+    """Show the progress of a task and the remaining time; yield a function to report it. `every` [s]: between lines."""
     line, start = _Line(), time.monotonic()
-    said, pause = start, every if line.watched else _SELDOM
+    written_at, pause = start, every if line.is_terminal else _SELDOM
 
     def progress(done: float, what: str) -> None:
-        nonlocal said
-        if (now := time.monotonic()) - said >= pause:
-            said = now
+        nonlocal written_at
+        if (now := time.monotonic()) - written_at >= pause:
+            written_at = now
             line.write(" ".join([*name.split(), words(done, what, now - start)]))
 
     try:
@@ -51,19 +51,19 @@ def bar(name: str = "", every: float = 0.0) -> Iterator[Progress]:
 
 
 def words(done: float, what: str, seconds: float) -> str:
-    """Say how much of a task is done after so many seconds, what comes next, and how long the rest takes."""
+    """Return the finished part of a task, its stage, and the remaining time, as text."""
     left = f", {duration(seconds * (1 - done) / done)} left" if 0 < done < 1 else ""
     return f"{100 * done:.0f} %, {what}{left}"
 
 
 def part(progress: Progress, start: float, end: float) -> Progress:
-    """Return the progress of a task that takes the whole from `start` to `end`."""
+    """Return the progress of a subtask that is the part from `start` to `end` of a task."""
     return lambda done, what: progress(start + (end - start) * done, what)
 
 
 @contextmanager
 def counted(total: int, before: int = 0) -> Iterator[Callable[[int], None]]:
-    """Show how many of many runs are done, `before` of them earlier; yields the counter, which any thread may call."""
+    """Show the number of finished runs, `before` of them earlier; yield the counter, which any thread may call."""
     done, start = before, time.monotonic()
     with bar(every=_PATIENCE) as progress:
 
@@ -77,7 +77,7 @@ def counted(total: int, before: int = 0) -> Iterator[Callable[[int], None]]:
 
 
 def duration(seconds: float) -> str:
-    """Return seconds as people say them."""
+    """Return a duration in readable form."""
     whole = round(seconds)
     if whole < 60:
         return f"{seconds:.1f} s" if seconds < 10 else f"{whole} s"
@@ -87,7 +87,7 @@ def duration(seconds: float) -> str:
 
 
 class _Clock(logging.Handler):
-    """Takes each message of the log as the name of what begins now; writes it with its seconds."""
+    """Log handler that shows each message as the current stage, with its seconds so far."""
 
     def __init__(self, line: _Line, patience: float) -> None:
         super().__init__(logging.INFO)
@@ -105,16 +105,16 @@ class _Clock(logging.Handler):
         self._line.wipe()
 
     def _tick(self) -> None:
-        while not self._over.wait(min(_TICK, self._patience or _TICK)):
+        while not self._over.wait(min(_POLL, self._patience or _POLL)):
             if self._stage and (seconds := time.monotonic() - self._stage[1]) >= self._patience:
                 self._line.write(f"{self._stage[0]} ... {seconds:.0f} s")
 
 
 @contextmanager
 def clock(patience: float = _PATIENCE) -> Iterator[None]:
-    """Show how long the stage that the log names last has taken, once it takes longer than `patience` [s]."""
+    """Show the last log message and its duration, if it lasts longer than `patience` [s]."""
     line = _Line()
-    if not line.watched:
+    if not line.is_terminal:
         yield
         return
     log, handler = logging.getLogger("eigenmotion"), _Clock(line, patience)

@@ -1,1 +1,1 @@
-"""A model as a Functional Mock-up Unit, for other tools."""
+"""Export of models as Functional Mock-up Units."""

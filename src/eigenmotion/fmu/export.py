@@ -1,8 +1,7 @@
-"""A model as a Functional Mock-up Unit (FMI 2.0, co-simulation): one file that other tools import.
+"""Export of a model as a Functional Mock-up Unit (FMI 2.0, co-simulation).
 
-It holds the generated C with the headers it needs, from which anybody can compile it again, what its numbers are
-called, and a binary for this platform. A unit is a stepper (em_control.h) that is told its parameters and start by
-their names.
+The file contains the generated C with all headers, so that it can be compiled again, the description of its variables,
+and a binary for this platform. A unit is a stepper (em_control.h) whose parameters and start are set by name.
 """
 
 import platform
@@ -35,14 +34,14 @@ if TYPE_CHECKING:
 
 _HERE = Path(__file__).parent
 _HEADERS = ("em_fmi2.h", "em_unit.h", "em_fmu.h")
-_WHEN = (1980, 1, 1, 0, 0, 0)  # a file's date in a zip: the same model gives the same bytes
+_WHEN = (1980, 1, 1, 0, 0, 0)  # date of all files in the zip, so that the same model gives the same bytes
 
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """One number of a unit, as FMI says what it is; its value reference is its place.
+    """A variable of a unit, with its FMI attributes; the value reference is its index.
 
-    initial, start : "" and None where FMI leaves them out
+    initial, start : "" and None if the attribute is omitted
     """
 
     name: str
@@ -54,9 +53,9 @@ class Variable:
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """What the templates say of a unit.
+    """The data of a unit for the templates.
 
-    outputs, calculated : places, counted from 1
+    outputs, calculated : indices of variables, counted from 1
     """
 
     name: str
@@ -87,26 +86,26 @@ def export_fmu(
 ) -> Path:
     """Write a model as a Functional Mock-up Unit (FMI 2.0, co-simulation), with its C inside; return the path.
 
-    Its parameters are FMI's, and the coordinates and rates (`der(theta)`) at the start; its inputs are held during a
-    communication step; coordinates, rates and the model's outputs are outputs.
+    Parameters of the model, and coordinates and rates (`der(theta)`) at the start, can be set. Inputs are constant
+    during a communication step. Coordinates, rates and the model's outputs are outputs.
 
     Parameters
     ----------
     model
-        A Model, or the file of one; `keywords` are arguments of the file's function.
+        A Model, or the file that defines one; `keywords` are arguments of the file's function.
     path
         FILE.fmu
     method, step
         A compiled method of `simulate`, or one of fixed step of `System.stepper`, and its step [s].
     rtol, atol
-        Where the importing tool names a tolerance that is rtol, and atol changes in proportion.
+        If the importing tool sets a tolerance, it replaces rtol, and atol is scaled by the same factor.
 
     Raises
     ------
     ModelError
-        A mistake in the model or the options, or two numbers of the model that FMI would call the same.
+        A mistake in the model or the options, or two variables of the unit would have the same name.
     BuildError
-        There is no compiler, or it refused the code.
+        There is no compiler, or it failed.
 
     Examples
     --------
@@ -172,7 +171,7 @@ def packed(requested: Request, method: Method, tolerances: tuple[float, ...], st
 
 
 def _side_by_side(text: str) -> str:
-    """Return C whose headers are found beside it, as tools expect them, and not in folders of their own."""
+    """Return C with includes from its own folder, where importing tools expect headers."""
     return re.sub(r'^#include "\w+/(\w+\.h)"', r'#include "\1"', text, flags=re.MULTILINE)
 
 
@@ -186,8 +185,8 @@ def _unit(
     if len(places) < len(variables):
         raise ModelError(f"{system.name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
                          "own, outputs too")  # fmt: skip
-    said = (*(text for _, text in sorted(texts.items())), method.name, *map(repr, tolerances), repr(step))
-    digest = key(*said)
+    parts = (*(text for _, text in sorted(texts.items())), method.name, *map(repr, tolerances), repr(step))
+    digest = key(*parts)
     rtol, atol = map(repr, tolerances)
     return Unit(
         name=system.name,
@@ -205,7 +204,7 @@ def _unit(
 
 
 def _check_xml(model: str, name: str) -> None:
-    """Refuse a name that no XML holds as it is: control characters, and tabs and line ends, which become spaces."""
+    """Raise ModelError for a name that XML cannot represent: with control characters, tabs or line ends."""
     if any(ord(one) < 32 or 127 <= ord(one) < 160 or one in "\ufffe\uffff" for one in name):
         raise ModelError(
             f"{model}: {name!r} has a character that the description of a unit, which is XML, cannot hold. Rename it."
@@ -213,7 +212,7 @@ def _check_xml(model: str, name: str) -> None:
 
 
 def _variables(system: "System") -> Iterator[Variable]:
-    """Every number, in the order of em_unit.h."""
+    """Yield all variables in the order of em_unit.h."""
     x, v = (values.tolist() for values in system.begin())
     places = (*system.coordinates, *(f"integral({name})" for name in system.states))
     rates = (*(f"der({name})" for name in system.coordinates), *system.states)
@@ -231,12 +230,12 @@ def _variables(system: "System") -> Iterator[Variable]:
 
 @cache
 def _templates() -> Environment:
-    made = Environment(
+    environment = Environment(
         loader=PackageLoader(__package__, "."), undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
         keep_trailing_newline=True, autoescape=False,
     )  # fmt: skip
-    made.filters["attribute"] = quoteattr
-    return made
+    environment.filters["attribute"] = quoteattr
+    return environment
 
 
 def _template(name: str, unit: Unit) -> str:
@@ -244,7 +243,7 @@ def _template(name: str, unit: Unit) -> str:
 
 
 def _binary(unit: Unit, texts: Mapping[str, str]) -> bytes:
-    """Compile for any processor of this kind, not for this one alone: a unit travels."""
+    """Return the compiled unit, for any processor of this architecture, since it may run on other machines."""
     tools = toolchain()
     ours = tuple(flag for flag in tools.optimised if flag != "-march=native")
     flags = (*STANDARD, *ours, *SHARED, *LINK, "-w", *tools.flags)

@@ -1,4 +1,4 @@
-"""The paper's own experiment: Figures 2 to 8 from our runs, and its statements beside our numbers.
+"""The paper's experiment: Figures 2 to 8 from our runs, and the paper's statements compared with our numbers.
 
 Junkins & Schaub, "An Instantaneous Eigenstructure Quasivelocity Formulation for Nonlinear Multibody Dynamics",
 J. Astronautical Sciences 45 (1997), section "Multi-link simulation". `python -m eigenmotion.paper DIR` draws them.

@@ -1,4 +1,4 @@
-"""Runs of the paper's experiment, and the histories that its figures show."""
+"""Runs of the paper's experiment, and the time histories for its figures."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ T_END = 10.0
 MEAN_STEP = 0.024
 STEPS = round(T_END / MEAN_STEP)
 TOLERANCES = (1e-10, 1e-3)
-"""Between these the tolerance is sought that gives the mean step."""
+"""Range in which the tolerance for the mean step is searched."""
 ORDER = (2, 1, 3, 0)
-"""The paper's numbers 1 to 4 of the eigenvalues: by size at the start, the largest first; 3 is the uncoupled one."""
+"""The paper's order of the eigenvalues 1 to 4: by size at the start, the largest first; 3 is the uncoupled one."""
 PAIRS = ((1, 3), (0, 1), (0, 3))
-"""Those of the paper's Omega_ij (from 0) that are not zero for ever."""
+"""Indices (from 0) of the paper's Omega_ij that are not always zero."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class History:
     ----------
     t : (k,) [s]; x : (4, k) [rad, rad, m, rad]
     eta : (4, k); eigenvalues : (4, k)
-    rtol : the tolerance; NaN where the step was fixed
+    rtol : the tolerance; NaN for fixed steps
     """
 
     system: System
@@ -76,7 +76,7 @@ class History:
 
     @property
     def hand(self) -> tuple[Vector, Vector]:
-        """The hand's x and y (k,) [m] (56), (57)."""
+        """x and y (k,) [m] of the hand (56), (57)."""
         p = self.system.parameters
         reach = p["l1"] + self.x[2]
         across = reach * np.cos(self.x[0]) + p["l2"] * np.cos(self.x[1])
@@ -98,17 +98,17 @@ class History:
 
 
 def published() -> System:
-    """Return the paper's formulation, its treatment of close eigenvalues included."""
+    """Return the system in the paper's formulation, with its treatment of close eigenvalues."""
     return build(model, formulation="eigenfactor", close_eigenvalues="extrapolate")
 
 
 def brute_force() -> System:
-    """Return the paper's reference: the classical equations with an exact algebraic inverse of M."""
+    """Return the system of the paper's comparison: the classical equations with an exact algebraic inverse of M."""
     return build(model, formulation="inverse")
 
 
 def run(system: System, rtol: float, *, project: bool = False, **options: Any) -> History:
-    """Run 10 s from rest with the 3rd/4th order method; nothing is projected unless asked for."""
+    """Run 10 s from rest with the 3rd/4th order method, by default without projection."""
     solution = system.simulate(
         (0.0, T_END), method="rk34", rtol=rtol, atol=rtol, stabilisation="project" if project else "none", **options
     )
@@ -116,7 +116,7 @@ def run(system: System, rtol: float, *, project: bool = False, **options: Any) -
 
 
 def at_mean_step(system: System, *, project: bool = False) -> History:
-    """Run with the tolerance whose mean step comes nearest to the paper's 0.024 s."""
+    """Run with the tolerance whose mean step is closest to the paper's 0.024 s."""
     low, high = np.log10(TOLERANCES)
     tried: list[History] = []
     while not tried or (high - low > 1e-3 and tried[-1].solution.nsteps != STEPS):
@@ -134,14 +134,14 @@ def _off(history: History) -> int:
 
 
 def at_fixed_step(system: System) -> History:
-    """Run with steps of equal length: the tolerance is too wide to shorten one."""
+    """Run with steps of equal length; the tolerance is so loose that no step is shortened."""
     history = run(system, 0.5, first_step=MEAN_STEP, max_step=MEAN_STEP)
     return History(system, history.solution, np.nan)
 
 
 @dataclass(frozen=True, slots=True)
 class Runs:
-    """One formulation: as published, with equal steps, and with our projection after each step."""
+    """The runs of one formulation: as published, with fixed steps, and with our projection after each step."""
 
     published: History
     fixed: History
@@ -150,7 +150,7 @@ class Runs:
 
 @dataclass(frozen=True, slots=True)
 class Experiment:
-    """The runs that the figures and findings are made of."""
+    """The runs for the figures and findings."""
 
     eigenfactor: Runs
     inverse: Runs

@@ -1,4 +1,4 @@
-"""Figures 3 to 8 of the paper from our runs, and all of them in one call."""
+"""Figures of the paper from our runs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DEGREES = 180.0 / np.pi
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """The pictures that were written and what their numbers say."""
+    """The files of the figures, and the findings."""
 
     paths: tuple[Path, ...]
     findings: tuple[Finding, ...]
@@ -34,29 +34,29 @@ class Figures:
 
 
 def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
-    """Run the paper's experiment and draw Figures 2 to 8, or `only` some of them, as `directory`/figure_N.png.
+    """Run the paper's experiment and draw Figures 2 to 8, or only those in `only`, as `directory`/figure_N.png.
 
     Raises
     ------
     ModelError
         matplotlib, of the extra `plot`, is missing.
     """
-    folder, made = Path(directory), experiment()
+    folder, data = Path(directory), experiment()
     paths = tuple(
-        save(figure(made), folder / f"figure_{number}.png")
+        save(figure(data), folder / f"figure_{number}.png")
         for number, figure in FIGURES.items()
         if not only or number in only
     )
-    said = findings(made)
-    return Figures(paths, tuple(finding for finding in said if not only or finding.figure in only))
+    statements = findings(data)
+    return Figures(paths, tuple(finding for finding in statements if not only or finding.figure in only))
 
 
-def _motion(made: Experiment) -> Any:
-    return motion(made.eigenfactor.published)
+def _motion(data: Experiment) -> Any:
+    return motion(data.eigenfactor.published)
 
 
-def _coordinates(made: Experiment) -> Any:
-    history = made.eigenfactor.published
+def _coordinates(data: Experiment) -> Any:
+    history = data.eigenfactor.published
     figure, ax = axes("Figure 3: coordinates", "angle [°], stretch [cm]")
     names = (r"$\theta_1$", r"$\theta_2$", r"$100\,\theta_3$", r"$\theta_4$")
     scales = (DEGREES, DEGREES, 100.0, DEGREES)
@@ -65,34 +65,34 @@ def _coordinates(made: Experiment) -> Any:
     return figure
 
 
-def _quasi_velocities(made: Experiment) -> Any:
-    history = made.eigenfactor.published
+def _quasi_velocities(data: Experiment) -> Any:
+    history = data.eigenfactor.published
     figure, ax = axes(r"Figure 4: quasi-velocities $\eta = S\,C\,\dot x$", r"$\eta$ [J$^{1/2}$]")
     draw(ax, history.t, [(rf"$\eta_{i + 1}$", row) for i, row in enumerate(history.eta)], STYLES)
     return figure
 
 
-def _eigenvalues(made: Experiment) -> Any:
-    history = made.eigenfactor.published
+def _eigenvalues(data: Experiment) -> Any:
+    history = data.eigenfactor.published
     figure, ax = axes("Figure 5: eigenvalues of the mass matrix", r"$\lambda$ (SI units of $M$)")
     draw(ax, history.t, [(rf"$\lambda_{i + 1}$", row) for i, row in enumerate(history.eigenvalues)], STYLES)
     ax.set_ylim(bottom=0)
     return figure
 
 
-def _turning(made: Experiment) -> Any:
-    history = made.eigenfactor.published
+def _turning(data: Experiment) -> Any:
+    history = data.eigenfactor.published
     figure, ax = axes(r"Figure 6: angular velocities of the eigenvectors ($\Omega_{3i} = 0$)", r"$\Omega$ [rad/s]")
     rows = [(rf"$\Omega_{{{i + 1}{j + 1}}}$", history.Omega[i, j]) for i, j in PAIRS]
     draw(ax, history.t, rows, STYLES)
     return figure
 
 
-def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel: str) -> Any:
-    """Draw both formulations over the time, on a logarithmic scale; at t = 0 the error is 0."""
+def _both(data: Experiment, of: Callable[[History], Vector], title: str, ylabel: str) -> Any:
+    """Draw both formulations over time on a logarithmic scale, without t = 0, where the error is 0."""
     figure, ax = axes(title, ylabel)
     ax.set_yscale("log")
-    for k, (name, runs) in enumerate((("eigenfactor", made.eigenfactor), ("brute force", made.inverse))):
+    for k, (name, runs) in enumerate((("eigenfactor", data.eigenfactor), ("brute force", data.inverse))):
         history = runs.published
         ax.plot(history.t[1:], of(history)[1:], STYLES[k], color=COLOURS[k], linewidth=1.6, label=name)
     ax.set_ylim(bottom=1e-6 * ax.get_ylim()[1])
@@ -100,15 +100,15 @@ def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel:
     return figure
 
 
-def _violations(made: Experiment) -> Any:
+def _violations(data: Experiment) -> Any:
     title = "Figure 7: constraint violation, mean step 0.024 s, nothing projected"
-    return _both(made, lambda history: history.violation, title, r"$|y(t) - y(0)|$ [m]")
+    return _both(data, lambda history: history.violation, title, r"$|y(t) - y(0)|$ [m]")
 
 
-def _accuracy(made: Experiment) -> Any:
+def _accuracy(data: Experiment) -> Any:
     title = "Figure 8: integral of the energy error, mean step 0.024 s, nothing projected"
     label = r"$\int_0^t |P(\tau) - P(0)|\,d\tau$ [J s]"
-    return _both(made, lambda history: history.energy_error, title, label)
+    return _both(data, lambda history: history.energy_error, title, label)
 
 
 FIGURES: dict[int, Callable[[Experiment], Any]] = {

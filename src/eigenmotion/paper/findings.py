@@ -1,4 +1,4 @@
-"""The paper's statements about its experiment beside what our runs give, judged by the numbers."""
+"""Findings: the paper's statements about its experiment compared with our runs."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..arguments.named_values import Vector
 from .experiment import PAIRS, Experiment, History
 
 SLIGHTLY = 2.0
-"""Up to this ratio of two errors one is called slightly larger than the other."""
+"""Up to this ratio of two errors, one counts as slightly larger than the other."""
 UNCOUPLED = 2
 
 
 class Verdict(StrEnum):
-    """What our run says to a statement."""
+    """Whether our run confirms a statement."""
 
     CONFIRMED = "confirmed"
     IN_PART = "in part"
@@ -28,8 +28,8 @@ class Verdict(StrEnum):
 class Finding:
     """One statement of the paper and our measurement.
 
-    figure : the paper's figure it is about
-    numbers : name -> value, what `measured` says in words
+    figure : number of the paper's figure
+    measured, numbers : our measurement as text, and as name -> value
     """
 
     figure: int
@@ -40,7 +40,7 @@ class Finding:
 
 
 def findings(experiment: Experiment) -> tuple[Finding, ...]:
-    """Compare, statement by statement, in the order of the figures."""
+    """Return the findings in the order of the figures."""
     history = experiment.eigenfactor.published
     return (
         _verified(experiment),
@@ -72,7 +72,7 @@ def _verified(experiment: Experiment) -> Finding:
 
 
 def closest(history: History, i: int, j: int) -> tuple[float, float]:
-    """Return the smallest distance of two eigenvalues [kg m^2, as M is] and its time [s]."""
+    """Return the smallest distance of two eigenvalues [kg m^2, as M] and its time [s]."""
     distance = np.abs(history.eigenvalues[i] - history.eigenvalues[j])
     k = int(distance.argmin())
     return float(distance[k]), float(history.t[k])
@@ -89,7 +89,7 @@ def _closest(history: History) -> Finding:
 
 
 def _no_crossing(history: History) -> Finding:
-    """Eigenvalues that cross would change their order, which no row does."""
+    """Compare the order of eigenvalues, which would change if they crossed."""
     order = np.argsort(-history.eigenvalues, axis=0)
     coupled = [row for row in order.T.tolist() if row != list(range(4))]
     measured = f"order changes in {len(coupled)} of {len(history.t)} rows"
@@ -111,16 +111,18 @@ def approaches(history: History, i: int, j: int) -> list[tuple[float, float]]:
 
 
 def _approached(history: History) -> Finding:
-    """The approaches within the coupled block, in the order of time."""
+    """List the approaches of eigenvalues within the coupled block, in the order of time."""
     found = sorted((t, size, i, j) for i, j in PAIRS for t, size in approaches(history, i, j))
     measured = "; ".join(f"lambda_{i + 1} and lambda_{j + 1} to {size:.3f} at t = {t:.2f}" for t, size, i, j in found)
-    as_told = bool(found) and found[0][2:] == (1, 3) and abs(found[0][0] - 2.0) < 0.1
+    as_stated = bool(found) and found[0][2:] == (1, 3) and abs(found[0][0] - 2.0) < 0.1
     numbers = {f"at_{t:.1f}": size for t, size, _, _ in found}
-    return _finding(5, "at t = 2 the second and the fourth eigenvalue become close", measured, _yes(as_told), **numbers)
+    return _finding(
+        5, "at t = 2 the second and the fourth eigenvalue become close", measured, _yes(as_stated), **numbers
+    )
 
 
 def _active(history: History) -> Finding:
-    """Peaks of Omega_24 near 2 and 6.5; of Omega_12, whose sign changes where the motion turns, about 4.25."""
+    """Compare the peaks of Omega_24 with 2 and 6.5, and the sign change of Omega_12 with 4.25."""
     (first, _), (last, _) = (peaks(history, 1, 3)[k] for k in (0, -1))
     before, after = (peaks(history, 0, 1)[k][0] for k in (0, -1))
     turns = _zero(history.t, history.Omega[0, 1], before, after)
@@ -134,7 +136,7 @@ def _active(history: History) -> Finding:
 
 
 def _zero(t: Vector, values: Vector, start: float, end: float) -> float:
-    """Return where values change sign between two times, by the secant."""
+    """Return the time of a sign change between two times, by linear interpolation."""
     inside = [k for k in range(len(t) - 1) if start <= t[k] < end and values[k] * values[k + 1] <= 0]
     if not inside:
         return float("nan")

@@ -1,4 +1,4 @@
-"""The mechanism drawn at instants, as in the paper's Figure 2."""
+"""Drawings of the mechanism at several instants, as in the paper's Figure 2."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .canvas import FAINT
 from .experiment import History
 
 INSTANTS = np.linspace(0.0, 3.5, 8)
-"""[s]: the paper shows the motion up to 3.5 s."""
+"""[s]; the paper shows the motion up to 3.5 s."""
 COILS, COIL_HEIGHT = 6, 0.035
 
 
 def motion(history: History) -> Any:
-    """Draw Figure 2: the mechanism at each instant, the instant before it in grey."""
+    """Draw Figure 2: the mechanism at each instant, with the previous instant in grey."""
     figure = blank(9, 4.7)
     figure.suptitle("Figure 2: motion of the dual-link manipulator (lengths in m)", x=0.01, ha="left", fontsize=11)
     poses = [_at(history, t) for t in INSTANTS]
@@ -32,7 +32,7 @@ def motion(history: History) -> Any:
 
 
 def _at(history: History, t: float) -> Vector:
-    """Return x (4,) at t, linear between accepted steps: closer than a line is wide."""
+    """Return x (4,) at t by linear interpolation between accepted steps, which is accurate enough for drawing."""
     return np.array([np.interp(t, history.t, row) for row in history.x])
 
 
@@ -44,14 +44,14 @@ def _frame(ax: Any, history: History, title: str) -> None:
 
 
 def _masses(history: History, x: Vector) -> tuple[Vector, Vector, Vector]:
-    """Return where m1, m2, m3 are, each (2,) [m]."""
+    """Return the positions of m1, m2, m3, each (2,) [m]."""
     p = history.system.parameters
     joint = (p["l1"] + x[2]) * _towards(x[0])
     return joint, joint + p["l2"] * _towards(x[1]), joint + p["l3"] * _towards(x[3])
 
 
 def _draw(ax: Any, history: History, x: Vector, *, faint: bool) -> None:
-    """Draw links, springs and masses; each link has a look besides its colour: coil, bar, broken bar."""
+    """Draw links, springs and masses. The links differ not only in colour: a coil, a solid and a dashed bar."""
     joint, hand, tip = _masses(history, x)
     first, second, third = ("0.8",) * 3 if faint else COLOURS[:3]
     layer = 1 if faint else 2
@@ -65,7 +65,7 @@ def _draw(ax: Any, history: History, x: Vector, *, faint: bool) -> None:
 
 
 def _name(ax: Any, history: History, x: Vector) -> None:
-    """Name the masses; once is enough, for colours and looks stay."""
+    """Label the masses, in the first drawing only."""
     offsets = ((7, -3), (3, 6), (-17, 2))
     for number, (place, offset) in enumerate(zip(_masses(history, x), offsets, strict=True), 1):
         ax.annotate(f"$m_{number}$", place, offset, textcoords="offset points", fontsize=9)
@@ -76,7 +76,7 @@ def _towards(angle: float) -> Vector:
 
 
 def _spring(start: Vector, end: Vector) -> tuple[Vector, Vector]:
-    """Return a coil between two points: the length changes, the coils' height does not."""
+    """Return a coil of constant height between two points."""
     along = np.linspace(0.0, 1.0, 4 * COILS + 1)
     swing = COIL_HEIGHT * np.sin(2 * np.pi * COILS * along)
     direction = (end - start) / np.linalg.norm(end - start)

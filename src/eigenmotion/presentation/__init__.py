@@ -1,1 +1,1 @@
-"""Parts of pictures, tables and pages; they know no model."""
+"""Building blocks of pictures, tables and pages, independent of any model."""

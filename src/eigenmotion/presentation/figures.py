@@ -1,4 +1,4 @@
-"""Figures: colours that any colour vision tells apart, axes, files. Needs the extra `plot` (matplotlib)."""
+"""Figures: colours that are distinct for any colour vision, axes, files. Needs the extra `plot` (matplotlib)."""
 
 import io
 import re
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..codegen.model import ModelError
 from ..files import write
 
-# Okabe & Ito's palette; its yellow is left out: too faint on white.
+# Okabe & Ito's palette without its yellow, which is too faint on white.
 COLOURS = BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE, BLACK = (
     "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000",
 )  # fmt: skip
@@ -26,7 +26,7 @@ FORMATS = (".png", ".svg", ".pdf")
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure in both formats. `stem` is what its files are called, `title` and `text` go with it on the page."""
+    """A figure in both formats. `stem` is the name of its files; `title` and `text` are for the page."""
 
     stem: str
     title: str
@@ -36,12 +36,12 @@ class Picture:
 
 
 def has_matplotlib() -> bool:
-    """Say whether matplotlib is there."""
+    """Return whether matplotlib is installed."""
     return find_spec("matplotlib") is not None
 
 
 def require_matplotlib() -> None:
-    """Raise ModelError where matplotlib is missing."""
+    """Raise ModelError if matplotlib is missing."""
     if not has_matplotlib():
         raise ModelError("pictures need matplotlib: pip install 'eigenmotion[plot]'")
 
@@ -55,37 +55,37 @@ def blank(width: float, height: float) -> Any:
 
 
 def uncluttered(axes: Any, grid: str = "0.9", **look: Any) -> None:
-    """Draw a faint grid, and no frame where there are no numbers."""
+    """Draw a faint grid, and no frame at the top and right."""
     axes.grid(color=grid, **look)
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def apart(ends: Sequence[float] | NDArray[np.float64], gap: float) -> NDArray[np.float64]:
-    """Return places (k,) within [0, 1], nearest to `ends` of those in their order and at least `gap` apart."""
-    wanted = np.asarray(ends, dtype=np.float64)
-    order = np.argsort(wanted, kind="stable")
-    steps = gap * np.arange(len(wanted))
-    places = np.empty_like(wanted)
-    places[order] = np.clip(scipy.optimize.isotonic_regression(wanted[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
+def spread_labels(ends: Sequence[float] | NDArray[np.float64], gap: float) -> NDArray[np.float64]:
+    """Return the positions (k,) within [0, 1] nearest to `ends` that keep their order and are at least `gap` apart."""
+    targets = np.asarray(ends, dtype=np.float64)
+    order = np.argsort(targets, kind="stable")
+    steps = gap * np.arange(len(targets))
+    places = np.empty_like(targets)
+    places[order] = np.clip(scipy.optimize.isotonic_regression(targets[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
     return places
 
 
-def as_it_is(name: str) -> str:
-    """Return a name such that matplotlib takes no part of it for mathematics."""
+def plain_text(name: str) -> str:
+    """Return a name escaped so that matplotlib does not parse parts of it as mathematics."""
     return name.replace("$", r"\$")
 
 
 def readable(svg: str) -> str:
-    """Return a picture without the control characters that names may hold, and no XML: matplotlib writes them."""
+    """Return SVG without control characters, which are not valid XML but which matplotlib writes from names."""
     return re.sub("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]", "\ufffd", svg)
 
 
 def save(figure: Any, path: Path) -> Path:
-    """Write a figure to a file whose ending names one of FORMATS, in full or not at all."""
+    """Write a figure atomically, in the format (one of FORMATS) of the ending of `path`."""
     content = io.BytesIO()
     figure.savefig(content, format=path.suffix[1:], dpi=150)
-    found = content.getvalue()
-    write(path, readable(found.decode()).encode() if path.suffix == ".svg" else found)
+    data = content.getvalue()
+    write(path, readable(data.decode()).encode() if path.suffix == ".svg" else data)
     return path
 
 
@@ -94,10 +94,10 @@ def picture(figure: Any, stem: str, title: str, text: str) -> Picture:
     import matplotlib as mpl  # noqa: PLC0415, an optional package
 
     svg, png = io.StringIO(), io.BytesIO()
-    # names of its own for clip paths: several pictures share a page
+    # unique names of clip paths, since several pictures are on one page
     with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path", "hatch.linewidth": 0.6}):
         figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
-        figure.set_layout_engine("none")  # where all stands is found, which takes half the time of a picture
+        figure.set_layout_engine("none")  # the layout is known now; it takes half the time of a picture
         figure.savefig(png, format="png", dpi=150)
     drawn = readable(svg.getvalue())
     return Picture(stem, title, text, drawn[drawn.index("<svg") :], png.getvalue())

@@ -1,4 +1,4 @@
-"""The machine that numbers were measured on, in words that do not say whose it is."""
+"""Anonymous description of the machine on which numbers were measured."""
 
 import os
 import platform
@@ -10,7 +10,7 @@ _PACKAGES = ("eigenmotion", "numpy", "scipy", "sympy", "heyoka", "casadi")
 
 
 def machine(compiler: Mapping[str, str]) -> dict[str, str]:
-    """Return processor, cores, the compiler as it describes itself, and versions."""
+    """Return the processor, the number of cores, the compiler and versions of packages."""
     return {
         "processor": _processor(),
         "cores": str(os.cpu_count()),

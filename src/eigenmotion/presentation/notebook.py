@@ -1,4 +1,4 @@
-"""Display of objects in notebooks: a table of their summary, and a picture."""
+"""HTML for the display of objects in notebooks: tables and pictures."""
 
 import base64
 import io
@@ -8,7 +8,7 @@ from typing import Any
 
 
 def table(title: str, rows: Mapping[str, str | Iterable[str]]) -> str:
-    """Return a small table as HTML; several texts of a row stand below each other."""
+    """Return a small table as HTML; several texts in a row are on separate lines."""
     cells = "".join(
         f"<tr><th style='text-align:left;vertical-align:top'>{escape(name)}</th>"
         f"<td style='text-align:left'>{_lines(text)}</td></tr>"
@@ -22,7 +22,7 @@ def _lines(text: str | Iterable[str]) -> str:
 
 
 def image(figure: Any, words: str) -> str:
-    """Return a matplotlib figure as HTML, with words for those who do not see it."""
+    """Return a matplotlib figure as HTML, with `words` as alternative text."""
     png = io.BytesIO()
     figure.savefig(png, format="png", dpi=80)
     data = base64.b64encode(png.getvalue()).decode()

@@ -1,4 +1,4 @@
-"""An HTML page, one file that opens without a network, and the files beside it."""
+"""HTML pages: one self-contained file, and other files beside it."""
 
 from collections.abc import Iterable, Mapping
 from importlib.resources import files
@@ -11,7 +11,7 @@ from .figures import Picture
 
 
 def render(package: str, **values: object) -> str:
-    """Render page.html.jinja of a package; it extends "base.html.jinja" and takes from "table.html.jinja" beside us."""
+    """Render page.html.jinja of a package, which uses base.html.jinja and table.html.jinja of this package."""
 
     def load(name: str) -> str:
         place = package if name == "page.html.jinja" else __package__
@@ -24,7 +24,7 @@ def render(package: str, **values: object) -> str:
 
 
 def write_page(folder: Path, texts: Mapping[str, str], pictures: Iterable[Picture]) -> tuple[Path, ...]:
-    """Write texts by name of file, and STEM.png and STEM.svg of each picture; return the paths in that order."""
+    """Write texts (file name -> text), and STEM.png and STEM.svg of each picture; return the paths in that order."""
     contents = {name: text.encode() for name, text in texts.items()}
     for picture in pictures:
         contents |= {f"{picture.stem}.png": picture.png, f"{picture.stem}.svg": picture.svg.encode()}

@@ -1,4 +1,4 @@
-"""Tables on a page, and the same numbers as CSV and JSON."""
+"""Tables for pages, and CSV and JSON."""
 
 import csv
 import io
@@ -13,14 +13,14 @@ Row = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Texts, row by row."""
+    """A table of texts."""
 
     head: Row
     rows: tuple[Row, ...]
 
 
 def as_csv(head: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
-    """Write a line a row; numbers in full precision."""
+    """Return CSV with one line for each row; numbers have full precision."""
     text = io.StringIO(newline="")
     table = csv.writer(text, lineterminator="\n")
     table.writerow(head)
@@ -29,7 +29,7 @@ def as_csv(head: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 
 
 def as_json(record: dict[str, Any]) -> str:
-    """Write a record; numbers that are not there, or not finite, are null."""
+    """Return a record as JSON; missing numbers, infinity and NaN are null."""
     return json.dumps(_finite(record), indent=1, allow_nan=False) + "\n"
 
 

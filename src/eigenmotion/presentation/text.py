@@ -1,13 +1,13 @@
-"""Numbers in words."""
+"""Numbers as text."""
 
 
 def number(value: float | None) -> str:
-    """Three digits, or a dash where there is none."""
+    """Return a number with three digits; a dash for None."""
     return "-" if value is None else f"{value:.3g}"
 
 
 def seconds(value: float | None) -> str:
-    """A time with the unit that suits it."""
+    """Return a time with a suitable unit."""
     if value is None:
         return "-"
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):

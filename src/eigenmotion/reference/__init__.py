@@ -1,1 +1,1 @@
-"""The same motion by equations and methods that share nothing with generated code."""
+"""Reference motions, by equations and methods that are independent of the generated code."""

@@ -1,9 +1,9 @@
-"""Motion in extended precision where parts of it are strongly damped: Radau IIA collocation.
+"""Radau IIA collocation in extended precision, for motions with strongly damped parts.
 
 Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8: Y_i = y + h sum_j A_ij f(Y_j), c the right
 Radau points, s stages, order 2 s - 1, the last stage the new value. Residuals are evaluated in extended precision;
-Newton's matrix is a double. The error of a step is that of an embedded formula of order s (8.17) ff., filtered by
-(1 - h gamma J)^-1: more than the step's own where nothing is stiff.
+Newton's matrix is in double precision. The error of a step is that of an embedded formula of order s (8.17) ff.,
+filtered by (1 - h gamma J)^-1; without stiffness it overestimates the error of the step.
 """
 
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ _DIGITS = 40
 
 @dataclass(frozen=True, slots=True)
 class _Tableau:
-    """A (s, s), c (s,), and the weights of the embedded formula less the method's: gamma at c = 0, d (s,)."""
+    """A (s, s), c (s,), and the weights of the embedded formula minus those of the method: gamma at c = 0, d (s,)."""
 
     c: Extended
     A: Extended
@@ -60,14 +60,14 @@ def _extended(numbers: Any) -> Extended:
 
 
 class Collocation:
-    """Steps of `stages` stages; Newton's method has converged where a correction is as small as `rounding`."""
+    """Steps with `stages` stages; Newton's method has converged if a correction is as small as `rounding`."""
 
     def __init__(self, stages: int, rounding: float = 1e-17) -> None:
         self.stages, self.rounding, self.tableau = stages, rounding, _tableau(stages)
         self.power = stages + 1
 
     def step(self, rhs: Rhs, time: Any, y: Extended, h: Any) -> tuple[Extended, float]:
-        """Return y at time + h and the scaled error of the embedded formula; NaN where Newton's method does not end."""
+        """Return y at time + h and the scaled error of the embedded formula; NaN if Newton's method fails."""
         tableau, J, short = self.tableau, jacobian(rhs, time, y), float(h)
         if not np.isfinite(J).all():
             return y, np.nan
@@ -81,7 +81,7 @@ class Collocation:
         return stages[-1], float(np.max(np.abs(filtered) / (1 + np.abs(y))))
 
     def _solved(self, rhs: Rhs, time: Any, y: Extended, h: Any, factors: Any) -> tuple[Extended, Extended | None]:
-        """Return the slopes and the stages (s, 2n) by Newton's method, or None where it does not converge."""
+        """Return the slopes and the stages (s, 2n) by Newton's method, or None if it does not converge."""
         stages, older, before = np.tile(y, (self.stages, 1)), np.inf, np.inf
         for _ in range(_MOST):
             slopes = np.array([rhs(time + c * h, Y) for c, Y in zip(self.tableau.c, stages, strict=True)])
@@ -91,7 +91,7 @@ class Collocation:
             change = float(np.max(np.abs(correction) / (1 + np.abs(stages.ravel()))))
             if change < self.rounding or (change < 1e3 * self.rounding and change > 0.3 * before):
                 return slopes, stages
-            if not change < 0.9 * max(older, before):  # the second correction may be as large as the first is lucky
+            if not change < 0.9 * max(older, before):  # one correction may be larger than a small one before it
                 break
             older, before = before, change
         return slopes, None

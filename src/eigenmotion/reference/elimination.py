@@ -1,4 +1,4 @@
-"""Elimination in any algebra: arrays, extended precision, and expressions of other packages."""
+"""Gaussian elimination in any algebra: arrays, extended precision, and expressions of other packages."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -8,7 +8,10 @@ from numpy.typing import NDArray
 
 
 def accelerations(M: Sequence[Any], A: Sequence[Any], f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
-    """Return a: M positive definite, A of full rank; any algebra with + - * /. Zeros that are numbers are skipped."""
+    """Return a of M a + A^T lambda = f, A a = g; M positive definite, A of full rank.
+
+    The entries may be of any algebra with + - * /. Numbers that are zero are skipped.
+    """
     free, *columns = solve(M, [f, *A])
     if not A:
         return list(free)
@@ -18,7 +21,7 @@ def accelerations(M: Sequence[Any], A: Sequence[Any], f: Sequence[Any], g: Seque
 
 
 def solve(M: Sequence[Sequence[Any]], rights: Sequence[Sequence[Any]]) -> list[list[Any]]:
-    """Return M^-1 r for each r by M = L D L^T: no pivots are needed where M is positive definite."""
+    """Return M^-1 r for each r by M = L D L^T, without pivoting, since M is positive definite."""
     n = len(M)
     L: list[list[Any]] = [[0] * n for _ in range(n)]
     D: list[Any] = []
@@ -32,7 +35,7 @@ def solve(M: Sequence[Sequence[Any]], rights: Sequence[Sequence[Any]]) -> list[l
 
 
 def solve_array(M: NDArray[Any], right: NDArray[Any]) -> NDArray[Any]:
-    """Return M^-1 right (n,) of arrays, by rows at a time: for many coordinates."""
+    """Return M^-1 right (n,) by elimination on whole rows, which is fast for many coordinates."""
     a, b, n = M.copy(), right.copy(), len(right)
     for k in range(n - 1):
         factors = a[k + 1 :, k] / a[k, k]
@@ -65,6 +68,6 @@ def _product(a: Any, b: Any) -> Any:
 
 
 def _dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    """Sum of products, without those that vanish."""
+    """Return the sum of the products that do not vanish."""
     first, *rest = [x * y for x, y in zip(a, b, strict=True) if not (_is_zero(x) or _is_zero(y))] or [0]
     return sum(rest, first)

@@ -1,7 +1,7 @@
-"""Lagrange's equations in extended precision.
+"""Right-hand side of Lagrange's equations in extended precision.
 
-The numbers are np.longdouble: 64 bits of mantissa on x86, 113 where the platform has quadruple precision, and no more
-than double where it has neither.
+The numbers are np.longdouble: 64 bits of mantissa on x86, 113 on platforms with quadruple precision, and double
+precision on platforms with neither.
 """
 
 from collections.abc import Callable, Sequence
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..codegen.model.symbolic.lagrange import Lagrange
 from .elimination import accelerations
-from .straight_line import written
+from .straight_line import straight_line_function
 
 Extended = NDArray[np.longdouble]
 Rhs = Callable[[Any, Extended], Extended]
@@ -29,7 +29,7 @@ def extended(equations: Lagrange) -> Rhs:
     function = sympy.lambdify([*equations.arguments, *names], entries, modules="numpy", cse=True)
     constants = [np.longdouble(value) for _, value in equations.constants] + [_rounded(number) for number in numbers]
     zeros = [entry.is_zero is True for entry in entries]
-    solved = written(lambda values: accelerations(*equations.split(values)), zeros)
+    solved = straight_line_function(lambda values: accelerations(*equations.split(values)), zeros)
     n = len(equations.x)
 
     def rhs(time: Any, y: Extended) -> Extended:
@@ -39,7 +39,7 @@ def extended(equations: Lagrange) -> Rhs:
 
 
 def _inexact(entries: Sequence[sympy.Expr]) -> set[sympy.Expr]:
-    """Return the fractions and numbers like pi that no double holds."""
+    """Return the fractions, and numbers like pi, that are not exact in double precision."""
     fractions = {q for entry in entries for q in entry.atoms(sympy.Rational) if q.q & (q.q - 1)}
     return fractions | {c for entry in entries for c in entry.atoms(sympy.NumberSymbol)}
 

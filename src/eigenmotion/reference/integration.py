@@ -1,4 +1,4 @@
-"""Motion in extended precision: adaptive steps, steps on a graded mesh, and extrapolated midpoint steps.
+"""Integration in extended precision: adaptive steps, steps on a graded mesh, and extrapolated midpoint steps.
 
 Gragg, Bulirsch, Stoer; Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.9: T_j1 by
 n_j = 2, 4, 6, ... modified midpoint steps, T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k+1)^2 - 1).
@@ -17,35 +17,35 @@ MOST_STEPS = 20_000
 
 
 class NotReachedError(ArithmeticError):
-    """The integration did not get to its end; says why."""
+    """The integration did not reach its end; the message says why."""
 
 
 class Scheme(Protocol):
-    """Steps with an estimate of their error, which falls with h to a power."""
+    """A one-step method with an error estimate, which is proportional to h^power."""
 
     @property
     def power(self) -> int: ...
 
     def step(self, rhs: Rhs, time: Any, y: Extended, h: Any) -> tuple[Extended, float]:
-        """Return y at time + h and the scaled error, infinite or NaN where there is no such step."""
+        """Return y at time + h and the scaled error, infinite or NaN if the step fails."""
 
 
-def followed(scheme: Scheme, rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float) -> Extended:
-    """Return y (k, 2n) at increasing times (k,), the first of which is the start; scaled error a step <= tolerance.
+def integrate_adaptive(scheme: Scheme, rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float) -> Extended:
+    """Return y (k, 2n) at increasing times (k,), the first of which is the start; each step has error <= tolerance.
 
     Raises
     ------
     NotReachedError
-        A step below the spacing of numbers, or too many steps.
+        Too many steps, or a step below the spacing of doubles.
     """
     rows = [np.array(y, dtype=np.longdouble)]
-    walk = _Walk(scheme, rhs, tolerance, step=float(times[-1] - times[0]) / 64)
+    steps = _AdaptiveSteps(scheme, rhs, tolerance, step=float(times[-1] - times[0]) / 64)
     for start, end in zip(times[:-1].tolist(), times[1:].tolist(), strict=True):
-        rows.append(walk.advance(np.longdouble(start), np.longdouble(end), rows[-1]))
+        rows.append(steps.advance(np.longdouble(start), np.longdouble(end), rows[-1]))
     return np.array(rows)
 
 
-class _Walk:
+class _AdaptiveSteps:
     """Adaptive steps of fixed order."""
 
     def __init__(self, scheme: Scheme, rhs: Rhs, tolerance: float, step: float) -> None:
@@ -64,31 +64,31 @@ class _Walk:
     def _resize(self, h: float, time: float, error: float) -> None:
         self.left -= 1
         factor = 0.8 * (self.tolerance / max(error, 1e-300)) ** (1 / self.scheme.power) if np.isfinite(error) else 0.2
-        wanted = h * min(3.0, max(0.2, factor))
-        # a step cut short at a row says little: the length found before stands
-        self.step = max(wanted, self.step) if error <= self.tolerance and h < self.step else wanted
+        proposed = h * min(3.0, max(0.2, factor))
+        # a step that was shortened to end at a row must not reduce the step size
+        self.step = max(proposed, self.step) if error <= self.tolerance and h < self.step else proposed
         if self.step < 1e-15 * max(1.0, abs(time)) or self.left < 0:
             raise NotReachedError(f"the reference stopped at t = {time:.6g} with steps of {self.step:.1e} s")
 
 
-def graded(scheme: Scheme, rhs: Rhs, y: Vector | Extended, times: Vector, per_decade: int) -> Extended:
-    """Return y (k, 2n) at increasing times (k,) from 0, the start, in steps that are set beforehand.
+def integrate_graded(scheme: Scheme, rhs: Rhs, y: Vector | Extended, times: Vector, per_decade: int) -> Extended:
+    """Return y (k, 2n) at increasing times (k,) from the start 0, with predetermined steps.
 
-    They grow geometrically from a trillionth of the span, `per_decade` to a factor of ten, and end at each of the
-    times; none is longer than a part in 8 per_decade of the span.
+    The steps grow geometrically from 1e-12 of the span, `per_decade` of them for a factor of ten, and end at each of
+    the times. None is longer than the span / (8 per_decade).
 
     Raises
     ------
     NotReachedError
-        The scheme has no such step.
+        A step failed.
     """
-    here, wanted = np.array(y, dtype=np.longdouble), set(times.tolist())
+    here, proposed = np.array(y, dtype=np.longdouble), set(times.tolist())
     rows = [here]
     for start, end in pairwise(_mesh(times, per_decade)):
         here, error = scheme.step(rhs, np.longdouble(start), here, np.longdouble(end) - np.longdouble(start))
         if not np.isfinite(error):
             raise NotReachedError(f"the reference stopped at t = {start:.6g}, from where there is no step to {end:.6g}")
-        if end in wanted:
+        if end in proposed:
             rows.append(here)
     return np.array(rows)
 
@@ -101,7 +101,7 @@ def _mesh(times: Vector, per_decade: int) -> list[float]:
 
 
 class Midpoint:
-    """Extrapolated midpoint steps: `columns` of them, order 2 columns."""
+    """Extrapolated midpoint steps with `columns` columns, of order 2 columns."""
 
     def __init__(self, columns: int) -> None:
         self.substeps = tuple(2 * (k + 1) for k in range(columns))

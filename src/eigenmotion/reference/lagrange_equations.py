@@ -1,8 +1,8 @@
-"""Lagrange's equations of a model by plain SymPy: what peers integrate, and what the reference is computed from.
+"""Lagrange's equations of a model by plain SymPy, for peers and for the reference.
 
     M a + A^T lambda = f,    A a = g                                                  (7), (8) differentiated
 
-Nothing generated comes of these expressions.
+The code generator does not use these expressions.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -19,13 +19,13 @@ from .elimination import accelerations
 
 
 def classical(model: Model) -> Lagrange:
-    """Return Lagrange's equations of a model, in a form in which M is regular."""
-    found = lagrange(model)
-    return found if _has_inertia(found, model) else _with_rows(found)
+    """Return Lagrange's equations of a model, with a regular M."""
+    equations = lagrange(model)
+    return equations if _has_inertia(equations, model) else _with_rows(equations)
 
 
 def _has_inertia(equations: Lagrange, model: Model) -> bool:
-    """Whether M is regular at the start."""
+    """Return whether M is regular at the start."""
     function = sympy.lambdify(equations.arguments, equations.M, modules="math")
     values = [value for _, value in equations.constants]
     M = np.array(function(*model.initial_x, *model.initial_v, 0.0, *values), dtype=float)
@@ -34,14 +34,14 @@ def _has_inertia(equations: Lagrange, model: Model) -> bool:
 
 
 def _with_rows(equations: Lagrange) -> Lagrange:
-    """Add A^T A a = A^T g to the equations: where M is singular but not along the constraints, M + A^T A is regular."""
+    """Add A^T A a = A^T g to the equations: M + A^T A is regular if M is regular along the constraints."""
     M, A = sympy.Matrix(equations.M), sympy.Matrix(len(equations.g), len(equations.x), sum(equations.A, ()))
     f = sympy.Matrix(equations.f) + A.T * sympy.Matrix(len(equations.g), 1, equations.g)
     return replace(equations, M=tuple(map(tuple, (M + A.T * A).tolist())), f=tuple(f))
 
 
 def double(equations: Lagrange) -> Callable[[float, Vector], Vector]:
-    """Return f(t, y) for y = (x, v): one lambdified function, one solve of the (n + m) system a call."""
+    """Return f(t, y) for y = (x, v): each call evaluates one lambdified function and solves one (n + m) system."""
     n, m = len(equations.x), len(equations.g)
     function = sympy.lambdify(equations.arguments, equations.entries, modules="math", cse=True)
     constants = [value for _, value in equations.constants]

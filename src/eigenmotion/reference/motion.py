@@ -1,4 +1,4 @@
-"""The motion that errors are measured against, and how far it can be trusted."""
+"""Reference motion, against which errors are measured, and its own error."""
 
 from dataclasses import dataclass
 
@@ -10,18 +10,18 @@ from ..codegen.model import ModelError
 from ..codegen.model.symbolic.lagrange import Lagrange
 from .collocation import Collocation, jacobian
 from .extended_precision import EPSILON, Extended, Rhs, extended
-from .integration import Midpoint, NotReachedError, Scheme, followed
+from .integration import Midpoint, NotReachedError, Scheme, integrate_adaptive
 
 ROWS = 201
 _HOW = (
     "{steps} in extended precision ({digits:.1f} digits) on Lagrange's equations, derived by SymPy apart from the code "
     "generator; nothing is projected. Its error is estimated by a second run, of order {lower}, at a hundred times the "
     "tolerance, and from a start that differs by {shift} units in the last place, so that the estimate is that of the "
-    "worse of the two and holds how much the motion magnifies rounding."
+    "worse of the two and includes the growth of rounding errors by the motion."
 )
 _SHIFT = 16
-_DECAYS = 1e4  # more e-foldings of the fastest decay than this in the span: explicit steps would be held by stability
-_LOOKS = 9  # rows at which the decay is looked at
+_DECAYS = 1e4  # with more e-foldings of the fastest decay in the span, stability would limit explicit steps
+_SAMPLES = 9  # rows at which the decay is determined
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,8 @@ class Reference:
     Attributes
     ----------
     t : (k,) [s]; x, v : (k, n), rounded to double
-    errors : (k,) estimate of the reference's own error, scaled as in `scaled_error`
+    errors : (k,) estimated error of the reference, scaled as in `scaled_error`
+    how : description of the computation
     """
 
     t: Vector
@@ -43,7 +44,7 @@ class Reference:
 
 @dataclass(frozen=True, slots=True)
 class _Pair:
-    """The scheme of the reference, that of its check, and what it is called."""
+    """The schemes of the reference and of its check, and their description."""
 
     fine: Scheme
     rough: Scheme
@@ -53,7 +54,7 @@ class _Pair:
 
 
 def scaled_error(x: Vector | Extended, exact: Vector | Extended) -> Vector:
-    """Return max_k |x_k - exact_k| / (1 + |exact_k|) of each row: (rows, n) -> (rows,). NaN stays NaN."""
+    """Return max_k |x_k - exact_k| / (1 + |exact_k|) for each row: (rows, n) -> (rows,). NaN stays NaN."""
     return np.asarray(np.max(np.abs(x - exact) / (1 + np.abs(exact)), axis=-1), dtype=np.float64)
 
 
@@ -63,19 +64,19 @@ def reference(equations: Lagrange, y: Vector, t_end: float, along: tuple[Vector,
     Parameters
     ----------
     along
-        Times (k,) and rows (k, 2n) of a rough motion, to find out what parts of it are strongly damped.
+        Times (k,) and rows (k, 2n) of an approximate motion, to determine whether parts are strongly damped.
 
     Raises
     ------
     ModelError
-        The motion cannot be followed to t_end in extended precision; says where it ends.
+        The integration in extended precision does not reach t_end; says where it ends.
     """
     times, rhs, n = np.linspace(0.0, t_end, ROWS), extended(equations), len(equations.x)
     try:
         with np.errstate(all="ignore"):
             pair = _pair(rhs, t_end, along or (times[:1], y[None]))
-            fine = followed(pair.fine, rhs, y, times, pair.tolerance)
-            other = followed(pair.rough, rhs, _shifted(y), times, 100 * pair.tolerance)
+            fine = integrate_adaptive(pair.fine, rhs, y, times, pair.tolerance)
+            other = integrate_adaptive(pair.rough, rhs, _shifted(y), times, 100 * pair.tolerance)
     except (NotReachedError, ZeroDivisionError, ValueError) as error:
         raise ModelError(f"there is no reference to compare with: {error}; shorten the span with --t-end") from error
     x, v = fine[:, :n].astype(np.float64), fine[:, n:].astype(np.float64)
@@ -86,7 +87,7 @@ def reference(equations: Lagrange, y: Vector, t_end: float, along: tuple[Vector,
 def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
     rates = rates_of(rhs, *along)
     if -rates.real.min() * t_end < _DECAYS:
-        rounding = EPSILON * max(50.0, 10.0 * np.abs(rates).max())  # of a stiff spring's force, in a step of its period
+        rounding = EPSILON * max(50.0, 10.0 * np.abs(rates).max())  # in one period of a stiff spring
         finest = max(1e-17, float(rounding))
         return _Pair(Midpoint(8), Midpoint(6), finest, "Extrapolated midpoint steps of order 16", 12)
     steps = "As parts of the motion are strongly damped: implicit steps, Radau IIA collocation of order 13,"
@@ -94,13 +95,13 @@ def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
 
 
 def rates_of(rhs: Rhs, times: Vector, rows: Vector) -> NDArray[np.complex128]:
-    """Return the rates [1/s] at which small perturbations grow, die out or turn, at a few of the rows (k, 2n)."""
-    looks = np.unique(np.linspace(0, len(times) - 1, _LOOKS).astype(int))
-    jacobians = [jacobian(rhs, np.longdouble(times[k]), rows[k].astype(np.longdouble)) for k in looks]
+    """Return the eigenvalues [1/s] of the Jacobian (growth, decay, rotation) at a few of the rows (k, 2n)."""
+    samples = np.unique(np.linspace(0, len(times) - 1, _SAMPLES).astype(int))
+    jacobians = [jacobian(rhs, np.longdouble(times[k]), rows[k].astype(np.longdouble)) for k in samples]
     return np.array([0.0, *(rate for J in jacobians if np.isfinite(J).all() for rate in np.linalg.eigvals(J))], complex)
 
 
 def _shifted(y: Vector) -> Extended:
-    """A start apart by rounding, in directions that alternate."""
+    """Return a start that differs by rounding errors with alternating signs."""
     signs = np.where(np.arange(len(y)) % 2, -1.0, 1.0)
     return np.asarray(y.astype(np.longdouble) + _SHIFT * EPSILON * signs * (1 + np.abs(y)))

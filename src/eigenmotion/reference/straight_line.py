@@ -1,4 +1,4 @@
-"""Arithmetic written out: what an algorithm does to its numbers, as a Python function without loops and questions."""
+"""Straight-line code: records the arithmetic of an algorithm as a Python function without loops or branches."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Self
@@ -6,8 +6,8 @@ from typing import Any, Self
 Algorithm = Callable[[Sequence[Any]], Sequence[Any]]
 
 
-class Line:
-    """A number that is not known yet: what is done to it is written down, in its order, a line an operation."""
+class Unknown:
+    """A symbolic number that records each operation on it as one line of text."""
 
     def __init__(self, name: str, text: list[str]) -> None:
         self.name, self.text = name, text
@@ -29,27 +29,27 @@ class Line:
 
     def _of(self, left: Any, sign: str, right: Any) -> Self:
         result = type(self)(f"r{len(self.text)}", self.text)
-        self.text.append(f"{result.name} = {_named(left)} {sign} {_named(right)}")
+        self.text.append(f"{result.name} = {_text(left)} {sign} {_text(right)}")
         return result
 
 
-def _named(number: Any) -> str:
-    return number.name if isinstance(number, Line) else f"({number!r})"
+def _text(number: Any) -> str:
+    return number.name if isinstance(number, Unknown) else f"({number!r})"
 
 
-def written(algorithm: Algorithm, zeros: Sequence[bool]) -> Callable[[Sequence[Any]], Sequence[Any]]:
-    """Return a function that does what `algorithm` does to (k,) numbers: the same operations in the same order.
+def straight_line_function(algorithm: Algorithm, zeros: Sequence[bool]) -> Callable[[Sequence[Any]], Sequence[Any]]:
+    """Return a function that does the same operations as `algorithm` on (k,) numbers, in the same order.
 
     Parameters
     ----------
     algorithm
-        Asks no number for anything but whether it is the 0 of Python.
+        A function of (k,) numbers; its branches may depend only on whether a number is Python's 0.
     zeros
-        Of each number, whether it is.
+        (k,) whether each number is 0.
     """
     text: list[str] = []
-    given = [0 if is_zero else Line(f"g{k}", text) for k, is_zero in enumerate(zeros)]
-    results = [_named(one) for one in algorithm(given)]
+    arguments = [0 if is_zero else Unknown(f"g{k}", text) for k, is_zero in enumerate(zeros)]
+    results = [_text(one) for one in algorithm(arguments)]
     head = f"def function(numbers):\n    {''.join(f'g{k}, ' for k in range(len(zeros)))}= numbers"
     lines = [head, *text, f"return [{', '.join(results)}]\n"]
     scope: dict[str, Any] = {}

@@ -1,1 +1,1 @@
-"""A model as a page on which it moves."""
+"""Interactive pages of models."""

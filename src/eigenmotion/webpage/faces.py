@@ -1,4 +1,4 @@
-"""The faces of solids in space: which corners go round each, found once, for solids stay what they are."""
+"""Faces of solids in space as lists of corners, computed once, since solids are rigid."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,7 +12,7 @@ from ..codegen.model.normalise import t
 
 
 def faces(model: Model) -> Iterator[dict[str, Any]]:
-    """Return for each shape of a drawing {"faces": indices of corners, face by face} of a solid in space, else {}."""
+    """Yield for each shape {"faces": indices of corners, face by face} if it is a solid in space, else {}."""
     values = dict(zip(model.coordinates, model.initial_x, strict=True)) | dict(model.parameters)
     for shape in model.drawing:
         if shape.kind != "body" or shape.dimension == len("xy"):
@@ -23,7 +23,7 @@ def faces(model: Model) -> Iterator[dict[str, Any]]:
 
 
 def around(corners: Vector) -> list[list[int]]:
-    """Return the faces of the hull of corners (k, 3), each in the order round it; all corners where they are flat."""
+    """Return the faces of the convex hull of corners (k, 3), corners in order; all corners if they are in one plane."""
     try:
         hull = scipy.spatial.ConvexHull(corners)
     except (scipy.spatial.QhullError, ValueError):
@@ -31,11 +31,13 @@ def around(corners: Vector) -> list[list[int]]:
     planes: dict[tuple[float, ...], set[int]] = {}
     for plane, triangle in zip(hull.equations, hull.simplices, strict=True):
         planes.setdefault(tuple(np.round(plane, 6)), set()).update(map(int, triangle))
-    return [_round(corners, np.array(plane[:3]), sorted(held)) for plane, held in planes.items()]
+    return [_round(corners, np.array(plane[:3]), sorted(members)) for plane, members in planes.items()]
 
 
-def _round(corners: Vector, normal: Vector, held: list[int]) -> list[int]:
-    middle = corners[held].mean(axis=0)
-    first = corners[held[0]] - middle
+def _round(corners: Vector, normal: Vector, members: list[int]) -> list[int]:
+    middle = corners[members].mean(axis=0)
+    first = corners[members[0]] - middle
     second = np.cross(normal, first)
-    return sorted(held, key=lambda k: float(np.arctan2((corners[k] - middle) @ second, (corners[k] - middle) @ first)))
+    return sorted(
+        members, key=lambda k: float(np.arctan2((corners[k] - middle) @ second, (corners[k] - middle) @ first))
+    )

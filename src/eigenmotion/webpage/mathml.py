@@ -1,4 +1,4 @@
-"""Names and equations in MathML, which browsers set without help."""
+"""MathML of names and equations, which browsers render without a library."""
 
 from collections.abc import Iterator, Mapping
 from html import escape
@@ -11,13 +11,13 @@ from sympy.printing.mathml import MathMLPresentationPrinter
 from ..codegen.model.normalise import name_of
 from ..codegen.model.symbolic.equations import Equations
 
-_DOTS = {1: "·", 2: "··"}  # seen in any font, as accents over letters are not
+_DOTS = {1: "·", 2: "··"}  # rendered in any font, unlike accents over letters
 _TALL = 4000
-"""Longest text of a matrix that a page shows; longer ones nobody reads."""
+"""Longest text of a matrix on a page."""
 
 
 class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
-    """As SymPy prints, but for rates, for which symbols stand: these get dots over their letters."""
+    """SymPy's printer, with dots over the letters for symbols that represent rates."""
 
     def __init__(self, rates: Mapping[sympy.Symbol, sympy.Derivative]) -> None:
         super().__init__()
@@ -32,7 +32,7 @@ class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
         rate = self.rates.get(symbol)
         if rate is not None:
             return self._dotted(rate)
-        return super()._print_Symbol(sympy.Symbol(escape(symbol.name)), style)  # SymPy writes names as they are
+        return super()._print_Symbol(sympy.Symbol(escape(symbol.name)), style)  # SymPy does not escape names
 
     def _dotted(self, rate: sympy.Derivative) -> Any:
         name, dotted, mark = self._print(rate.expr), self.dom.createElement("mover"), self.dom.createElement("mo")
@@ -46,7 +46,7 @@ class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
 
 
 def mathml(expression: sympy.Basic) -> str:
-    """Return the MathML of an expression, without the element `math` around it."""
+    """Return the MathML of an expression, without the outer element `math`."""
     rates = {sympy.Dummy(name_of(rate)): rate for rate in sorted(expression.atoms(sympy.Derivative), key=name_of)}
     plain = expression.xreplace({rate: symbol for symbol, rate in rates.items()})
     text: str = _Printer(rates).doprint(plain)
@@ -54,12 +54,12 @@ def mathml(expression: sympy.Basic) -> str:
 
 
 def label(symbol: sympy.Basic) -> str:
-    """Return a name, or a rate, as a formula of its own."""
+    """Return the formula of a name or a rate."""
     return f"<math>{mathml(symbol)}</math>"
 
 
 def formulas(equations: Equations) -> Iterator[str]:
-    """Return the equations, and below what stands in them, each a formula."""
+    """Yield formulas: the equations, then the terms in them."""
     yield from _form(bool(equations.A.rows))
     column = _matrix(sympy.Matrix(equations.x))
     yield f"<math><mrow><mi>x</mi><mo>=</mo>{column}</mrow></math>"

@@ -1,4 +1,4 @@
-"""The page of a model: one file that opens without a network, with the model compiled into it."""
+"""Page of a model: one self-contained file with the compiled model."""
 
 import base64
 import gzip
@@ -30,7 +30,7 @@ SCRIPTS = (
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """How long the page's runs are [s], and their tolerances; what sliders begin with, in place of the model's values.
+    """The duration [s] and tolerances of the page's runs, and initial values of sliders in place of the model's.
 
     given : "parameters", "inputs", "x0", "v0" -> name -> value
     """
@@ -41,7 +41,7 @@ class Run:
     given: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def value(self, kind: str, name: str, default: float) -> float:
-        """Return what a slider begins with."""
+        """Return the initial value of a slider."""
         return self.given.get(kind, {}).get(name, default)
 
 
@@ -51,35 +51,35 @@ def page(requested: Request, source: str, run: Run, space: Three | None = None) 
     Parameters
     ----------
     source
-        The text of the model's file, for readers to download.
+        The text of the model's file, for download.
     space
-        three.js, for drawings in space; without it a plain canvas shows them.
+        three.js, for drawings in space; None: these are drawn on a plain canvas.
 
     Raises
     ------
     BuildError
-        There is no compiler for WebAssembly, or it refused the code.
+        There is no compiler for WebAssembly, or it failed.
     """
-    model, made = requested.model, program(requested.model, requested.choices)
+    model, generated = requested.model, program(requested.model, requested.choices)
     return _environment().get_template("page.html.jinja").render(
-        title=model.name.replace("_", " "), summary=summary(source), space=made.dimension == len("xyz"),
-        inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=made.left_out,
+        title=model.name.replace("_", " "), summary=summary(source), space=generated.dimension == len("xyz"),
+        inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=generated.left_out,
         download=f"{model.name}.py", source=_base64(source.encode()), origin=requested.origin,
-        licence=space.licence if space else "", formulation=made.formulation, rtol=f"{run.rtol:g}",
+        licence=space.licence if space else "", formulation=generated.formulation, rtol=f"{run.rtol:g}",
         atol=f"{run.atol:g}",
-        about=_json(about(model, run, made.conserves_energy)), wasm=_packed(module(requested)),
+        about=_json(about(model, run, generated.conserves_energy)), wasm=_packed(module(requested)),
         parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
     )  # fmt: skip
 
 
 def _parts(space: Three | None) -> dict[str, str]:
-    """Packed texts by the names of their elements."""
+    """Return element id -> compressed text."""
     texts = {"three-core": space.core, "three-module": space.module} if space else {}
     return {name: _packed(text.encode()) for name, text in texts.items()}
 
 
 def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
-    """Return what the scripts know of a model: names, defaults, shapes, and how runs end."""
+    """Return the data of a model for the scripts: names, defaults, shapes, and messages about the end of runs."""
     shapes, first = [], 0
     for shape, around in zip(model.drawing, faces(model), strict=True):
         shapes.append({"kind": shape.kind, "first": first, "count": len(shape.numbers)} | around)
@@ -108,7 +108,7 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
 
 
 def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
-    """What the scripts know of a parameter; modes of contacts are the run's to set, tables no numbers: no slider."""
+    """Return the data of a parameter for the scripts; modes of contacts (set by the run) and tables have no slider."""
     positive = bool(symbol.is_nonnegative) and value > 0
     mode = isinstance(symbol, TableHandle) or any(
         symbol in (one.holds, one.slides, one.idles) for one in model.switches
@@ -117,7 +117,7 @@ def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:
-    """How a run ends, in words; `placed` has gaps for the name of a coordinate and for a constraint row."""
+    """Return the messages of a stop reason; `placed` has placeholders for a coordinate and a constraint row."""
     placed = explain(stop, ("#",), 0).replace("#", "{coordinate}").replace("row 0", "row {row}")
     return {"name": str(stop), "text": explain(stop, ()), "placed": placed, "failure": not stop.success}
 
@@ -129,7 +129,7 @@ def summary(source: str) -> str:
 
 
 def _json(content: Mapping[str, Any]) -> str:
-    """Return JSON that may stand in a script element."""
+    """Return JSON that is safe in a script element."""
     return json.dumps(content, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
 
 

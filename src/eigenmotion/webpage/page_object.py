@@ -1,4 +1,4 @@
-"""A page as an object: shown by a notebook, or written to a file."""
+"""Page object: displayed in a notebook, or written to a file."""
 
 from dataclasses import dataclass
 from html import escape
@@ -18,10 +18,10 @@ _HEIGHT = 640  # [pixel] of a frame in a notebook
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """A model as a page on which it moves; a notebook shows it in a frame, alive.
+    """An interactive page of a model; a notebook displays it in a frame.
 
-    html : the whole file
-    missing : what it does without, and why; empty where there is all
+    html : the complete file
+    missing : a message about a missing component, or ""
     """
 
     html: str
@@ -58,21 +58,21 @@ def show(
     formulation: str = "eigenfactor",
     **keywords: Any,
 ) -> Page:
-    """Return a model as a page on which it moves: its C as WebAssembly, in one file that needs no network.
+    """Return an interactive page of a model: one file that contains its C as WebAssembly and needs no network.
 
     Parameters
     ----------
     source
-        A Model, or the file that defines one; `keywords` are those of the file's function.
+        A Model, or the file that defines one; `keywords` are arguments of the file's function.
     t_end, rtol, atol
-        How long runs are [s], and their tolerances.
+        Duration [s] and tolerances of the runs.
 
     Raises
     ------
     ModelError
         The file or the model has a mistake.
     BuildError
-        There is no compiler for WebAssembly (the extra `page` brings one), or it refused the code.
+        There is no compiler for WebAssembly (the extra `page` installs one), or it failed.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def show(
 
 
 def of_space(model: Model) -> tuple[Three | None, str]:
-    """Return three.js for a drawing in space, or None and why it cannot be had: the page draws space by itself then."""
+    """Return three.js for a drawing in space, or None and the reason; then the page uses a plain canvas."""
     if not model.drawing or model.drawing[0].dimension < len("xyz"):
         return None, ""
     try:

@@ -1,4 +1,4 @@
-"""three.js, which draws space on pages: fetched through npm once, held against its hash, and kept in the cache."""
+"""three.js for drawings in space: downloaded once through npm, checked against its hash, and cached."""
 
 import base64
 import hashlib
@@ -36,7 +36,7 @@ def three() -> Three:
     Raises
     ------
     BuildError
-        It is not in the cache, and npm is not there, has no network, or brought something else.
+        It is not in the cache, and npm is missing, has no network, or returned another file.
     """
     folder = entry("three", key(VERSION, _SHA512), _fetch)
     with guarded():
@@ -58,6 +58,6 @@ def _fetch(folder: Path) -> None:
 def _unpack(archive: Path, folder: Path) -> None:
     with tarfile.open(archive) as content:
         for part, name in _FILES.items():
-            held = content.extractfile(name)
-            assert held is not None, name
-            (folder / f"{part}.txt").write_bytes(held.read())
+            file = content.extractfile(name)
+            assert file is not None, name
+            (folder / f"{part}.txt").write_bytes(file.read())

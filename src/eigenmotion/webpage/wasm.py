@@ -1,4 +1,4 @@
-"""A model's generated C as WebAssembly: by the extra `page`, the `ziglang` wheel, or a clang with a wasm sysroot."""
+"""Compilation of a model to WebAssembly, by the `ziglang` wheel (extra `page`) or a clang with a wasm sysroot."""
 
 import shutil
 import tempfile
@@ -22,19 +22,19 @@ _TRIED = "#include <math.h>\n#include <stdlib.h>\nint main(void) { return malloc
 
 @dataclass(frozen=True, slots=True)
 class WasmCompiler:
-    """A command that compiles C, with its library, to WebAssembly; `identity` tells its version."""
+    """A command that compiles C to WebAssembly; `identity` contains its version."""
 
     command: tuple[str, ...]
     identity: str
 
 
 def module(requested: Request) -> bytes:
-    """Return the WebAssembly of a request, compiled unless it was before.
+    """Return the WebAssembly of a request, from the cache if possible.
 
     Raises
     ------
     CompilerNotFoundError
-        There is nothing to compile it with; says what to install.
+        There is no compiler; says what to install.
     """
     tools, sources = wasm_compiler(), cached_sources(requested)
     texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
@@ -46,7 +46,7 @@ def module(requested: Request) -> bytes:
 
 
 def _compile(sources: Sources, tools: WasmCompiler, folder: Path) -> None:
-    """Compile in a folder of its own, for compilers leave files about; keep the module only."""
+    """Compile in a temporary folder, since compilers leave other files; copy only the module."""
     name = sources.name
     with tempfile.TemporaryDirectory() as place:
         work = Path(place)
@@ -59,7 +59,7 @@ def _compile(sources: Sources, tools: WasmCompiler, folder: Path) -> None:
 
 @cache
 def wasm_compiler() -> WasmCompiler:
-    """Return what compiles C to WebAssembly here.
+    """Return a compiler for WebAssembly.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def _candidates() -> Iterator[tuple[str, ...]]:
 
 
 def _compiles(command: tuple[str, ...]) -> bool:
-    """Whether there is a library and a linker, too."""
+    """Return whether the command also has a library and a linker."""
     with tempfile.TemporaryDirectory() as place:
         (Path(place) / "tried.c").write_text(_TRIED, encoding="utf-8")
         run((*command, "tried.c", "-o", "tried.wasm"), Path(place))

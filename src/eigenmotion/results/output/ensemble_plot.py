@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import BLUE, as_it_is, blank, uncluttered
+from ...presentation.figures import BLUE, blank, plain_text, uncluttered
 
 _BAND = (5, 95)  # percentiles
 
@@ -21,7 +21,7 @@ def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64
         low, middle, high = np.nanpercentile(x[:, k][:, known], [_BAND[0], 50, _BAND[1]], axis=0)
         one.fill_between(t[known], low, high, color=BLUE, alpha=0.25, linewidth=0, label=f"{_BAND[0]} to {_BAND[1]} %")
         one.plot(t[known], middle, color=BLUE, linewidth=1.6, label="median")
-        one.set_ylabel(as_it_is(name))
+        one.set_ylabel(plain_text(name))
         uncluttered(one)
     axes[0].set_title(title)
     axes[0].legend(loc="upper left", frameon=False)
@@ -36,8 +36,8 @@ def over_grid(title: str, names: Sequence[str], grid: Mapping[str, Sequence[floa
     for k, (name, axes) in enumerate(zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True)):
         values = ends[:, k].reshape(len(rows), len(columns))
         image = axes.pcolormesh(columns, rows, values, shading="nearest", cmap="viridis", rasterized=True)
-        axes.set(xlabel=as_it_is(quick), ylabel=as_it_is(slow), title=title if k == 0 else "")
-        figure.colorbar(image, ax=axes, label=f"{as_it_is(name)} at the end")
+        axes.set(xlabel=plain_text(quick), ylabel=plain_text(slow), title=title if k == 0 else "")
+        figure.colorbar(image, ax=axes, label=f"{plain_text(name)} at the end")
     return figure
 
 
@@ -48,8 +48,8 @@ def ends(title: str, names: Sequence[str], swept: Mapping[str, Vector], final: N
     label, values = next(iter(swept.items()), ("run", np.arange(len(final), dtype=np.float64)))
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
         one.plot(values, final[:, k], ".", color=BLUE, markersize=3, rasterized=True)
-        one.set_ylabel(f"{as_it_is(name)} at the end")
+        one.set_ylabel(f"{plain_text(name)} at the end")
         uncluttered(one)
     axes[0].set_title(title)
-    axes[-1].set_xlabel(as_it_is(label))
+    axes[-1].set_xlabel(plain_text(label))
     return figure

@@ -9,7 +9,7 @@ from sympy import Symbol, latex
 
 from ...arguments.named_values import Vector
 from ...compiled.compiled_system import CompiledSystem
-from ...presentation.figures import COLOURS, STYLES, apart, as_it_is, blank, uncluttered
+from ...presentation.figures import COLOURS, STYLES, blank, plain_text, spread_labels, uncluttered
 from ..pictures.moving_shapes import Drawing
 from ..pictures.sketch import Sketch
 from ..solution import Solution
@@ -80,7 +80,7 @@ def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
     low, high = axes.get_ylim()
     ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
     gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
-    for line, name, end, place in zip(list(axes.get_lines()), names, ends, apart(ends, gap), strict=True):
+    for line, name, end, place in zip(list(axes.get_lines()), names, ends, spread_labels(ends, gap), strict=True):
         look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
         style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
         axes.add_line(Line2D([1.0, 1.03], [end, place], linewidth=0.6, **look))
@@ -90,15 +90,13 @@ def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
 
 def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:
     """Draw a row of ticks for each event, and lines across the picture if events are few."""
-    found = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
-    strip.eventplot(
-        found, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False
-    )
-    strip.set(yticks=range(len(names)), yticklabels=list(map(as_it_is, names)), ylim=(len(names) - 0.5, -0.5))
+    data = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
+    strip.eventplot(data, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False)
+    strip.set(yticks=range(len(names)), yticklabels=list(map(plain_text, names)), ylim=(len(names) - 0.5, -0.5))
     strip.tick_params(axis="y", length=0)
     strip.spines[["top", "right", "left"]].set_visible(False)
-    if sum(map(len, found)) <= _FEW:
-        for time in np.concatenate(found):
+    if sum(map(len, data)) <= _FEW:
+        for time in np.concatenate(data):
             axes.axvline(time, color="0.6", linewidth=0.8, linestyle=(0, (1, 2)), zorder=0)
 
 
@@ -110,7 +108,7 @@ def _label(name: str) -> str:
     try:
         MathTextParser("path").parse(label)
     except ValueError:
-        return as_it_is(name)
+        return plain_text(name)
     return label
 
 

@@ -56,7 +56,7 @@ def driven_slider() -> Model:
 class CrankMotion:
     """Motion of the crank, from whose angle the other bodies follow; forces by Newton's method, quarter by quarter.
 
-    Friction changes its sign where sin phi = 0 (the guide) or cos phi = 0 (the rod's end), but never at the pin (a < l).
+    Friction changes its sign where sin phi = 0 (the guide) or cos phi = 0 (the rod's end), never at the pin (a < l).
     """
 
     mu: float

@@ -12,7 +12,7 @@ from ...codegen.model import Model
 from ...codegen.model.symbolic.lagrange import Lagrange
 from ...reference.collocation import Collocation
 from ...reference.extended_precision import Extended, Rhs, extended
-from ...reference.integration import Midpoint, followed, graded
+from ...reference.integration import Midpoint, integrate_adaptive, integrate_graded
 from ...reference.lagrange_equations import classical
 
 FINE, CHECK, ROUGH = range(3)  # levels of accuracy: for the comparison; to estimate its error; to about 1e-9
@@ -55,12 +55,12 @@ class Integrated:
     own: float = 1e-14
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        values = self._followed(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
+        values = self._integrated(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)
         return np.asarray(values * self.scale, dtype=np.float64)
 
-    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+    def _integrated(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
         columns, tolerance = ((7, 1e-13), (5, 1e-12), (5, 1e-9))[level]
-        return followed(Midpoint(columns), rhs, z, elapsed, tolerance)
+        return integrate_adaptive(Midpoint(columns), rhs, z, elapsed, tolerance)
 
 
 @dataclass(frozen=True)
@@ -72,8 +72,8 @@ class Collocated(Integrated):
         "the generator's"
     )
 
-    def _followed(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
-        return graded(Collocation(5, rounding=1e-15), rhs, z, elapsed, (16, 11, 7)[level])
+    def _integrated(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
+        return integrate_graded(Collocation(5, rounding=1e-15), rhs, z, elapsed, (16, 11, 7)[level])
 
 
 def _scaled(truth: Integrated, times: Vector) -> Rhs:

@@ -1,4 +1,4 @@
-// controls.js: a slider and a field for each number that a run starts from.
+// controls.js: a slider and a number field for each parameter, input and initial value.
 
 class Control {
   constructor(parent, { name, label, value, low, high }, changed) {

@@ -1,28 +1,28 @@
-// gestures.js: one finger or the mouse drags, two fingers or the wheel zoom.
+// gestures.js: pointer gestures: one finger or the mouse drags, two fingers or the wheel zoom.
 
 function gestures(element, { drag, zoom }) {
-  const held = new Map();
+  const pointers = new Map();
   const place = (event) => { const box = element.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
-  const spread = () => { const [[ax, ay], [bx, by]] = [...held.values()]; return [Math.hypot(ax - bx, ay - by), (ax + bx) / 2, (ay + by) / 2]; };
+  const spread = () => { const [[ax, ay], [bx, by]] = [...pointers.values()]; return [Math.hypot(ax - bx, ay - by), (ax + bx) / 2, (ay + by) / 2]; };
   element.addEventListener("pointerdown", (event) => {
-    held.set(event.pointerId, place(event));
+    pointers.set(event.pointerId, place(event));
     element.setPointerCapture(event.pointerId);
   });
   element.addEventListener("pointermove", (event) => {
-    const before = held.get(event.pointerId);
+    const before = pointers.get(event.pointerId);
     if (!before) return;
     const now = place(event);
-    if (held.size === 1) {
-      held.set(event.pointerId, now);
+    if (pointers.size === 1) {
+      pointers.set(event.pointerId, now);
       drag(now[0] - before[0], now[1] - before[1], event.shiftKey || event.buttons === 2);
-    } else if (held.size === 2) {
+    } else if (pointers.size === 2) {
       const [length] = spread();
-      held.set(event.pointerId, now);
+      pointers.set(event.pointerId, now);
       const [longer, x, y] = spread();
       if (length > 0) zoom(longer / length, x, y);
     }
   });
-  for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, (event) => held.delete(event.pointerId));
+  for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, (event) => pointers.delete(event.pointerId));
   element.addEventListener("contextmenu", (event) => event.preventDefault());
   element.addEventListener("wheel", (event) => {
     event.preventDefault();

@@ -1,4 +1,4 @@
-// main.js: the page. `eigenmotion` in the console has its parts.
+// main.js: the page object, which is `eigenmotion` in the console.
 
 const element = (id) => document.getElementById(id);
 const about = JSON.parse(element("about").textContent);
@@ -10,7 +10,7 @@ class Page {
     if (!stage) element("stage").hidden = true;
     const parts = Object.fromEntries(["play", "scrub", "speed", "clock"].map((id) => [id, element(id)]));
     this.player = new Player(parts, (t) => this.show(t));
-    this.due = false;
+    this.scheduled = false;
     this.controls();
     this.keys();
     element("span").value = about.tEnd;
@@ -41,33 +41,33 @@ class Page {
     this.start = { x: Array.from(this.engine.x), v: Array.from(this.engine.v) };
   }
 
-  // At most one run a frame, however fast a slider moves.
+  // At most one run per frame, however fast a slider moves.
   changed(settled = true) {
     this.settled = settled;
-    if (this.due) return;
-    this.due = true;
-    requestAnimationFrame(() => { this.due = false; this.run(); });
+    if (this.scheduled) return;
+    this.scheduled = true;
+    requestAnimationFrame(() => { this.scheduled = false; this.run(); });
   }
 
   run() {
     const { engine } = this, tEnd = Math.min(1000, Math.max(0.1, element("span").valueAsNumber || about.tEnd));
     const status = engine.settle();
-    if (status) { this.say(status, 0, engine.calls.fault_first()); return; }
+    if (status) { this.showStatus(status, 0, engine.calls.fault_first()); return; }
     const moved = about.coordinates.some((_, k) => Math.abs(engine.x[k] - this.start.x[k]) > 1e-9);
     this.start = { x: Array.from(engine.x), v: Array.from(engine.v) };
     for (const [kind, values] of [["x", engine.x], ["v", engine.v]]) {
       this.fields[kind].forEach((field, k) => { if (field && (document.activeElement !== field.slider || this.settled)) field.set(values[k]); });
     }
     const motion = engine.run(tEnd), { end } = motion;
-    this.say(end.status, end.reached, end.coordinate, moved);
+    this.showStatus(end.status, end.reached, end.coordinate, moved);
     if (!motion.rows) return;
     this.motion = motion;
     element("cost").textContent = `${end.steps} steps, ${end.rhs} right-hand sides, ${end.milliseconds.toFixed(1)} ms`;
-    for (const plot of this.plots) plot.take(this.motion);
-    this.player.until(this.motion.last);
+    for (const plot of this.plots) plot.setMotion(this.motion);
+    this.player.setEnd(this.motion.last);
   }
 
-  say(status, t, coordinate, moved = false) {
+  showStatus(status, t, coordinate, moved = false) {
     const words = [], { name, text, placed, failure } = about.endings[status];
     if (failure) {
       const where = about.coordinates[coordinate]?.name ?? "";
@@ -126,7 +126,7 @@ class Page {
   }
 }
 
-document.documentElement.classList.toggle("framed", window.top !== window); // what shows it has a title of its own
+document.documentElement.classList.toggle("framed", window.top !== window); // a page that frames this one has a title
 try {
   const engine = await Engine.open(element("wasm").textContent, about);
   window.eigenmotion = new Page(engine, about.dimension ? await stageOf(about) : null);

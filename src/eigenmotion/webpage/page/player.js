@@ -1,4 +1,4 @@
-// player.js: time goes on, at a speed, unless somebody holds it.
+// player.js: playback of time at a chosen speed, with pause and seek.
 
 class Player {
   constructor(parts, show) {
@@ -30,7 +30,7 @@ class Player {
     this.show(this.t);
   }
 
-  until(last) {
+  setEnd(last) {
     this.last = last;
     this.parts.scrub.max = last;
     this.seek(Math.min(this.t, last));
@@ -43,7 +43,7 @@ class Player {
     requestAnimationFrame((next) => this.tick(next));
   }
 
-  // At the end it rests for a moment, and begins anew.
+  // At the end, pause for a moment, then start again.
   advance(seconds) {
     if (this.t < this.last) {
       this.t = Math.min(this.last, this.t + seconds * this.speed);

@@ -1,4 +1,4 @@
-// theme.js: the colours of the style sheet, for canvases. Read again when light turns to dark.
+// theme.js: the colours of the style sheet, for canvases; read again when the colour scheme changes.
 
 const COLOURS = ["ink", "faint", "grid", "bar", "line", "wheel", "wheelEdge", "face", "faceEdge", "floor", "floorEdge",
   "ball", "ballEdge", "path", "series1", "series2", "series3", "series4", "series5", "series6"];

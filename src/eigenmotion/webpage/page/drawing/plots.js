@@ -1,4 +1,4 @@
-// plots.js: numbers over time; a line for now, and a drag on it goes to another time.
+// plots.js: plots over time, with a line at the current time; dragging seeks.
 
 const DASHES = [[], [6, 3], [2, 3], [8, 3, 2, 3]];
 
@@ -24,7 +24,7 @@ class Plot {
     this.canvas.addEventListener("pointermove", (event) => { if (event.buttons) point(event); });
   }
 
-  take(motion) {
+  setMotion(motion) {
     this.motion = motion;
     this.columns = this.series.map((one) => one.values(motion));
     const seen = this.columns.flatMap((column) => [...column]).filter(Number.isFinite);
@@ -33,15 +33,15 @@ class Plot {
     if (this.log) [low, high] = [-17, Math.max(-12, Math.ceil(high))];
     const room = 0.08 * (high - low) || Math.max(1e-12, 0.1 * Math.abs(high));
     this.range = this.log ? [low, high] : [low - room, high + room];
-    this.still = null;
+    this.background = null;
   }
 
   show(t) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !this.motion) return;
-    if (!this.still || this.still.width !== Math.round(width * devicePixelRatio) || this.still.look !== theme()) this.paint();
+    if (!this.background || this.background.width !== Math.round(width * devicePixelRatio) || this.background.look !== theme()) this.paint();
     sharpen(this.canvas, this.brush);
-    this.brush.drawImage(this.still, 0, 0, width, height);
+    this.brush.drawImage(this.background, 0, 0, width, height);
     const x = LEFT + (t / (this.motion.last || 1)) * (width - LEFT - RIGHT);
     this.brush.strokeStyle = theme().ink;
     this.brush.lineWidth = 1;
@@ -69,13 +69,13 @@ class Plot {
     return ABOVE + ((high - value) / (high - low)) * (height - BELOW - ABOVE);
   }
 
-  // What does not change with the time shown is painted once.
+  // Paint everything that does not depend on the current time, once.
   paint() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.still = Object.assign(document.createElement("canvas"), {
+    this.background = Object.assign(document.createElement("canvas"), {
       width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio), look: theme(),
     });
-    const brush = this.still.getContext("2d");
+    const brush = this.background.getContext("2d");
     brush.scale(devicePixelRatio, devicePixelRatio);
     this.grid(brush, width, height);
     const x = (row) => LEFT + (this.motion.at(row, 0) / (this.motion.last || 1)) * (width - LEFT - RIGHT);

@@ -1,5 +1,5 @@
-// shapes.js: the numbers of a drawing as strokes: { kind, points } in space, kind one of
-// bar, line, face, wheel, ball (with a radius). How strokes look is the stage's.
+// shapes.js: conversion of a drawing to strokes { kind, points } in space; kind is one of
+// bar, line, face, floor, wheel, ball (with a radius). The stage decides how strokes look.
 
 const COILS = 8;
 const AROUND = Array.from({ length: 49 }, (_, k) => (2 * Math.PI * k) / 48);
@@ -45,29 +45,29 @@ function disk(center, numbers, shape, d) {
   const axis = d === 3 ? Array.from(numbers.slice(shape.first + 4, shape.first + 7)) : [0, 0, 1];
   const [first, second] = d === 3 ? nodes(axis) : [[1, 0, 0], [0, 1, 0]];
   const rim = (angle) => plus(plus(center, first, radius * Math.cos(angle)), second, radius * Math.sin(angle));
-  const found = [{ kind: "wheel", points: AROUND.map(rim) }];
+  const result = [{ kind: "wheel", points: AROUND.map(rim) }];
   const marked = d === 3 ? more === 4 : more === 1;
-  if (marked) found.push({ kind: "line", points: [center, rim(numbers[shape.first + shape.count - 1])] });
-  return found;
+  if (marked) result.push({ kind: "line", points: [center, rim(numbers[shape.first + shape.count - 1])] });
+  return result;
 }
 
 const plate = (p, side) => [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => plus(p, [x, y, 0], side));
 
-// A wall with hatches on its right, going from p to q; a support stands on a short one.
+// A wall from p to q with hatches on its right, or a support (one point) on a short wall.
 function hatched(points, length) {
-  const found = [];
+  const result = [];
   let [p, q] = points;
   if (points.length === 1) {
     const left = plus(p, [-length / 2, -length, 0]), right = plus(p, [length / 2, -length, 0]);
-    found.push({ kind: "line", points: [p, left, right, p] });
+    result.push({ kind: "line", points: [p, left, right, p] });
     [p, q] = [plus(left, [-length / 3, 0, 0]), plus(right, [length / 3, 0, 0])];
   }
   const along = unit(minus(q, p)), count = Math.max(3, Math.round((Math.hypot(...minus(q, p)) / length) * 3));
   const slant = [along[1] - along[0], -along[0] - along[1], 0];
-  found.push({ kind: "line", points: [p, q] });
+  result.push({ kind: "line", points: [p, q] });
   for (let k = 0; k < count; ++k) {
     const foot = mix(p, q, k / (count - 1));
-    found.push({ kind: "line", points: [foot, plus(foot, slant, length / 3)] });
+    result.push({ kind: "line", points: [foot, plus(foot, slant, length / 3)] });
   }
-  return found;
+  return result;
 }

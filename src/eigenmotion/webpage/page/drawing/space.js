@@ -1,4 +1,4 @@
-// space.js: the mechanism in space by three.js, where the page holds it and the browser has WebGL. As Stage otherwise.
+// space.js: stage for drawings in space by three.js, if the page contains it and the browser has WebGL.
 
 async function openThree() {
   const text = async (id) => new TextDecoder().decode(await unpacked(element(id).textContent));
@@ -16,26 +16,26 @@ class SpaceStage extends Stage {
     this.eye.up.set(0, 0, 1);
   }
 
-  // What stays from frame to frame; made anew with the colours.
-  furnish() {
+  // Create the scene, which is kept from frame to frame until the colours change.
+  createScene() {
     const { three } = this;
     this.look = theme();
     this.scene = new three.Scene();
     this.scene.add(new three.HemisphereLight(0xffffff, 0xcccccc, 2.6));
     this.lamp = new three.DirectionalLight(0xffffff, 1.6);
     this.scene.add(this.lamp);
-    this.things = [];
+    this.meshes = [];
   }
 
   draw() {
     const { canvas, motion } = this;
     if (!motion?.rows || !canvas.clientWidth) return;
-    if (this.look !== theme()) this.furnish();
-    const found = [...strokes(this.about, motion.drawn(this.t), this.box.size), ...this.paths()];
-    found.forEach((stroke, k) => {
-      this.things[k] ??= this.made(stroke);
-      this.things[k].visible = stroke.points.every((p) => p.every(Number.isFinite));
-      if (this.things[k].visible) this.things[k].place(stroke);
+    if (this.look !== theme()) this.createScene();
+    const allStrokes = [...strokes(this.about, motion.drawn(this.t), this.box.size), ...this.paths()];
+    allStrokes.forEach((stroke, k) => {
+      this.meshes[k] ??= this.createMesh(stroke);
+      this.meshes[k].visible = stroke.points.every((p) => p.every(Number.isFinite));
+      if (this.meshes[k].visible) this.meshes[k].place(stroke);
     });
     this.aim();
     this.renderer.setPixelRatio(window.devicePixelRatio || 1);
@@ -56,17 +56,17 @@ class SpaceStage extends Stage {
     this.lamp.target.updateMatrixWorld();
   }
 
-  made(stroke) {
-    const thing = MADE[stroke.kind](this, stroke);
-    this.scene.add(thing);
-    return thing;
+  createMesh(stroke) {
+    const mesh = MESHES[stroke.kind](this, stroke);
+    this.scene.add(mesh);
+    return mesh;
   }
 
   material(name, more = {}) {
     return new this.three.MeshLambertMaterial({ color: this.look[name], side: this.three.DoubleSide, ...more });
   }
 
-  // Between two points a rod.
+  // A rod between two points.
   rod(radius, colour) {
     const { three } = this, rod = new three.Mesh(new three.CylinderGeometry(radius, radius, 1, 16), this.material(colour));
     const from = new three.Vector3(0, 1, 0), to = new three.Vector3();
@@ -79,7 +79,7 @@ class SpaceStage extends Stage {
     return rod;
   }
 
-  // Through many points a wire.
+  // A wire through many points.
   wire(radius, colour) {
     const { three } = this, wire = new three.Mesh(new three.BufferGeometry(), this.material(colour));
     wire.place = ({ points }) => {
@@ -116,7 +116,7 @@ class SpaceStage extends Stage {
     return group;
   }
 
-  // A thin translucent disk with a round rim; it stands across z, and is turned to its axle.
+  // A thin translucent disk with a rim; created perpendicular to z, then rotated to its axle.
   wheel() {
     const { three } = this, group = new three.Group(), axis = new three.Vector3(0, 0, 1), to = new three.Vector3();
     const disk = new three.Mesh(new three.CircleGeometry(1, 64), this.material("wheel", { transparent: true, opacity: 0.6, depthWrite: false }));
@@ -137,7 +137,7 @@ class SpaceStage extends Stage {
   }
 }
 
-const MADE = {
+const MESHES = {
   bar: (stage) => stage.rod(0.01 * stage.box.size, "bar"),
   line: (stage, { points }) => (points.length > 2 ? stage.wire(0.004 * stage.box.size, "line") : stage.rod(0.005 * stage.box.size, "line")),
   path: (stage) => stage.curve("path"),
@@ -147,7 +147,7 @@ const MADE = {
   ball: (stage) => stage.ball(),
 };
 
-// The stage for a drawing: three.js for space where it can be, else a canvas.
+// Return the stage for a drawing: three.js for space if possible, else a plain canvas.
 async function stageOf(about) {
   const canvas = element("stage");
   if (about.dimension === 3 && element("three-core")) {

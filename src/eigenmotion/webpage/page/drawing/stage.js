@@ -1,4 +1,4 @@
-// stage.js: the mechanism on a canvas, in the plane or seen from a direction in space; what is nearer covers what is not.
+// stage.js: stage for drawings on a plain canvas; in space, nearer strokes cover those behind.
 
 const TURN_A_PIXEL = 0.008;
 
@@ -80,16 +80,16 @@ class Stage {
     if (!this.motion?.rows || !this.canvas.clientWidth) return;
     sharpen(this.canvas, this.brush);
     const camera = this.camera(), look = theme();
-    const found = strokes(this.about, this.motion.drawn(this.t), this.box.size);
-    found.push(...this.paths());
+    const allStrokes = strokes(this.about, this.motion.drawn(this.t), this.box.size);
+    allStrokes.push(...this.paths());
     const depth = (stroke) => stroke.points.reduce((sum, p) => sum + camera.depth(p), 0) / stroke.points.length;
     if (this.space) {
-      for (const stroke of found) stroke.depth = stroke.kind === "floor" ? -Infinity : depth(stroke);
-      found.sort((a, b) => a.depth - b.depth);
+      for (const stroke of allStrokes) stroke.depth = stroke.kind === "floor" ? -Infinity : depth(stroke);
+      allStrokes.sort((a, b) => a.depth - b.depth);
     } else {
-      found.sort((a, b) => LAYERS.indexOf(a.kind) - LAYERS.indexOf(b.kind));
+      allStrokes.sort((a, b) => LAYERS.indexOf(a.kind) - LAYERS.indexOf(b.kind));
     }
-    for (const stroke of found) this.stroke(stroke, camera, look);
+    for (const stroke of allStrokes) this.stroke(stroke, camera, look);
   }
 
   paths() {
@@ -132,7 +132,7 @@ const LAYERS = ["floor", "face", "path", "wheel", "line", "bar", "ball"];
 const FILLED = new Set(["floor", "face", "wheel", "ball"]);
 const WIDTHS = { floor: 1, face: 1, path: 1.5, wheel: 1.5, line: 1.5, bar: 5, ball: 1.5 };
 
-// As many pixels as the screen has.
+// Set the resolution of the canvas to that of the screen, and clear it.
 function sharpen(canvas, brush) {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];

@@ -1,4 +1,4 @@
-// engine.js: the compiled model. Numbers go in, a Motion comes out.
+// engine.js: the compiled model: sets its arguments and returns a Motion.
 
 const STATUS_DEPENDENT_ROWS = 6;
 const ROWS_A_SECOND = 100;
@@ -41,8 +41,8 @@ class Engine {
   get x() { return this.numbers(this.calls.x(), this.about.n); }
   get v() { return this.numbers(this.calls.v(), this.about.n); }
 
-  // Put the start back on the constraints. Returns a status; dependent rows get multipliers of least norm. A start that
-  // cannot be put there stays what it was.
+  // Project the start onto the constraints; return a status. Dependent rows get multipliers of least norm. If the
+  // projection fails, the start is unchanged.
   settle() {
     const x = Array.from(this.x), v = Array.from(this.v);
     for (this.leastNorm = 0; ; this.leastNorm = 1) {

@@ -1,4 +1,4 @@
-// motion.js: the motion of a run: its rows, and interpolation between them.
+// motion.js: motion of a run: rows, and interpolation between them.
 
 class Motion {
   constructor(about, table, width, end) {
@@ -18,7 +18,7 @@ class Motion {
     return Float64Array.from({ length: this.rows }, (_, row) => this.at(row, place));
   }
 
-  // The row before a time, and how far it is to the next, 0 ... 1.
+  // The row before a time, and the fraction of the way to the next row, 0 ... 1.
   where(t) {
     if (this.rows < 2) return [0, 0];
     let low = 0, high = this.rows - 1;
@@ -30,7 +30,7 @@ class Motion {
     return [low, after > before ? Math.min(1, Math.max(0, (t - before) / (after - before))) : 0];
   }
 
-  // Numbers of the drawing at a time: rows are close, so that a straight line between two will do.
+  // Numbers of the drawing at a time; rows are so close that linear interpolation is enough.
   drawn(t) {
     const [row, part] = this.where(t);
     const next = Math.min(row + 1, this.rows - 1);
@@ -46,7 +46,7 @@ class Motion {
     return this.at(row, place) + part * (this.at(next, place) - this.at(row, place));
   }
 
-  // Corners of all that is ever drawn.
+  // Bounding box of all shapes at all times.
   box() {
     const { dimension, shapes } = this.about;
     const low = Array(3).fill(Infinity), high = Array(3).fill(-Infinity);
