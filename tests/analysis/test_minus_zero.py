@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from eigenmotion.analysis.linear.linearization import written
+from eigenmotion.analysis.linear.linearization import eigenvalue_text
 from eigenmotion.cli import main
 
 AT_REST = """\
@@ -31,6 +31,6 @@ def test_no_table_says_minus_zero(scene, capsys, command):
 
 
 def test_an_eigenvalue_is_not_minus_zero():
-    assert written(complex(-0.0, 0.0)) == "0"
-    assert written(complex(-0.0, 2.0)) == "0 ± 2 i"
+    assert eigenvalue_text(complex(-0.0, 0.0)) == "0"
+    assert eigenvalue_text(complex(-0.0, 2.0)) == "0 ± 2 i"
     assert np.signbit(-0.0)

@@ -1,1 +1,1 @@
-"""Small deviations from a motion, and states in which mechanisms stay."""
+"""Linearisation, equilibria and assembly of mechanisms."""

@@ -14,7 +14,7 @@ from ..arguments.sampled import Controlled
 from ..arguments.signals import Signal
 from ..runtime import IncrementalRun, IncrementalRuns, StopReason
 from ..runtime.ensemble import Stop
-from ..simulation.sampled_inputs import Held, Schedule, opened, with_held
+from ..simulation.sampled_inputs import ControllerRecord, Schedule, open_controllers, with_recorded_inputs
 
 _LEAST = 64  # fewest runs for which a thread pays
 
@@ -32,10 +32,10 @@ class _ControllerValues:
     times : (k,) from which each of `rows` (k, K, inputs) holds
     """
 
-    def __init__(self, start: float, of_runs: Sequence[Held]) -> None:
-        self.places, self._controlled = of_runs[0].places, [held.controlled for held in of_runs]
-        self._functions = [held.function for held in of_runs]
-        self.times, self.rows = [start], [np.array([held.values for held in of_runs])]
+    def __init__(self, start: float, of_runs: Sequence[ControllerRecord]) -> None:
+        self.places, self._controlled = of_runs[0].places, [records.controlled for records in of_runs]
+        self._functions = [records.function for records in of_runs]
+        self.times, self.rows = [start], [np.array([records.values for records in of_runs])]
 
     def call(self, running: list[int], t: float, x: Vector, v: Vector, failed: dict[int, Exception]) -> Vector:
         """Call controllers of the runs that continue; return values (K, inputs), put exceptions into `failed`."""
@@ -80,16 +80,16 @@ class ControlledRuns:
     """
 
     def __init__(self, tasks: Mapping[int, Task], method: int) -> None:
-        started = [opened(task) for task in tasks.values()]
+        started = [open_controllers(task) for task in tasks.values()]
         self._numbers, self._tasks = list(tasks), [task for task, _ in started]
         self._runs = [IncrementalRun(task, method) for task in self._tasks]
         one = self._tasks[0]
         self._end, self._together = one.t_end, IncrementalRuns(one.model, self._runs)
-        by_controller = zip(*(held for _, held in started), strict=True)
+        by_controller = zip(*(records for _, records in started), strict=True)
         self._values = [_ControllerValues(one.t_start, of_runs) for of_runs in by_controller]
         self._running, self._counts = list(range(len(self._runs))), dict[int, list[int]]()
         self.failed: dict[int, tuple[float, Exception]] = {}
-        controllers = [held.controlled.sampled for held in started[0][1]]
+        controllers = [records.controlled.sampled for records in started[0][1]]
         self._schedule = Schedule(one.t_start, controllers, self._call, self._apply)
 
     def advance(self, workers: int, stop: Stop) -> Iterator[float]:
@@ -98,7 +98,7 @@ class ControlledRuns:
         with ThreadPoolExecutor(max(1, len(parts) - 1), "controlled") as threads:
             while self._running and not stop and (t := self._schedule.next) < self._end:
                 self._advance_to(t, parts, threads, stop)
-                self._schedule.answer(t)
+                self._schedule.act(t)
                 yield t
             if not stop:
                 self._advance_to(self._end, parts, threads, stop)
@@ -142,8 +142,8 @@ class ControlledRuns:
         self._close(interrupted, StopReason.INTERRUPTED)
         self._close(list(self._running), None)
         for i, (number, task, run) in enumerate(zip(self._numbers, self._tasks, self._runs, strict=True)):
-            held = zip(self._values, self._counts[i], strict=True)
-            yield number, with_held(task, {one.places: one.signals(i, count) for one, count in held}), run
+            records = zip(self._values, self._counts[i], strict=True)
+            yield number, with_recorded_inputs(task, {one.places: one.signals(i, count) for one, count in records}), run
 
 
 def _parts(count: int, workers: int) -> list[tuple[int, int]]:

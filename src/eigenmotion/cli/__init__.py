@@ -1,4 +1,4 @@
-"""The command line: `eigenmotion COMMAND ...`, and what its exit codes mean."""
+"""Command line: `eigenmotion COMMAND ...`, and its exit codes."""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""Arguments and options that commands share."""
+"""Common arguments and options of the commands."""
 
 import tempfile
 from collections.abc import Callable, Collection
@@ -26,7 +26,7 @@ class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer ver
         self._above_zero = above_zero
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Read it."""
+        """Return the number, or fail with a usage error."""
         number = float(click.FLOAT.convert(value, param, ctx))
         if not isfinite(number):
             self.fail(f"{value!r} is not a finite number.", param, ctx)
@@ -40,7 +40,7 @@ ABOVE_ZERO = Finite(above_zero=True)
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """The options that shape generated code."""
+    """The options of the generated code."""
 
     define: tuple[str, ...]
     formulation: str
@@ -115,7 +115,7 @@ output = folder("generated", "generated files")
 
 
 def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
-    """NAME=VALUE ... -> mapping; the last of several values of a name applies."""
+    """Return name -> value from NAME=VALUE texts; the last of several values of a name applies."""
     for text in texts:
         name, equals, value = text.partition("=")
         if not (name.strip() and equals and value.strip()):
@@ -124,7 +124,7 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
 
 
 def distinct_assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
-    """NAME=VALUE ... -> mapping; each name may be given once.
+    """Return name -> value from NAME=VALUE texts; each name may occur once.
 
     Raises
     ------
@@ -138,12 +138,12 @@ def distinct_assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
 
 
 def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> dict[str, dict[str, float]]:
-    """--set NAME=VALUE ... -> the arguments parameters, inputs, x0 and v0 of `simulate`, those that are given.
+    """Return the arguments parameters, inputs, x0 and v0 of `simulate` from --set NAME=VALUE texts.
 
     Raises
     ------
     UsageError
-        A name that the model does not have, or a value that is no number.
+        The model does not have the name, or the value is not a number.
     """
     given = {name: _number(name, text, option) for name, text in assignments(settings, option).items()}
     positions = [spelled(key) for key in model.coordinates]
@@ -179,7 +179,7 @@ def check_writable(folder: Path, option: str) -> None:
     Raises
     ------
     UsageError
-        They cannot; the message names the option and the reason.
+        Files cannot be written; the message names the option and the reason.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -195,7 +195,7 @@ def check_file(file: Path, option: str) -> None:
     Raises
     ------
     UsageError
-        It cannot; the message names the option and the reason.
+        The file cannot be written; the message names the option and the reason.
     """
     if not file.absolute().parent.is_dir():
         raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
@@ -219,7 +219,7 @@ def check_targets(*targets: tuple[str, Path | None, Collection[str]]) -> None:
 
 
 def distinct(requests: list[Request]) -> list[Request]:
-    """Raise UsageError for two models of the same name: the files of one would replace those of the other."""
+    """Return the requests; raise UsageError for two models of the same name, whose files would have the same names."""
     names = [request.model.name for request in requests]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:

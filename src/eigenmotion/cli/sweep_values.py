@@ -1,4 +1,4 @@
-"""The values that `eigenmotion sweep` is given, in words: NAME=A:B:K, NAME=V,V,..., NAME=KIND(A,B)."""
+"""Values of `eigenmotion sweep`: NAME=A:B:K, NAME=V,V,..., NAME=KIND(A,B)."""
 
 import re
 from collections.abc import Collection
@@ -15,18 +15,18 @@ from eigenmotion.codegen.model import Model, ModelError
 from .options import assignments, distinct_assignments, values
 
 MOST = 10**9
-"""Runs of one sweep."""
-_STOP = 200  # [byte] how a run ended
-_POINT = 100  # [byte] a value of a list takes, and where it is said what the sweep is
+"""Most runs of one sweep."""
+_STOP = 200  # [byte] memory for the end of a run: its stop reason and counts
+_POINT = 100  # [byte] memory for a value of a list, and for its text in the description of the sweep
 
 
 def design_of(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n: int | None, seed: int) -> Design:
-    """Return what --sweep, --sample, -n and --seed say.
+    """Return the design from --sweep, --sample, -n and --seed.
 
     Raises
     ------
     UsageError
-        Names the model does not have, values that are none, or more runs than a sweep holds.
+        Names that the model does not have, invalid values, or too many runs.
     """
     if not sweeps and not samples:
         raise click.UsageError("nothing is swept: give --sweep or --sample")
@@ -47,7 +47,7 @@ def design_of(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n
 
 
 def _values(name: str, text: str) -> list[float]:
-    """A:B:K or V,V,... -> values."""
+    """Return the values of A:B:K or V,V,...."""
     option = f"--sweep {name}={text}"
     pieces = text.split(":")
     try:
@@ -72,7 +72,7 @@ def _check_count(option: str, count: int) -> None:
 
 
 def _distribution(name: str, text: str) -> Distribution:
-    """KIND(A,B) -> what is drawn from."""
+    """Return the distribution of KIND(A,B)."""
     option = f"--sample {name}={text}"
     found = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
     try:
@@ -89,32 +89,32 @@ def _distribution(name: str, text: str) -> Distribution:
 
 
 def check_set(settings: tuple[str, ...], swept: Collection[str]) -> None:
-    """Refuse names that are set and swept.
+    """Check that no name is both set and swept.
 
     Raises
     ------
     UsageError
-        There is one; names it.
+        A name is both; the message contains it.
     """
     if twice := sorted(assignments(settings, "--set").keys() & set(swept)):
         raise click.UsageError(f"{twice[0]} is set and swept: give one of the two")
 
 
 def check_memory(model: Model, design: Design, store: Path, rows: int, at_once: int) -> None:
-    """Find out before the runs whether there is memory for those that are kept together, and for the store.
+    """Check before the runs that there is enough memory for the runs of a part, and for the store.
 
     Raises
     ------
     UsageError
-        There is not; says for what, and what to do.
+        There is not enough memory; says for what, and what to do.
     """
     per_row = 2 * model.n + model.m + 1 + len(model.outputs) + len(model.states)
     each = 8 * (rows * per_row + len(design.grid) + len(design.samples)) + _STOP
-    of_part = min(at_once, design.count) * (each + 16 * rows * model.n)  # of states beside what is kept of them
+    of_part = min(at_once, design.count) * (each + 16 * rows * model.n)  # states, and the arrays that are stored
     if short := shortage(of_part):
         words = f"{min(at_once, design.count)} runs of {rows} rows"
         raise click.UsageError(f"--chunk: {words} {short}. Give a smaller --chunk, or fewer --rows")
-    of_store = 2 * design.count * each  # parts, and these joined
+    of_store = 2 * design.count * each  # the parts, and the joined arrays
     if store.suffix in JOINED and (short := shortage(of_store)):
         words = f"{store.suffix} files are put together in memory, where {design.count} runs of {rows} rows"
         raise click.UsageError(f"-o {store}: {words} {short}. Store .zarr or .csv, or give fewer --rows")

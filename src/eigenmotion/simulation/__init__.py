@@ -1,1 +1,1 @@
-"""From a start to a motion."""
+"""Simulation of a motion from its start."""

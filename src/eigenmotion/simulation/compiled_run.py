@@ -1,4 +1,4 @@
-"""Runs: in one go, or in parts where controllers are asked on the way."""
+"""Execution of a run: one compiled call, or an incremental run with controllers."""
 
 from contextlib import suppress
 
@@ -6,33 +6,33 @@ from ..arguments.methods import Method
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
 from ..runtime import Run, StopReason
-from .sampled_inputs import DrivenRun
+from .sampled_inputs import ControlledRun
 
 
 def run_compiled(task: Task, method: Method) -> Solution:
-    """Run what has been checked.
+    """Run a checked task.
 
     Raises
     ------
     BaseException
-        What a controller raised, as it is; its `solution` is what was done up to there.
+        The exception of a controller; its attribute `solution` is the motion so far.
     """
     if not task.inputs.sampled:
         return solution_of(task, method, Run(task, method.number))
-    driven = DrivenRun(task, method.number)
+    controlled = ControlledRun(task, method.number)
     try:
-        driven.go()
+        controlled.go()
     except BaseException as error:
-        driven.run.close(StopReason.INTERRUPTED)
-        with suppress(AttributeError):  # of exceptions that take none
-            error.solution = solution_of(driven.as_held, method, driven.run)  # type: ignore[attr-defined]
+        controlled.run.close(StopReason.INTERRUPTED)
+        with suppress(AttributeError):  # some exceptions accept no attributes
+            error.solution = solution_of(controlled.recorded_task, method, controlled.run)  # type: ignore[attr-defined]
         raise
-    driven.run.close()
-    return solution_of(driven.as_held, method, driven.run)
+    controlled.run.close()
+    return solution_of(controlled.recorded_task, method, controlled.run)
 
 
 def solution_of(task: Task, method: Method, run: Run) -> Solution:
-    """Return what came of a run."""
+    """Return the solution of a finished run."""
     fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)

@@ -1,13 +1,13 @@
 """Error estimate of a run: the difference to a second, more accurate one.
 
-With errors e and e' of the two runs the difference lies between |e| - |e'| and |e| + |e'|. The second run asks for a
-hundredth of the tolerances, where that is above rounding, and so its error is a few hundredths of the first one's: the
-steps are controlled so that the global error is about proportional to the tolerance. From one method to another the
-factor of that proportion differs, by 35 between dop853 and rk34 on a pendulum at 1e-4; across methods a ten thousandth
-is asked for, which the higher order makes cheap.
+With errors e and e' of the two runs the difference is between |e| - |e'| and |e| + |e'|. The second run has a hundredth
+of the tolerances (if that is above rounding). Since the step size control makes the global error about proportional to
+the tolerance, its error is a few hundredths of the error of the first run. The factor of this proportion depends on
+the method; it differs by 35 between dop853 and rk34 on a pendulum at 1e-4. So if the second run has another method, it
+has a ten thousandth of the tolerances, which is cheap because of its higher order.
 
-Where events act the two runs have them at times that differ by their errors. At a row in between one is past a jump
-that the other has before it: such rows are left out. What a time is off by shows in the states beside it.
+The two runs have event actions at slightly different times. At a row between these times one run is after the jump and
+the other before it; such rows are left out. The error of the time of an event is included in the states at other rows.
 """
 
 import time
@@ -27,7 +27,7 @@ from ..runtime import CompiledModel
 Runner = Callable[[Task, Method], Solution]
 
 TIGHTER, TIGHTER_ACROSS = 1e-2, 1e-4
-FINEST = 3e-14  # rtol: below, the stepper's own error estimate is rounding
+FINEST = 3e-14  # rtol below which the error estimate of a step is rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class ErrorEstimate:
     x_largest, v_largest : (n,) the largest at any row
     scaled, scaled_largest : max over coordinates of |error of x_k| / (1 + |x_k|), at the last row and at any
     t : the last row compared [s]
-    message : "" if every row was compared and the second run is clearly more accurate; else a caution. Rows at the time
+    message : "" if all rows were compared and the second run is clearly more accurate; else a warning. Rows at the time
         of an impact are not compared if the two runs are on different sides of its jump
     """
 
@@ -60,7 +60,7 @@ class ErrorCost:
 
     Attributes
     ----------
-    seconds : of the second run; share : that by the seconds of the first
+    seconds : of the second run; share : its seconds divided by those of the first run
     """
 
     formulation: str
@@ -78,7 +78,7 @@ def with_error_estimate(task: Task, method: Method, checker: CompiledModel | Non
     Parameters
     ----------
     checker
-        The same model in another formulation for the second run; None: the same program. Only another formulation can
+        The same model in another formulation for the second run; None: the same system. Only another formulation can
         show an error of the formulation itself.
     """
     solution, first = _clocked(run, task, method)
@@ -102,9 +102,9 @@ def _clocked(run: Runner, task: Task, method: Method) -> tuple[Solution, float]:
     return solution, time.perf_counter() - start
 
 
-def _tighter(task: Task, solution: Solution, wanted: float) -> Task:
-    """Return the second run: at the times of the first, up to the time that the first reached."""
-    factor = wanted if task.rtol == 0 else min(1.0, max(wanted, FINEST / task.rtol))
+def _tighter(task: Task, solution: Solution, least: float) -> Task:
+    """Return the task of the second run: at the rows of the first, up to the time that the first reached."""
+    factor = least if task.rtol == 0 else min(1.0, max(least, FINEST / task.rtol))
     return task._replace(
         rtol=task.rtol * factor, atol=task.atol * factor, dense=False, first_step=0.0,
         t_eval=np.asarray(solution.t), t_end=float(solution.t[-1]), max_steps=10 * task.max_steps,
@@ -140,13 +140,13 @@ def _compared(task: Task, solution: Solution, second: Solution, rtol: float) -> 
 
 
 def _on_one_side(task: Task, solution: Solution, second: Solution, rows: int) -> NDArray[np.bool_]:
-    """Return (rows,) booleans: whether both runs are on the same side of every event that acts."""
+    """Return (rows,) booleans: whether both runs are on the same side of every event action."""
     same = np.ones(rows, dtype=bool)
     if not task.model.acts:
         return same
     t = np.asarray(solution.t[:rows])
     after = np.append(False, np.diff(t) == 0) & (task.t_eval is None)  # the second run has the state before, twice
-    same &= ~(after & np.append(after[1:], False))  # between two that act at one time
+    same &= ~(after & np.append(after[1:], False))  # rows between two event actions at one time
     both = zip(solution.t_events, second.t_events, task.model.acting, strict=True)
     for here, there in (times for mine, others, acts in both if acts for times in zip(mine, others, strict=False)):
         near = (t >= min(here, there)) & (t <= max(here, there))

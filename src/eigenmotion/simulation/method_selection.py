@@ -16,21 +16,22 @@ _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
 _TIGHT_WITH_MANY = {4: ((150, 1e-11),), 8: ((150, 1e-10), (100, 1e-8), (60, 1e-7))}
-"""By the width of vectors: so many numbers of eigenfactors in the state, whose products fill them by themselves, gain
-by nodes only from such tolerances on. Measured on chains of 8 to 16 coordinates."""
+"""Vector width -> (numbers of eigenfactors in the state, tolerance): with more numbers, nodes pay only at tighter
+tolerances, since products of eigenfactors already fill the vectors. Measured on chains of 8 to 16 coordinates."""
 _PLACED = ((6, 1e-7), (1, 3e-11))
-"""Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
+"""For ensembles: (constraints on positions, tolerance): with at least so many constraints, longer steps pay up to this
+tolerance."""
 _STIFF = METHODS["radau9"]
 _APART = 100.0
-"""How many times as fast as all that lasts must be what dies out, for a scene to be stiff;"""
+"""A scene is stiff if decaying modes are at least so many times as fast as lasting ones;"""
 _SPANS = 50.0
-"""in the span it falls by e to the power of minus so much;"""
+"""if they decay over the span by a factor of at least exp(-50);"""
 _DAMPED = 0.1
-"""its rate has at least this part of it real, for what oscillates for long has to be resolved;"""
+"""if the real part is at least this part of their eigenvalue (long oscillations must be resolved);"""
 _STEPS = 2000.0
-"""and stability would take at least about so many explicit steps."""
+"""and if stability would require at least about so many explicit steps."""
 _ABOUT = 2.0
-"""What differences, which say whether derivatives are worth a look, may be off by: those are compiled as asked for."""
+"""Error factor of finite differences, which avoid a compilation of the derivatives for scenes that are not stiff."""
 _NONE = np.empty(0)
 
 
@@ -38,7 +39,7 @@ def automatic_of_run(task: Task) -> tuple[Method, str]:
     """Return a stiff method and the reason as text if the motion is stiff at its start; else `automatic` and "".
 
     Stiffness that begins later, for example in a contact, is not detected here: the message of an explicit run reports
-    it. Neither is it detected before a controller has given its first value.
+    it. Nor is it detected in runs with controllers, whose first values are not known yet.
     """
     fast = 0.0 if task.inputs.sampled else _dying_rate(task)
     if not fast:
@@ -50,9 +51,9 @@ def automatic_of_run(task: Task) -> tuple[Method, str]:
 
 
 def _dying_rate(task: Task) -> float:
-    """Return the rate [1/s] at which stability, not accuracy, limits explicit steps; 0: it does not.
+    """Return the rate [1/s] of the fastest decaying mode if stability, not accuracy, limits explicit steps; else 0.
 
-    It follows from eigenvalues of the Jacobian of the motion at the start, which do not depend on units or coordinates.
+    It is an eigenvalue of the Jacobian of the motion at the start, which does not depend on units or coordinates.
     """
     span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
     u = task.inputs.at(task.t_start) if model.n_inputs else _NONE

@@ -15,7 +15,7 @@ from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError
 from ..runtime import IncrementalRun
 
-_VALUE, _QUESTION = 0, 1  # actions that may be due at the same time, in this order
+_VALUE, _CALL = 0, 1  # actions that may be due at the same time, in this order
 
 
 def check_forwards(start: float, end: float) -> None:
@@ -31,39 +31,40 @@ class Schedule:
 
     Parameters
     ----------
-    ask
-        Called with the number of a controller and the time; returns its value.
-    take
-        Called with the number of a controller, the time and a value that holds from then on.
+    call
+        Function of the number of a controller and the time; returns the controller's value.
+    apply
+        Function of the number of a controller, the time and a value; sets the inputs from then on.
     """
 
     def __init__(
-        self, start: float, controllers: Sequence[Sampled], ask: Callable[[int, float], Any],
-        take: Callable[[int, float, Any], None],
+        self, start: float, controllers: Sequence[Sampled], call: Callable[[int, float], Any],
+        apply: Callable[[int, float, Any], None],
     ) -> None:  # fmt: skip
-        self._start, self._controllers, self._ask, self._take = start, controllers, ask, take
+        self._start, self._controllers, self._call, self._apply = start, controllers, call, apply
         self._counts = [0] * len(controllers)
-        self._due: list[tuple[float, int, int, Any]] = [(start, _QUESTION, k, None) for k in range(len(controllers))]
+        self._due: list[tuple[float, int, int, Any]] = [(start, _CALL, k, None) for k in range(len(controllers))]
 
     @property
     def next(self) -> float:
         """The time of the next action."""
         return self._due[0][0]
 
-    def answer(self, t: float) -> None:
-        """Do all that is due at t, which the runs have reached."""
+    def act(self, t: float) -> None:
+        """Perform all actions that are due at t, which the runs have reached."""
         while self._due[0][0] == t:
-            _, kind, k, answer = heappop(self._due)
+            _, kind, k, value = heappop(self._due)
             if kind == _VALUE:
-                self._take(k, t, answer)
+                self._apply(k, t, value)
                 continue
-            answer, taken = self._ask(k, t), self._time(k, self._controllers[k].delay / self._controllers[k].period)
+            value = self._call(k, t)
+            effective = self._time(k, self._controllers[k].delay / self._controllers[k].period)
             self._counts[k] += 1
-            heappush(self._due, (self._time(k, 0.0), _QUESTION, k, None))
-            if taken > t:
-                heappush(self._due, (taken, _VALUE, k, answer))
+            heappush(self._due, (self._time(k, 0.0), _CALL, k, None))
+            if effective > t:
+                heappush(self._due, (effective, _VALUE, k, value))
             else:
-                self._take(k, t, answer)
+                self._apply(k, t, value)
 
     def _time(self, k: int, periods: float) -> float:
         """Return the time after so many more periods."""
@@ -71,8 +72,8 @@ class Schedule:
 
 
 @dataclass(slots=True, eq=False)
-class Held:
-    """One controller of a run and its history.
+class ControllerRecord:
+    """One controller of a run, and the record of its values.
 
     places : indices of its inputs in the model
     times, values : (k,), (k * inputs,) the times of changes, and the values from then on
@@ -84,11 +85,11 @@ class Held:
     times: "array[float]"
     values: "array[float]"
 
-    def ask(self, t: float, x: Vector, v: Vector) -> tuple[float, ...]:
-        """Return the values that the function gives."""
+    def call(self, t: float, x: Vector, v: Vector) -> tuple[float, ...]:
+        """Call the function and return its values."""
         return self.controlled.read(self.function(t, x, v), t)
 
-    def note(self, t: float, values: tuple[float, ...]) -> None:
+    def record(self, t: float, values: tuple[float, ...]) -> None:
         """Record that the inputs have values from t on."""
         if t == self.times[-1]:
             del self.values[-len(values) :]
@@ -103,13 +104,15 @@ class Held:
         return tuple(Signal(np.array(self.times), column, "hold") for column in rows.T)
 
 
-class DrivenRun:
-    """An open run and its controllers."""
+class ControlledRun:
+    """An incremental run with its controllers."""
 
     def __init__(self, task: Task, method: int) -> None:
-        self.task, self.held = opened(task)
+        self.task, self.records = open_controllers(task)
         self.run = IncrementalRun(self.task, method)
-        self._schedule = Schedule(task.t_start, [one.controlled.sampled for one in self.held], self._ask, self._take)
+        self._schedule = Schedule(
+            task.t_start, [one.controlled.sampled for one in self.records], self._call, self._apply
+        )
 
     def go(self) -> None:
         """Advance the run to its end, and call the controllers when they are due."""
@@ -117,44 +120,50 @@ class DrivenRun:
         while (t := self._schedule.next) < end:
             if not self.run.advance(t):
                 return
-            self._schedule.answer(t)
+            self._schedule.act(t)
         self.run.advance(end)
 
-    def _ask(self, k: int, t: float) -> tuple[float, ...]:
-        return self.held[k].ask(t, *self.run.now())
+    def _call(self, k: int, t: float) -> tuple[float, ...]:
+        return self.records[k].call(t, *self.run.now())
 
-    def _take(self, k: int, t: float, values: tuple[float, ...]) -> None:
-        one = self.held[k]
+    def _apply(self, k: int, t: float, values: tuple[float, ...]) -> None:
+        one = self.records[k]
         for place, value in zip(one.places, values, strict=True):
             self.run.set(place, value)
-        one.note(t, values)
+        one.record(t, values)
 
     @property
-    def as_held(self) -> Task:
-        """The task with the recorded inputs as Signals: it gives the same motion without calling the controllers."""
-        return with_held(self.task, {one.places: one.signals for one in self.held})
+    def recorded_task(self) -> Task:
+        """The task with the recorded inputs as Signals, which gives the same motion without controllers."""
+        return with_recorded_inputs(self.task, {one.places: one.signals for one in self.records})
 
 
-def with_held(task: Task, held: Mapping[tuple[int, ...], Sequence[Signal]]) -> Task:
-    """Return a task with recorded inputs, by their indices in the model."""
+def with_recorded_inputs(task: Task, records: Mapping[tuple[int, ...], Sequence[Signal]]) -> Task:
+    """Return a task with recorded inputs; `records`: indices of inputs -> Signals."""
     signals = list(task.inputs.signals)
-    for places, of_one in held.items():
+    for places, of_one in records.items():
         for place, signal in zip(places, of_one, strict=True):
             signals[place] = signal
     return task._replace(inputs=Inputs(tuple(signals)))
 
 
-def opened(task: Task) -> tuple[Task, list[Held]]:
+def open_controllers(task: Task) -> tuple[Task, list[ControllerRecord]]:
     """Return the task with sampled inputs at their first values, and its controllers."""
     names, signals = task.model.inputs, list(task.inputs.signals)
     defaults = dict(zip(names, task.model.input_defaults.tolist(), strict=True))
-    held = [_held(one, names, defaults, task.t_start) for one in dict.fromkeys(signals) if isinstance(one, Controlled)]
-    for one in held:
+    records = [
+        _record_of(one, names, defaults, task.t_start) for one in dict.fromkeys(signals) if isinstance(one, Controlled)
+    ]
+    for one in records:
         for place, value in zip(one.places, one.values, strict=True):
             signals[place] = value
-    return task._replace(inputs=Inputs(tuple(signals))), held
+    return task._replace(inputs=Inputs(tuple(signals))), records
 
 
-def _held(controlled: Controlled, names: tuple[str, ...], defaults: Mapping[str, float], start: float) -> Held:
+def _record_of(
+    controlled: Controlled, names: tuple[str, ...], defaults: Mapping[str, float], start: float
+) -> ControllerRecord:
     places, before = tuple(names.index(name) for name in controlled.names), controlled.before(defaults)
-    return Held(places, controlled, controlled.sampled.controller(), array("d", [start]), array("d", before))
+    return ControllerRecord(
+        places, controlled, controlled.sampled.controller(), array("d", [start]), array("d", before)
+    )

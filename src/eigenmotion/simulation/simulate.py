@@ -1,4 +1,4 @@
-"""A run: its options, the checks before it, and its result."""
+"""Simulation: options of a run, their checks, and the solution."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -21,7 +21,7 @@ from ..runtime import CompiledModel, EvaluationError, Prepared, plain
 from .compiled_run import run_compiled
 from .error_estimate import with_error_estimate
 from .initial_state.consistency import check_direction, start_state
-from .initial_state.restart import given_start
+from .initial_state.restart import restart_state
 from .method_selection import automatic_of_run
 from .sampled_inputs import check_forwards
 from .sensitivity.sensitivities import directions, sensitivity
@@ -66,54 +66,56 @@ def simulate(
         (n,), or mapping coordinate -> value over the model's `initial`; v0 also quasi-velocity -> value. They must
         satisfy the constraints (to ten times rtol); `System.project_initial_state` gives the nearest that do.
     start
-        In place of x0 and v0: a Solution, to go on where it ended, or a pair (t, y); t is t_span[0].
+        In place of x0 and v0: a Solution, to continue from its end, or a pair (t, y); t is t_span[0].
     parameters
         Mapping name -> value over the defaults, array, or what `System.prepare` returned.
     inputs
-        Mapping name -> number, (times, values) (linear interpolation), Signal, or Sampled: a controller, asked every
-        period; a tuple of names -> a Sampled that answers for all of them. What it raises comes out as it is, with what
-        was done as its `solution`.
+        Mapping name -> number, (times, values) (linear interpolation), Signal, or Sampled (a controller that is called
+        every period); or a tuple of names -> a Sampled for all of them. An exception of a controller is passed on, with
+        the motion so far as its attribute `solution`.
     method
-        "rk34", "dopri5", "dop853": Runge-Kutta; "ra15": eight Radau nodes side by side, order 15, often the quickest
-        where motions are smooth and tolerances tight; "radau5", "radau9": implicit, for stiff scenes, Radau IIA of
-        orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its start, else "dop853" or
-        "ra15", by tolerance, formulation and processor, which `Solution.method` names. All are compiled; upper or lower
-        case. Solvers of SciPy and SUNDIALS are served by `System.rhs` and `System.jacobian`.
+        "rk34", "dopri5", "dop853": Runge-Kutta. "ra15": eight Radau nodes in parallel, order 15, often the fastest for
+        smooth motions and tight tolerances. "radau5", "radau9": implicit, for stiff scenes, Radau IIA of orders 5 and 9
+        on the motion (x, v). "auto": "radau9" if the scene is stiff at its start, else "dop853" or "ra15", depending on
+        tolerance, formulation and processor; `Solution.method` names it. All are compiled; upper or lower case. For
+        solvers of SciPy and SUNDIALS use `System.rhs` and `System.jacobian`.
     rtol, atol
-        A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
-        (carried over to the velocity; 1e-9 where missing).
+        The error of a step in x_k and v_k is below atol_k + rtol |.|. atol: a number, or a mapping coordinate -> number
+        (also for the velocity; 1e-9 for others).
     t_eval
         (k,) times of the rows, sorted in the direction of time; None: one row for every accepted step.
     dense_output
-        Keep y(t) as `Solution.sol`.
+        Keep y(t) as the function `Solution.sol`.
     first_step, max_step
-        [s]; chosen and unbounded by default.
+        [s]; by default chosen automatically, and unbounded.
     max_steps
-        Accepted steps before the run ends as TOO_MANY_STEPS, in every method. A million rows of 20 states are 160 MB.
+        Accepted steps after which the run ends as TOO_MANY_STEPS, in every method. A million rows of 20 states are
+        160 MB.
     stabilisation
-        "project": constraints and eigenfactors are restored after every step. "none": the paper.
+        "project": constraints and eigenfactors are restored after every step. "none": as in the paper.
     dependent_constraints
-        "auto": rows that depend on each other from the start, and are consistent, share the multipliers of least norm,
-        and `Solution.not_unique` names them. "least_norm": so do rows that come to depend on each other on the way.
-        "refuse": neither is run.
+        "auto": rows that depend on each other from the start, and are consistent, get the multipliers of least norm,
+        and `Solution.not_unique` lists them. "least_norm": so do rows that become dependent later. "refuse": an error
+        in both cases.
     estimate_error
-        True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
-        `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
-        formulation: let that one do the second run, so that what a formulation got wrong shows too.
+        True: run again with a hundredth of the tolerances or less; the solution's `error_estimate` is the difference,
+        and `error_cost` the cost, about twice the time of a run by dop853. A System (the same model in another
+        formulation): use it for the second run, which shows errors of a formulation, too.
     sensitivities
         Names of parameters ("K1"), constant inputs, initial positions ("theta1") and rates ("theta1'"), or
-        quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows, with a
-        start that the constraints move, and through events, whose times have `dt_events`.
+        quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows. The
+        derivatives of the start satisfy the constraints. Events are included, with derivatives `dt_events` of their
+        times.
 
     Returns
     -------
     Solution
-        What was computed, also where the run failed or Ctrl-C ended it: `success`, `stop` and `message` say.
+        The motion, also if the run failed or Ctrl-C ended it: see `success`, `stop` and `message`.
 
     Raises
     ------
     ModelError
-        Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
+        Before the run: an unknown name or option, a value out of range, or an inconsistent start.
 
     Examples
     --------
@@ -136,10 +138,10 @@ def simulate(
             system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
-    return _answered(task, named, v0, estimate_error, sensitivities)
+    return _run(task, named, v0, estimate_error, sensitivities)
 
 
-def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem, sensitivities: Any) -> Solution:
+def _run(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem, sensitivities: Any) -> Solution:
     """Run a task by the method of that name, with the requested error estimate and sensitivities."""
     task, shared = _shared(task) if task.least_norm else (task, ())
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
@@ -147,9 +149,9 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSy
         _check_sampled(task, estimate_error)
     if task.t_end < task.t_start:
         check_direction(task.model, task.t_start, task.t_end)
-    asked = None
+    variables = None
     if sensitivities is not None:
-        asked = directions(differentiated(task.model, sensitivities, v0), task)
+        variables = directions(differentiated(task.model, sensitivities, v0), task)
         dense, task = task.dense, task._replace(dense=task.dense or TO_DERIVE)
     if estimate_error is False:
         solution = run_task(task, chosen)
@@ -161,8 +163,8 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSy
     if shared:
         solution["not_unique"] = shared
         solution["message"] = with_shared(solution["message"], task.model, shared)
-    if asked is not None:
-        solution["sensitivity"] = sensitivity(task, solution, asked, chosen)
+    if variables is not None:
+        solution["sensitivity"] = sensitivity(task, solution, variables, chosen)
         solution["sol"] = solution["sol"] if dense else None
     return solution
 
@@ -205,7 +207,7 @@ def _begin(
         return start_state(system.compiled, prepared, start, x, v, rtol, atol)
     if not (x0 is None and v0 is None):
         raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")
-    t, y = given_start(system.compiled, prepared, given, rtol, atol)
+    t, y = restart_state(system.compiled, prepared, given, rtol, atol)
     if t != start:
         raise ModelError(f"start is a state at t = {t!r}, but t_span begins at {start!r}")
     return y
@@ -232,15 +234,15 @@ def _checker(given: Any) -> CompiledModel:
 
 def run_task(task: Task, method: Method) -> Solution:
     """Run a checked task."""
-    found = run_compiled(task, method)
-    if task.dense and task.t_start == task.t_end and found.success and len(found.t):
-        row = found.y.T[:1]  # there are no steps to interpolate in
-        found["sol"] = DenseOutput(found.t, partial(_standing, row))
-    return found
+    result = run_compiled(task, method)
+    if task.dense and task.t_start == task.t_end and result.success and len(result.t):
+        row = result.y.T[:1]  # there are no steps to interpolate in
+        result["sol"] = DenseOutput(result.t, partial(_standing, row))
+    return result
 
 
 def _standing(row: Vector, t: Vector) -> Vector:
-    """Return the only row (1, n_state), repeated for every t (k,)."""
+    """Return the single row (1, n_state), repeated for every t (k,)."""
     return np.repeat(row, len(t), axis=0)
 
 

@@ -1,4 +1,4 @@
-"""Steppers: a motion advanced to times of the caller's choice, `System.stepper`."""
+"""Stepper: a motion that the caller advances to chosen times, `System.stepper`."""
 
 from collections.abc import Mapping
 from typing import Any, Never
@@ -14,7 +14,7 @@ from ..codegen.model.normalise import ModelError, number, real
 from ..compiled.compiled_system import CompiledSystem
 from ..runtime import Steps
 from .initial_state.consistency import start_state
-from .initial_state.restart import given_start
+from .initial_state.restart import restart_state
 
 METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items()}
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "method", "step", "max_step", "max_steps",
@@ -22,7 +22,7 @@ _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "m
 
 
 class Stepper(Steps):
-    """A stepper: the state of a mechanism, advanced to times of the caller's choice. `System.stepper` opens it.
+    """A stepper: the state of a mechanism, which the caller advances to chosen times. `System.stepper` opens it.
 
     `advance(t, inputs=None)` integrates to exactly t, forwards or backwards, and continues with the step size and
     history of the steps before. `inputs` are numbers by name (or an array of all in order) and apply from then on. On
@@ -37,9 +37,10 @@ class Stepper(Steps):
     Attributes
     ----------
     t, x, v, y : float [s], (n,), (n,), (n_state,)
-        The present state; y in the published meaning, from which other runs start (`simulate(..., start=(s.t, s.y))`).
+        The current state; y has the published meaning, so that runs can start from it
+        (`simulate(..., start=(s.t, s.y))`).
     u : (n_inputs,)
-        The present inputs; NaN for a signal.
+        The current inputs; NaN for a signal.
     events : dict name -> (k,) [s]
         The times at which each event crossed zero in the last advance.
     nfev, nsteps, nrejected : int
@@ -74,13 +75,13 @@ class Stepper(Steps):
 
     def _energies(self) -> list[float]:
         x, v = self.motion
-        found = self.model.energy_rows(np.array([self.t]), x[None], v[None], self.prepared)
-        numbers: list[float] = found[0].tolist()
+        result = self.model.energy_rows(np.array([self.t]), x[None], v[None], self.prepared)
+        numbers: list[float] = result[0].tolist()
         return numbers
 
     @property
     def acceleration(self) -> Vector:
-        """(n,) d2x/dt2 with the inputs that hold."""
+        """(n,) d2x/dt2 with the current inputs."""
         return self._motion()[0][: self.model.n_coordinates]
 
     @property
@@ -90,16 +91,16 @@ class Stepper(Steps):
 
     def _motion(self) -> tuple[Vector, Vector]:
         task = self.task
-        found: tuple[Vector, Vector] = self.model.acceleration(
+        result: tuple[Vector, Vector] = self.model.acceleration(
             self.t, *self.motion, self.prepared, self._inputs(), task.least_norm
         )
-        return found
+        return result
 
     @property
     def not_unique(self) -> tuple[int, ...]:
-        """The constraint rows whose multipliers are one choice of many here, that of least norm."""
-        found: tuple[int, ...] = self.model.redundant(self.t, self.motion[0], self.prepared)[1]
-        return found
+        """The constraint rows whose multipliers are not unique in this state (those of least norm are returned)."""
+        result: tuple[int, ...] = self.model.redundant(self.t, self.motion[0], self.prepared)[1]
+        return result
 
     @property
     def outputs(self) -> dict[str, float]:
@@ -109,8 +110,8 @@ class Stepper(Steps):
         return dict(zip(self.model.outputs, rows[0].tolist(), strict=True))
 
     def _inputs(self) -> Vector:
-        held, signals = self.u, self.task.inputs.at(self.t)
-        return np.where(np.isnan(held), signals, held)
+        current, signals = self.u, self.task.inputs.at(self.t)
+        return np.where(np.isnan(current), signals, current)
 
     def __repr__(self) -> str:
         return f"<Stepper of {self.model.name} at t = {self.t:.9g}>"
@@ -135,28 +136,28 @@ def stepper(
     dependent_constraints: str = "auto",
     **misspelt: Any,
 ) -> Stepper:
-    """Open a stepper: this mechanism at time t, which `advance` integrates further.
+    """Open a stepper of this mechanism at time t, which `advance` integrates further.
 
     Parameters
     ----------
     t, x0, v0, parameters
-        Where it starts, as in `simulate`; t is 0 by default.
+        The start, as in `simulate`; t is 0 by default.
     inputs
-        As in `simulate`; those that are numbers can be changed at every `advance`.
+        As in `simulate`; inputs that are numbers can be changed at every `advance`.
     start
-        In place of t, x0 and v0: a Solution, or a pair (t, y), to go on from.
+        In place of t, x0 and v0: a Solution, or a pair (t, y), to continue from.
     method
-        A compiled one of `simulate`, or one of fixed step: "rk4" (order 4; 4 right-hand sides a step), "midpoint"
-        (order 2; 2). These do the same work in every step, and nothing says how large their error is.
+        A method of `simulate`, or one of fixed step: "rk4" (order 4; 4 right-hand sides per step), "midpoint" (order 2;
+        2). These do the same work in every step, without an error estimate.
     step
-        [s] of a method of fixed step: an advance is made in equal steps no longer than this.
+        [s] for a method of fixed step: an advance has equal steps no longer than this.
     rtol, atol, max_step, stabilisation, dependent_constraints
-        As in `simulate`; max_steps is of one advance.
+        As in `simulate`; max_steps is for one advance.
 
     Raises
     ------
     ModelError
-        An unknown name or option, a value out of range, or a start that the mechanism cannot have.
+        An unknown name or option, a value out of range, or an inconsistent start.
     """
     if positional:
         raise OptionError("stepper: everything is given by keyword, as t=0.0, x0={...}")
@@ -205,7 +206,7 @@ def _start(
     if start is not None:
         if not (t is None and x0 is None and v0 is None):
             raise ModelError("stepper: start= says all of t, x0 and v0; give either it or them")
-        return given_start(system.compiled, prepared, start, rtol, atol)
+        return restart_state(system.compiled, prepared, start, rtol, atol)
     begin = 0.0 if t is None else number(t, "t")
     x, v = system.begin(x0, v0, begin, prepared)
     return begin, start_state(system.compiled, prepared, begin, x, v, rtol, atol)

@@ -1,3 +1,3 @@
-"""One compiled model in Python's terms."""
+"""The class System: a compiled model with its functions, runs and analyses."""
 
 from .system import System as System

@@ -1,4 +1,4 @@
-"""One compiled model: its functions, and what is done with it."""
+"""System: a compiled model with its functions, runs and analyses."""
 
 from functools import partial
 from importlib import import_module
@@ -18,17 +18,17 @@ def _of_module(name: str) -> Any:
 class System(CompiledSystem):
     """The functions of one compiled model. Immutable; threads may share it.
 
-    Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`, v0 also of
-    quasi-velocities -> value; `parameters` is a
-    mapping name -> value over the defaults, an array in the order of `System.parameters`, or what `prepare` returned;
-    `inputs` a mapping name -> number, (times, values) or Signal. A mapping with an unknown name raises ModelError.
+    In all methods, x0 and v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`; v0 may also
+    map quasi-velocities. `parameters` is a mapping name -> value over the defaults, an array in the order of
+    `System.parameters`, or a result of `prepare`. `inputs` is a mapping name -> number, (times, values) or Signal. An
+    unknown name raises ModelError.
 
     Parameters
     ----------
     capsule
-        A PyCapsule "eigenmotion.em_model", as generated modules make it.
+        A PyCapsule "eigenmotion.em_model" of a generated module.
     module
-        Name of the importable module whose `system` this is; as that it pickles, unless `build` knows better.
+        Name of the importable module whose `system` this is, by which it is pickled. `build` sets another way.
 
     Examples
     --------

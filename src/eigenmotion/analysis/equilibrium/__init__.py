@@ -1,1 +1,1 @@
-"""States in which a mechanism stays, and closed loops from rough guesses."""
+"""Equilibria, and assembly of closed loops from rough guesses."""

@@ -1,4 +1,4 @@
-"""Closed loops from rough guesses."""
+"""Assembly: a consistent state from a rough guess."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -16,14 +16,14 @@ from ...compiled.projection import ConsistentState, Projection, check_resolved, 
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ..state.active_contacts import Surfaces, Switch, holding
 from ..state.operating_point import OperatingPoint
-from ..state.tangent_space import solved
+from ..state.tangent_space import null_space
 
 _STARTS = 30
-"""From how many random places a loop is looked for before it is said that there is none."""
+"""Number of random starts of the search before it fails."""
 _CLOSED = 1e4
-"""Roundings that may be left of phi."""
+"""Largest residual phi, in roundings of its terms."""
 _CONTRADICTS = 1e-8
-"""Of the terms of a row: what is left of it where given rates contradict the constraints."""
+"""Relative residual of a row above which given rates contradict the constraints."""
 
 
 class Assembly(ConsistentState):
@@ -32,10 +32,10 @@ class Assembly(ConsistentState):
     Attributes
     ----------
     those of `ConsistentState`, and
-    branch : 1 or -1, the sign of the determinant that tells the ways of closing the loops apart; 0: no loops, or a
-        place where the ways meet
-    same_branch : whether the model's own start is on this one
-    message : in words
+    branch : 1 or -1, the sign of a determinant that distinguishes the ways of closing the loops; 0: no loops, or a
+        position where these ways meet
+    same_branch : whether the model's own start is on this branch
+    message : description of the result
     """
 
     branch: int
@@ -52,24 +52,23 @@ def assemble(
     parameters: Any = None,
     keep: Sequence[Any] = (),
 ) -> Assembly:
-    """Return a state on the constraints near a rough guess; says how far it moved, and on which branch it is.
+    """Return a consistent state near a rough guess, with its distance from the guess and its branch.
 
-    A guess inside a contact is put on its surface.
+    A guess inside a contact is moved to its surface.
 
     Parameters
     ----------
     x0
         A guess, over the model's `initial`.
     v0
-        Rates. Those that a mapping names are kept, and the others follow; an array is a guess: the nearest is taken.
+        Rates. The rates in a mapping are kept, and the others follow. An array is a guess: the result is near it.
     keep
         Coordinates that keep the values of x0 exactly.
 
     Raises
     ------
     ModelError
-        Unknown names; no closed configuration was found, or the rates that are given contradict the constraints; says
-        which rows.
+        Unknown names; no closed configuration was found, or given rates contradict the constraints (names the rows).
 
     Examples
     --------
@@ -82,9 +81,9 @@ def assemble(
         raise no_system("assemble", system)
     c, prepared, t = system.compiled, system.prepare(parameters), number(t, "t")
     x, v = system.begin(x0, v0, t, prepared)
-    held = _indices(keep, system.coordinates, "keep")
-    with np.errstate(all="ignore"):  # what is not finite has a name of its own
-        closed = _apart(c, prepared, t, x, v, held)
+    fixed = _indices(keep, system.coordinates, "keep")
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
+        closed = _closed_outside_contacts(c, prepared, t, x, v, fixed)
         check_resolved(c, prepared, t, closed)
         rates = [*_given_rates(v0, system.coordinates), *range(system.n, c.n)]
         moving = _moving(c, prepared, t, closed, v, rates)
@@ -101,7 +100,7 @@ def _indices(names: object, known: tuple[str, ...], what: str) -> list[int]:
 
 
 def _given_rates(v0: object, coordinates: tuple[str, ...]) -> list[int]:
-    """Return the coordinates whose rates are kept: those a mapping names; quasi-velocities name none."""
+    """Return the indices of coordinates whose rates are kept: those in a mapping (not quasi-velocities)."""
     if not is_named(v0):
         return []
     names = {rate_name(key) for key in v0.keys()}  # noqa: SIM118  (pandas' Series)
@@ -111,59 +110,61 @@ def _given_rates(v0: object, coordinates: tuple[str, ...]) -> list[int]:
 # --- positions ----------------------------------------------------------------------------------------------------
 
 
-def _closed(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, held: list[int]) -> Vector:
+def _closed(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, fixed: list[int]) -> Vector:
     if c.h == 0:
         return x
-    if not held:
+    if not fixed:
         try:
             return Projection(c, prepared, t, least_norm=True)(x, v).x
         except EvaluationError:
             pass
-    loop = _Loop(c, prepared, t, x, v, [k for k in range(c.n) if k not in held])
+    loop = _Loop(c, prepared, t, x, v, [k for k in range(c.n) if k not in fixed])
     return loop.closed()
 
 
-def _apart(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, held: list[int]) -> Vector:
-    """Return the nearest that is closed and inside no contact: what would be inside is on the surface."""
+def _closed_outside_contacts(
+    c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, fixed: list[int]
+) -> Vector:
+    """Return a nearby closed position outside all contacts; contacts that would be penetrated touch."""
     touching: list[Switch] = []
     there = OperatingPoint(c, prepared, t, x, v, c.input_defaults)
     for _ in range(len(c.switches) + 1):
         at = holding(there, touching) if touching else there
         try:
-            closed = _closed(c, at.prepared, t, x, v, held)
+            closed = _closed(c, at.prepared, t, x, v, fixed)
         except ModelError as error:
-            raise (_named(c, touching, held, error) if touching else error) from None
+            raise (_named(c, touching, fixed, error) if touching else error) from None
         if not c.switches or not (inside := [one for one, _ in Surfaces(there.at(t, closed, v)).inside()]):
             return closed
         touching += inside
     raise ModelError(f"{c.name}: no place near x0 is outside of all contacts. Begin elsewhere")
 
 
-def _named(c: CompiledModel, touching: list[Switch], held: list[int], error: ModelError) -> ModelError:
+def _named(c: CompiledModel, touching: list[Switch], fixed: list[int], error: ModelError) -> ModelError:
     names = ", ".join(one.words(c) for one in touching)
-    kept = f" with {', '.join(c.coordinates[k] for k in held)} kept" if held else ""
+    kept = f" with {', '.join(c.coordinates[k] for k in fixed)} kept" if fixed else ""
     return ModelError(f"{c.name}: x0 is inside {names}, and{kept} it cannot be put on the surface: {error}")
 
 
 class _Loop:
-    """phi(x, t) = 0 for some coordinates, the others held."""
+    """Solution of phi(x, t) = 0 for some coordinates, with the others fixed."""
 
     def __init__(self, c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, free: list[int]) -> None:
         self.c, self.prepared, self.t, self.x, self.v, self.free = c, prepared, t, x, v, free
 
     def closed(self) -> Vector:
-        """Return the solution near x, or the nearest of those found from random places."""
+        """Return the solution near x, or the nearest of those from random starts."""
         best = self._from(self.x[self.free])
         if self._is_closed(best):
             return best
-        random, found = np.random.default_rng(1), [best]
+        random, candidates = np.random.default_rng(1), [best]
         size = np.maximum(np.abs(self.x), np.abs(self.c.initial_x))[self.free]
         spans = np.where(size > 0.0, size, np.pi), np.full(len(self.free), np.pi)  # lengths, and angles
         away = (random.normal(size=len(self.free)) * spans[k % 2] for k in range(_STARTS))
-        found.extend(self._from(self.x[self.free] + step) for step in away)
-        closed = [x for x in found if self._is_closed(x)]
+        candidates.extend(self._from(self.x[self.free] + step) for step in away)
+        closed = [x for x in candidates if self._is_closed(x)]
         if not closed:
-            self._refuse(min(found, key=lambda x: float(np.linalg.norm(self._phi(x)[0]))))
+            self._refuse(min(candidates, key=lambda x: float(np.linalg.norm(self._phi(x)[0]))))
         return min(closed, key=lambda x: float(np.linalg.norm((x - self.x) * self._inertia())))
 
     def _inertia(self) -> Vector:
@@ -188,8 +189,7 @@ class _Loop:
             return self.x
         if not (np.isfinite(phi(q)).all() and np.isfinite(slope(q)).all()):
             return self._whole(q)
-        found = least_squares(phi, q, slope, x_scale="jac", xtol=1e-15, ftol=1e-15, gtol=1e-15)
-        q = np.asarray(found.x)
+        q = np.asarray(least_squares(phi, q, slope, x_scale="jac", xtol=1e-15, ftol=1e-15, gtol=1e-15).x)
         for _ in range(3):
             if np.isfinite(slope(q)).all() and np.isfinite(phi(q)).all():
                 q = q - np.linalg.lstsq(slope(q), phi(q), rcond=1e-9)[0]
@@ -201,11 +201,11 @@ class _Loop:
 
     def _refuse(self, x: Vector) -> None:
         rows = ", ".join(f"{self.c.row_names[k]} by {r:.3g}" for k, r in enumerate(self._phi(x)[0].tolist()))
-        held = [name for k, name in enumerate(self.c.coordinates) if k not in self.free]
-        fixed = f" with {', '.join(held)} kept" if held else ""
+        names = [name for k, name in enumerate(self.c.coordinates) if k not in self.free]
+        kept = f" with {', '.join(names)} kept" if names else ""
         raise ModelError(
-            f"{self.c.name}: the constraints cannot be closed{fixed}: tried from x0 and {_STARTS} random "
-            f"places, and at the best they are off, {rows}. Look at the lengths{', or keep less' * bool(held)}"
+            f"{self.c.name}: the constraints cannot be closed{kept}: tried from x0 and {_STARTS} random "
+            f"places, and at the best they are off, {rows}. Look at the lengths{', or keep less' * bool(names)}"
         )
 
 
@@ -213,7 +213,7 @@ class _Loop:
 
 
 def _moving(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, given: list[int]) -> Vector:
-    """Return v with A v + b = 0: those given as they are, the others as near as can be in the mass metric."""
+    """Return v with A v + b = 0: given rates unchanged, the others nearest in the mass metric."""
     if c.m == 0:
         return v
     A, b = c.pfaffian(t, x, prepared)
@@ -236,7 +236,7 @@ def _moving(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
     return v
 
 
-# --- what came of it ----------------------------------------------------------------------------------------------
+# --- result -------------------------------------------------------------------------------------------------------
 
 
 def _assembly(c: CompiledModel, prepared: Prepared, t: float, guess: tuple[Vector, Vector],
@@ -253,13 +253,13 @@ def _assembly(c: CompiledModel, prepared: Prepared, t: float, guess: tuple[Vecto
 
 
 def _branches(c: CompiledModel, prepared: Prepared, t: float, x: Vector) -> tuple[int, int]:
-    """Return the signs of det(dphi/dx) of dependent coordinates and independent rows, here and at the model's start."""
+    """Return the signs of det(dphi/dx) for dependent coordinates and independent rows, at x and the model's start."""
     A = c.pfaffian(t, x, prepared)[0][: c.h]
     if not len(A):
         return 0, 0
     unit = 1.0 / np.sqrt(np.diag(c.factored_matrix(t, x, prepared)))
-    dependent = [k for k in range(c.n) if k not in solved(A, unit)[0]]
-    rows = [k for k in range(c.h) if k not in solved(A[:, dependent].T, np.ones(c.h))[0]]
+    dependent = [k for k in range(c.n) if k not in null_space(A, unit)[0]]
+    rows = [k for k in range(c.h) if k not in null_space(A[:, dependent].T, np.ones(c.h))[0]]
     at_start = c.pfaffian(t, c.initial_x, prepared)[0][: c.h]
     here, own = (int(np.sign(np.linalg.det(a[np.ix_(rows, dependent)]))) for a in (A, at_start))
     return here, own

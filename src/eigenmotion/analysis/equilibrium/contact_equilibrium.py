@@ -1,4 +1,4 @@
-"""Equilibria of mechanisms with contacts and friction, whose active contacts and frictions are unknown too.
+"""Equilibria of mechanisms with contacts and friction, where the contact mode is unknown too.
 
 The equations are solved in one mode. The complementarity problem of runs then gives the mode of the solution, and
 contacts that it penetrates are added. This is repeated until the two modes agree.
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
 from ...runtime import EvaluationError
-from ..state.active_contacts import Surfaces, Switch, decided, holding, mode_of, opened, switches_of
+from ..state.active_contacts import Surfaces, Switch, all_open, holding, in_consistent_mode, mode_of, switches_of
 from ..state.operating_point import OperatingPoint
 from .equilibrium_equations import Balance
 
@@ -23,27 +23,27 @@ _MODES = 50
 _GUESSES = 64
 """Most sets of contacts tried as guesses, if the downhill search finds no equilibrium."""
 _STEPS = 200
-"""Of a search downhill,"""
-_LOOKS = 16
-"""Number of points in each step at which gaps are evaluated."""
+"""Most steps of the downhill search."""
+_SAMPLES = 16
+"""Points in each step at which gaps are evaluated."""
 _CLOSE = 1e-12
-"""The part of a step to which the first contact is located."""
+"""Relative accuracy of the first contact in a step."""
 _LEFT = 1e-12
-"""The search ends at accelerations below this part of the forces that hold."""
+"""The search ends at accelerations below this part of the reactions."""
 _STRAIGHT = 0.1
-"""The relative change of forces in a step up to which the next step is twice as long."""
+"""If forces change less than this in a step, the next step is twice as long."""
 _NOWHERE = (EvaluationError, ModelError, np.linalg.LinAlgError)
 """Exceptions at points without values, or without a consistent mode."""
 
 
-def sought(balance: Balance) -> tuple[Balance, Vector]:
+def solve_with_modes(balance: Balance) -> tuple[Balance, Vector]:
     """Return the balance in the mode of its solution, and the solution; or the best approximation found.
 
     Newton's method and the downhill search both start at the given state; the nearer solution counts. If neither
     converges, sets of contacts are held as guesses.
     """
     start, found = balance.start, list[tuple[Balance, Vector]]()
-    here = _begun(balance)
+    here = _in_start_mode(balance)
     first, solution, holds = _with_modes(here, start)
     if holds:
         found.append((first, solution))
@@ -66,7 +66,7 @@ def _mode(balance: Balance) -> list[float]:
 
 def _guesses(balance: Balance) -> Iterator[Balance]:
     """Yield the balance with each set of contacts held."""
-    at = opened(balance.point(balance.start))
+    at = all_open(balance.point(balance.start))
     contacts = [one for one in switches_of(at.model) if one.is_contact]
     for held in chain.from_iterable(combinations(contacts, count) for count in range(len(contacts) + 1)):
         yield _in_mode(balance, holding(at, list(held)))
@@ -83,14 +83,14 @@ def _in_mode(balance: Balance, at: OperatingPoint) -> Balance:
     return replace(balance, given=given)
 
 
-def _begun(balance: Balance) -> Balance:
+def _in_start_mode(balance: Balance) -> Balance:
     """Return the balance in the mode of the given state; contacts that it penetrates are held."""
     at = balance.point(balance.start)
     inside = [one for one, _ in Surfaces(at).inside()]
     try:
-        return _in_mode(balance, decided(_touching(at)))
+        return _in_mode(balance, in_consistent_mode(_touching(at)))
     except _NOWHERE:
-        return _in_mode(balance, holding(opened(at), inside))
+        return _in_mode(balance, holding(all_open(at), inside))
 
 
 def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
@@ -99,23 +99,23 @@ def _with_modes(balance: Balance, q: Vector) -> tuple[Balance, Vector, bool]:
     while (mode := balance.given.tobytes()) not in seen and len(seen) < _MODES:
         seen.add(mode)
         try:
-            q = balance.solved(q)
+            q = balance.solve(q)
             if not balance.satisfied(q, start):
                 return balance, q, False
             at = balance.point(q)
             if entered := [one for one, _ in Surfaces(at).inside()]:
                 balance = _in_mode(balance, holding(at, entered))
                 continue
-            balance = _in_mode(balance, decided(_touching(at)))
+            balance = _in_mode(balance, in_consistent_mode(_touching(at)))
             if balance.satisfied(q, start):
-                return balance, balance.solved(q), True
+                return balance, balance.solve(q), True
         except _NOWHERE:
             break
     return balance, q, False
 
 
 def _touching(at: OperatingPoint) -> OperatingPoint:
-    """Return the place where all that it touches counts as held before, so that no rounding opens a gap."""
+    """Return the state with all touching contacts closed beforehand, so that rounding does not open them."""
     values = at.prepared.parameters
     near = [one for one in Surfaces(at).closed() if not values[one.holds] and not values[one.idles]]
     return holding(at, near) if near else at
@@ -125,14 +125,14 @@ def _touching(at: OperatingPoint) -> OperatingPoint:
 
 
 def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
-    """Follow dx/dt = a(x) by implicit steps, in the mode of each state, through contacts to a rest."""
+    """Follow dx/dt = a(x) by implicit steps to an equilibrium, with changes of the contact mode on the way."""
     step, before = 0.0, np.inf
     try:
-        at = decided(_touching(balance.point(q)))
+        at = in_consistent_mode(_touching(balance.point(q)))
         for _ in range(_STEPS):
             slope, push = _scaled(at)
             left = float(np.linalg.norm(push))
-            if not _LEFT * float(np.linalg.norm(at.inertia * at.held_back)) < left < np.inf:
+            if not _LEFT * float(np.linalg.norm(at.inertia * at.reaction_terms)) < left < np.inf:
                 break
             step = _next_step(step, float(np.linalg.norm(slope)), before / left)
             dx = np.linalg.solve(np.eye(len(push)) / step - slope, push) / at.inertia
@@ -150,14 +150,14 @@ def _scaled(at: OperatingPoint) -> tuple[Vector, Vector]:
 
 
 def _next_step(step: float, slope: float, slower: float) -> float:
-    """Return the length of the next step: longer if the motion slows down and forces hardly change."""
+    """Return the length of the next step, which grows if the motion slows down or forces hardly change."""
     if not step:
         return 0.1 / (slope or 1.0)
     return step * (2.0 if step * slope <= _STRAIGHT else min(2.0, slower))
 
 
 def _moved(at: OperatingPoint, dx: Vector) -> OperatingPoint:
-    """Return the state dx further in its mode, or at the first contact, in the mode there."""
+    """Return the state after dx, or at the first contact on the way, in its mode there."""
     values = at.prepared.parameters
     open_ = [one for one in switches_of(at.model) if one.is_contact and not values[one.holds] and not values[one.idles]]
     part, struck = _first_touch(at, dx, open_)
@@ -166,7 +166,7 @@ def _moved(at: OperatingPoint, dx: Vector) -> OperatingPoint:
     if at.model.h:
         there = holding(there, struck) if struck else there
         there = there.at(at.t, at.model.project(at.t, x, at.v, there.prepared, True)[0], at.v)
-    return decided(_touching(there))
+    return in_consistent_mode(_touching(there))
 
 
 def _first_touch(at: OperatingPoint, dx: Vector, contacts: list[Switch]) -> tuple[float, list[Switch]]:
@@ -182,11 +182,11 @@ def _first_touch(at: OperatingPoint, dx: Vector, contacts: list[Switch]) -> tupl
 
     low, high = 0.0, 1.0
     while high - low > _CLOSE * high:
-        parts = np.linspace(low, high, _LOOKS + 1)[1:]
+        parts = np.linspace(low, high, _SAMPLES + 1)[1:]
         inside = entered(parts).any(axis=1)
         if not inside.any():
             return 1.0, []
         first = int(inside.argmax())
-        low, high = parts[first] - (high - low) / _LOOKS, float(parts[first])
+        low, high = parts[first] - (high - low) / _SAMPLES, float(parts[first])
     struck = entered(np.array([high]))[0]
     return high, [one for one, is_struck in zip(contacts, struck, strict=True) if is_struck]

@@ -1,4 +1,4 @@
-"""States in which a mechanism stays: rest, steady motion, trim."""
+"""Equilibria: rest, steady motion, trim."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,26 +18,26 @@ from ...compiled.compiled_system import CompiledSystem
 from ...presentation.notebook import table
 from ..linear.linearization import Linearization
 from ..linear.linearize import linearize, linearized
-from ..state.active_contacts import held_words, mode_of
-from ..state.contact_bounds import is_within, settled, sticking
-from ..state.contact_mode import check_apart
+from ..state.active_contacts import mode_of, mode_text
+from ..state.contact_bounds import is_within, sticking, with_most_contacts
+from ..state.contact_mode import check_not_inside
 from ..state.operating_point import OperatingPoint
-from .contact_equilibrium import sought
+from .contact_equilibrium import solve_with_modes
 from .equilibrium_equations import Balance
 
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """Where a mechanism stays as it is, or as near as the solver came.
+    """An equilibrium, or the best approximation of one.
 
     Attributes
     ----------
-    success : whether accelerations vanish and the constraints hold; message : in words, and what does not
-    x, v : (n,); t; inputs, parameters : all of them by name, those that were solved for included
-    acceleration : (n,) that is left; position_residual : (h,) phi; velocity_residual : (m,) A v + b
-    multipliers : (m,) of the constraint rows, where they are not unique some that are possible; a contact pushes with
-        minus its own
-    mode : which contacts and frictions hold there, as in `Solution.modes`; {} where there are none
+    success : whether accelerations vanish and the constraints hold; message : description, with residuals on failure
+    x, v : (n,); t; inputs, parameters : all values by name, with those that were solved for
+    acceleration : (n,) residual; position_residual : (h,) phi; velocity_residual : (m,) A v + b
+    multipliers : (m,) of the constraint rows; a possible choice if they are not unique. A contact force is minus its
+        multiplier
+    mode : the contact mode, as in `Solution.modes`; {} without contacts and friction
     states : name -> value of each first-order state
     """
 
@@ -57,7 +57,7 @@ class Equilibrium:
     states: dict[str, float]
 
     def linearize(self, *, mode: Mapping[Any, float] | None = None) -> Linearization:
-        """Return the linearised equations of motion there; `mode`: as of `System.linearize`, where modes meet."""
+        """Return the linearised equations of motion; `mode` as in `System.linearize`, if modes meet there."""
         place = dict(zip(self.system.coordinates, self.x, strict=True)) | self.states
         return linearize(self.system, place, self.v, self.t, self.parameters, self.inputs, mode=mode)
 
@@ -85,27 +85,27 @@ def find_equilibrium(
     parameters: Mapping[Any, float] | ArrayLike | None = None,
     constant: Sequence[Any] | None = None,
 ) -> Equilibrium:
-    """Return a state at which accelerations vanish and constraints hold: statics, trim, steady motion.
+    """Return a state with zero accelerations that satisfies the constraints: statics, trim, steady motion.
 
     Parameters
     ----------
     x0
-        Where to look: coordinates over the model's `initial`.
+        Initial guess of the coordinates, over the model's `initial`.
     free
-        What is solved for, the rest being given: coordinates ("theta"), rates ("theta'"), inputs, parameters.
-        All coordinates by default.
+        The unknowns, all else being given: coordinates ("theta"), rates ("theta'"), inputs, parameters. All
+        coordinates by default.
     v0
         Rates: an array, or a mapping of those that are not 0; None: at rest.
     constant
-        Coordinates whose rates shall stay what they are, all by default: on a circle x' and y' do not.
+        Coordinates whose rates must be constant, all by default. (On a circle x' and y' are not.)
 
     Raises
     ------
     ModelError
-        Unknown names; x0, v0 so large that accelerations there are not finite. That there is no such state is no error:
-        `Equilibrium.success` is False, and `message` says what could not be satisfied.
+        Unknown names; x0, v0 so large that accelerations are not finite. If there is no equilibrium, this is not an
+        error: `Equilibrium.success` is False, and `message` contains the residuals.
     EvaluationError
-        M is singular where the search begins.
+        M is singular at the initial guess.
 
     Examples
     --------
@@ -117,15 +117,15 @@ def find_equilibrium(
     if not is_system(system):
         raise no_system("find_equilibrium", system)
     balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
-    with np.errstate(all="ignore"):  # what is not finite has a name of its own
-        return _found(*(sought(balance) if system.compiled.switches else _sought(balance)))
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
+        return _equilibrium(*(solve_with_modes(balance) if system.compiled.switches else _solve(balance)))
 
 
-def _sought(balance: Balance) -> tuple[Balance, Vector]:
+def _solve(balance: Balance) -> tuple[Balance, Vector]:
     start = balance.start
-    solution = balance.solved(start)
+    solution = balance.solve(start)
     if not balance.satisfied(solution, start) and balance.of_coordinates_alone:
-        solution = balance.solved(balance.relaxed(start))
+        solution = balance.solve(balance.follow_to_rest(start))
     return balance, solution
 
 
@@ -158,12 +158,12 @@ def _places(given: object, names: tuple[str, ...], what: str) -> tuple[int, ...]
     return tuple(names.index(name) for name in dict.fromkeys(spelt))
 
 
-def _found(balance: Balance, q: Vector) -> Equilibrium:
+def _equilibrium(balance: Balance, q: Vector) -> Equilibrium:
     system, wrong = balance.system, balance.unsatisfied(q, balance.start)
     at, bounds = balance.point(q), list[str]()
     multipliers = at.motion[1]
     if not wrong.any():
-        at, bounds = _settled(at)
+        at, bounds = _with_most_contacts(at)
         multipliers = at.motion[1] if is_within(at) else multipliers
     inside = _inside(at)
     n, rest = system.n, balance.arguments(q)[2 * system.compiled.n :].tolist()
@@ -181,28 +181,28 @@ def _found(balance: Balance, q: Vector) -> Equilibrium:
     )  # fmt: skip
 
 
-def _settled(at: OperatingPoint) -> tuple[OperatingPoint, list[str]]:
-    found, bounds = settled(sticking(at))
+def _with_most_contacts(at: OperatingPoint) -> tuple[OperatingPoint, list[str]]:
+    found, bounds = with_most_contacts(sticking(at))
     return found, [words for _, words in bounds]
 
 
 def _inside(at: OperatingPoint) -> str:
-    """Say what the place is inside of; nothing: of nothing."""
+    """Return a message if the state is inside a contact, else ""."""
     try:
-        check_apart(at)
+        check_not_inside(at)
     except ModelError as error:
         return f"no equilibrium found: {error}"
     return ""
 
 
 def _stays(at: OperatingPoint) -> bool:
-    """Whether a motion goes on as it is: accelerations may vanish for an instant only."""
+    """Return whether the motion is steady: accelerations may also vanish only for an instant."""
     return at.rests or linearized(at).steady
 
 
 def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
            residuals: tuple[Vector, ...]) -> str:  # fmt: skip
-    held = held_words(at)
+    held = mode_text(at)
     if steady:
         kind = "at rest" if at.rests else "steady"
         return "; ".join([f"{kind}, {held}" if held else kind, *bounds])
@@ -211,11 +211,11 @@ def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], stead
     a, phi, rates = residuals
     names, n = balance.system.compiled.coordinates, balance.system.n
     marks = ["''" if k < n else "'" for k in balance.rows]
-    said = [f"{names[k]}{mark} = {a[k]:.3g}" for k, mark in zip(balance.rows, marks, strict=True)]
-    said += [f"{balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(phi)]
-    said += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
+    texts = [f"{names[k]}{mark} = {a[k]:.3g}" for k, mark in zip(balance.rows, marks, strict=True)]
+    texts += [f"{balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(phi)]
+    texts += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)
-    left = ", ".join(text for text, is_wrong in zip(said, wrong, strict=True) if is_wrong)
+    left = ", ".join(text for text, is_wrong in zip(texts, wrong, strict=True) if is_wrong)
     where = f", with {held}" if held else ""
     return f"no equilibrium found by varying {free}; what is left is {left}{where}{_rounded(at)}"
 

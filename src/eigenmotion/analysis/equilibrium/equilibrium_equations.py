@@ -1,4 +1,4 @@
-"""The equations of an equilibrium, and their solution."""
+"""Equations of an equilibrium, and their solution."""
 
 from dataclasses import dataclass
 
@@ -13,23 +13,23 @@ from ...runtime import EvaluationError
 from ..state.operating_point import OperatingPoint
 
 _SATISFIED = 1e-9
-"""What may be left of an equation, relative to its terms or to what it was at the start."""
+"""Largest residual of a solved equation, relative to its terms or to its value at the start."""
 
 _STEPS = 200
-"""Of a search downhill."""
+"""Most steps of the downhill search."""
 _FAR = 1e3
-"""How many times farther than all that is given a solution may be for its own size to count."""
+"""Tolerances are relative to the size of the solution, unless this is so many times the size of the given values."""
 _LEAST = float(np.finfo(float).tiny)
-"""Below it no number is known to many digits."""
+"""Smaller numbers are denormal and have few digits."""
 _NOWHERE = (EvaluationError, np.linalg.LinAlgError)
-"""Raised where a step of a search has led to no place at all."""
+"""Exceptions at points without values."""
 
 
 @dataclass(frozen=True)
 class Balance:
     """Equations a = 0, phi = 0, A v + b = 0 for some of the arguments: x, v, inputs, parameters.
 
-    names, given : of all arguments; free : which are solved for; rows : which accelerations shall vanish
+    names, given : of all arguments; free : indices of the unknowns; rows : indices of accelerations that must vanish
     """
 
     system: CompiledSystem
@@ -59,9 +59,10 @@ class Balance:
         return OperatingPoint(self.system.compiled, self.system.prepare(p), self.t, x, v, u)
 
     def equations(self, q: Vector) -> tuple[Vector, Vector, Vector]:
-        """What shall vanish, its derivatives by all arguments, and the size of its terms.
+        """Return the residuals, their derivatives with respect to all arguments, and the size of their terms.
 
-        Accelerations in units of inertia, constraints in units of their rows, so that no unit of the user's counts.
+        Accelerations are in units of inertia, constraints in units of their rows, so that the result does not depend on
+        the user's units.
         """
         at = self.point(q)
         n, h = at.model.n, at.model.h
@@ -77,12 +78,12 @@ class Balance:
         value = np.concatenate([a[list(self.rows)], phi, A @ at.v + b])
         slope = np.vstack([da[list(self.rows)], D])[:, : len(self.given)]
         size = np.abs(slope) @ np.abs(self.arguments(q))
-        size[: len(self.rows)] += at.held_back[list(self.rows)]
+        size[: len(self.rows)] += at.reaction_terms[list(self.rows)]
         size[len(self.rows) : len(self.rows) + h] += terms
         return weight * value, weight[:, None] * slope, weight * size
 
-    def solved(self, start: Vector) -> Vector:
-        """Return the least squares solution near `start`, to rounding."""
+    def solve(self, start: Vector) -> Vector:
+        """Return the least-squares solution near `start`, accurate to rounding."""
 
         def value(q: Vector) -> Vector:
             try:
@@ -98,7 +99,7 @@ class Balance:
         return self._cleaned(self._polished(np.asarray(found.x)), start)
 
     def _check_finite(self, start: Vector) -> None:
-        """Raise where the equations, their slopes or their terms are beyond all numbers, or have none."""
+        """Raise ModelError if the equations, their slopes or their terms are not finite at the start."""
         if all(np.isfinite(numbers).all() for numbers in self.equations(start)):
             return
         largest = self.names[int(np.abs(self.given).argmax())]
@@ -108,7 +109,7 @@ class Balance:
         )
 
     def _scale(self, start: Vector) -> Vector:
-        """Units of what is solved for: those of inertia for coordinates and rates, so that none is taken for far."""
+        """Return the units of the unknowns; those of coordinates and rates follow from inertia."""
         at, n = self.point(start), self.system.compiled.n
         slope = self.equations(start)[1]
         inertia = at.inertia / np.linalg.norm(at.inertia) * np.sqrt(n)
@@ -118,17 +119,17 @@ class Balance:
         return np.asarray(given[list(self.free)])
 
     def _cleaned(self, q: Vector, start: Vector) -> Vector:
-        """Take zeros for what rounding left of numbers that went to zero, where nothing gets worse for it."""
+        """Replace numbers that are rounding errors by zero, if the residuals do not increase."""
         dust = np.abs(q) < 1e-9 * np.maximum(np.abs(start), np.abs(self.start))
         zeros = np.where(dust, 0.0, q)
         try:
             before, after = (np.linalg.norm(self.equations(point)[0]) for point in (q, zeros))
-        except EvaluationError:  # a length that is much shorter than the first guess, but not nothing
+        except EvaluationError:  # such as a length much smaller than the guess, but not zero
             return q
         return zeros if after <= before else q
 
     def _polished(self, q: Vector) -> Vector:
-        """Newton's method as long as it halves what is left."""
+        """Apply Newton's method as long as each step halves the residual."""
         value, slope, _ = self.equations(q)
         for _ in range(10):
             columns = slope[:, list(self.free)]
@@ -144,8 +145,8 @@ class Balance:
             q, value = nearer, next_value
         return q
 
-    def relaxed(self, start: Vector) -> Vector:
-        """Follow dx/dt = a(x) downhill by implicit steps that grow as it gets slower: to a rest that is stable."""
+    def follow_to_rest(self, start: Vector) -> Vector:
+        """Follow dx/dt = a(x) by implicit steps, which grow as it slows down, to a stable equilibrium."""
         q, n, step, before = start, self.system.compiled.n, 0.0, np.inf
         for _ in range(_STEPS):
             try:
@@ -170,7 +171,7 @@ class Balance:
         return not self.unsatisfied(q, start).any()
 
     def unsatisfied(self, q: Vector, start: Vector) -> NDArray[np.bool_]:
-        """Which of the equations leave more than rounding of their terms, or of what they were at the start."""
+        """Return which residuals exceed the rounding of their terms, or of their values at the start."""
         first, _, size = self.equations(start)
         value, _, here = self.equations(q)
         here = np.where(np.linalg.norm(q) <= _FAR * np.linalg.norm(self.given), here, size)

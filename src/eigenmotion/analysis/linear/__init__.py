@@ -1,1 +1,1 @@
-"""Linearised equations of motion, and their modes."""
+"""Linearised equations of motion and natural modes."""

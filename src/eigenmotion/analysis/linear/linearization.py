@@ -1,4 +1,4 @@
-"""A linearised mechanism, and what it tells."""
+"""Linearisation: the result, with eigenvalues and modes."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,13 +29,14 @@ class Linearization:
     Attributes
     ----------
     A, B, C, D : (k, k), (k, n_inputs), (n_outputs, k), (n_outputs, n_inputs); inputs and outputs are the model's
-    Z : (2 n + p, k), k = 2 n + p - h - m less rows that depend on others, orthonormal: the tangent space of the
-        constraints, in x, v and p first-order states
-    full : A, B, C, D of all these numbers (x, v, z), constraints included
-    t, x, v, z, u : the state; acceleration : (n,) there
-    mode : which contacts and frictions hold, as in `Solution.modes`; {} where there are none
-    steady : whether these equations stay the same along the motion, coordinates on which nothing depends apart. Where
-        not, they hold at this instant: eigenvalues are those of deviations of independent coordinates, and no promise
+    Z : (2 n + p, k) orthonormal basis of the tangent space of the constraints, in x, v and p first-order states;
+        k = 2 n + p - h - m + dependent rows
+    full : A, B, C, D of all these numbers (x, v, z), with constraints
+    t, x, v, z, u : the state; acceleration : (n,) at this state
+    mode : the contact mode, as in `Solution.modes`; {} without contacts and friction
+    steady : whether these equations are constant along the motion (except for coordinates that no equation depends on).
+        If not, they hold only at this instant: eigenvalues are those of deviations of independent coordinates, and do
+        not decide about stability
 
     Examples
     --------
@@ -67,8 +68,8 @@ class Linearization:
     def eigenvalues(self) -> Vector:
         """Return the k eigenvalues [1 / s], the least stable first.
 
-        They are computed from deviations of independent coordinates and velocities, with units and those that nothing
-        depends on out of the way: at steady motions they are those of A. No constraint adds any.
+        They are computed from deviations of independent coordinates and velocities, scaled and without those that no
+        equation depends on. At steady motions they are those of A. Constraints add none.
         """
         return eigenvalues(self.independent)
 
@@ -77,24 +78,24 @@ class Linearization:
         return modes(self.independent, self.basis, self.inertia, self.model.coordinates)
 
     def modes(self) -> tuple[Mode, ...]:
-        """Return the natural modes, the least stable first, one for a pair of complex eigenvalues."""
+        """Return the natural modes, the least stable first, with one mode for each pair of complex eigenvalues."""
         return self._modes
 
     @property
     def message(self) -> str:
-        """What kind of state it is, in words."""
+        """A description of the state: at rest, steady motion, or not steady."""
         if self.steady:
             return "steady: at rest" if not self.v.any() else "steady motion"
         return ("not steady: the mechanism does not stay in this state, so these equations change along its motion and "
                 "hold at this instant only")  # fmt: skip
 
     def to_scipy(self) -> Any:
-        """Return a `scipy.signal.StateSpace`; where the model has no outputs, y is its coordinates.
+        """Return a `scipy.signal.StateSpace`; if the model has no outputs, y are the coordinates.
 
         Raises
         ------
         ModelError
-            The model has no inputs: SciPy's systems have some.
+            The model has no inputs, which SciPy requires.
         """
         from scipy.signal import StateSpace as Continuous  # noqa: PLC0415, takes half a second
 
@@ -120,14 +121,14 @@ class Linearization:
                 "state": state,
                 **({"mode": [f"{name} = {value:g}" for name, value in self.mode.items()]} if self.mode else {}),
                 "acceleration": [f"{name}: {a:g}" for name, a in zip(names, self.acceleration, strict=False)],
-                "modes": [f"{written(mode.eigenvalue)}  {mode.words}" for mode in self.modes()],
+                "modes": [f"{eigenvalue_text(mode.eigenvalue)}  {mode.words}" for mode in self.modes()],
                 "inputs": self.model.inputs or "none",
                 "outputs": self.model.outputs or "none",
             },
         )
 
 
-def written(value: complex) -> str:
+def eigenvalue_text(value: complex) -> str:
     """Return an eigenvalue, or a pair of them, as text."""
     real = value.real + 0.0  # no -0
     return f"{real:.4g} ± {value.imag:.4g} i" if value.imag else f"{real:.4g}"

@@ -21,13 +21,13 @@ from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
 
 _STEADY = 1e-6
-"""How much the equations of deviations may change within their own time for a motion to be steady,"""
+"""Largest relative change of the linearised equations over their time constant in a steady motion,"""
 _STILL = 1e-9
-"""and how much the numbers on which they depend, relative to all."""
+"""and of the numbers on which they depend."""
 _ROUNDING = 1e-13
-"""Of the largest entry of a row."""
+"""Rounding of an entry, relative to the largest entry of its row."""
 _CHOICES = 200
-"""Sets of independent velocities that are tried at the most."""
+"""Most sets of independent velocities that are tried."""
 
 
 def linearize(
@@ -40,32 +40,32 @@ def linearize(
     *,
     mode: Mapping[Any, float] | None = None,
 ) -> Linearization:
-    """Return the linearised equations of motion at a state, exactly differentiated and true to the constraints.
+    """Return the linearised equations of motion at a state, with exact derivatives, on the constraints.
 
-    x, v are as everywhere arrays or mappings over the model's `initial`. Rows that depend on each other are allowed.
-    Where the motion through the state is not steady, `Linearization.steady` is False and `message` says so.
+    x, v are arrays or mappings over the model's `initial`. Constraint rows may depend on each other. If the motion
+    through the state is not steady, `Linearization.steady` is False and `message` says so.
 
-    Contacts and frictions hold as the state calls for: what holds is a constraint of the deviations. Where modes meet
-    `mode` names the one that is meant, as `Solution.modes` does: {"floor_held": 0}.
+    Closed contacts and sticking frictions of the state are constraints of the deviations. If modes meet at the state,
+    `mode` selects one, with names as in `Solution.modes`: {"floor_held": 0}.
 
     Raises
     ------
     ModelError
-        The state is off the constraints (says by how much, and offers the nearest that is not), or inside a contact;
-        the equations have no derivative there (names the coordinate); modes meet there and `mode` names none, or one
-        that does not hold.
+        The state violates the constraints (names the residuals and the nearest consistent state), or is inside a
+        contact; the equations have no derivative (names the coordinate); modes meet and `mode` selects none, or an
+        inconsistent one.
     EvaluationError
         M is singular, constraint rows contradict each other, or no mode of contacts and frictions is consistent.
     """
     at = operating_point(self, x, v, t, parameters, inputs)
-    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
         at = in_mode(at, mode)
         check_consistent(at.model, at.prepared, at.t, at.x, at.v)
         return linearized(at)
 
 
 def linearized(at: OperatingPoint) -> Linearization:
-    """Return the same of a place that is consistent, in its mode."""
+    """Return the linearised equations at a consistent state in its mode."""
     _check_differentiable(at)
     return _linearized(at)
 
@@ -121,12 +121,12 @@ def _refuse_shared_reactions(at: OperatingPoint, by_multipliers: Vector) -> None
 
 
 def _reduced(at: OperatingPoint, basis: Tangent) -> Reduced:
-    """Return the system of independent coordinates and velocities, without those that only follow."""
+    """Return the system of independent coordinates and velocities, without those that no equation depends on."""
     return reduced(_of_independent(at, basis))
 
 
 def _of_independent(at: OperatingPoint, basis: Tangent) -> Vector:
-    """Return J Z in the rows of the independent numbers, zero where it is rounding beside the rest of its row."""
+    """Return J Z in the rows of the independent numbers, with entries that are rounding errors set to zero."""
     numbers = list(basis.free)
     matrix, unit = at.jacobian[numbers] @ basis.Z, at.units[numbers]
     sizes = np.abs(unit[:, None] * matrix / unit)
@@ -134,10 +134,10 @@ def _of_independent(at: OperatingPoint, basis: Tangent) -> Vector:
 
 
 def _chosen(at: OperatingPoint) -> tuple[Tangent, bool]:
-    """Return a tangent space in numbers that stay the same where there are such, and whether they do.
+    """Return a basis of the tangent space, in constant independent numbers if possible, and whether they are constant.
 
-    On a circle x' and y' of a rolling wheel change, but its spin and its lean do not: which velocities are independent
-    is for us to choose.
+    For example, x' and y' of a wheel that rolls on a circle change, but its spin and its lean do not. The choice of the
+    independent velocities is free.
     """
     best = tangent(at)
     if _is_steady(at, best):
@@ -152,9 +152,9 @@ def _chosen(at: OperatingPoint) -> tuple[Tangent, bool]:
 
 
 def _is_steady(at: OperatingPoint, basis: Tangent) -> bool:
-    """Whether the independent numbers stay what they are along the motion, and the equations of their deviations, too.
+    """Return whether the independent numbers, and the equations of their deviations, are constant along the motion.
 
-    Coordinates on which nothing depends may change: those of a cyclic angle, or where a wheel is on the ground.
+    Coordinates that no equation depends on may change: cyclic angles, or the position of a wheel on the ground.
     """
     here = _reduced(at, basis)
     kept = list(here.kept)
@@ -176,7 +176,7 @@ def _is_steady(at: OperatingPoint, basis: Tangent) -> bool:
 
 
 def _moved(at: OperatingPoint, basis: Tangent, ahead: float) -> Vector | None:
-    """Return the system in the same numbers a little later, or None where there is none."""
+    """Return the system in the same numbers a little later, or None if it does not exist there."""
     a = at.motion[0]
     there = at.at(at.t + ahead, at.x + ahead * at.v + ahead**2 / 2 * a, at.v + ahead * a)
     try:
@@ -187,7 +187,7 @@ def _moved(at: OperatingPoint, basis: Tangent, ahead: float) -> Vector | None:
 
 
 def _same_numbers(there: OperatingPoint, basis: Tangent) -> Vector | None:
-    """Return the system in the same independent numbers elsewhere, or None where these are not independent."""
+    """Return the system in the same independent numbers at another state, or None if they are dependent there."""
     n = there.model.n
     dependent = [k for k in range(n) if n + k not in basis.free]
     found = tangent(there, dependent)

@@ -1,4 +1,4 @@
-"""Natural modes: eigenvalues and shapes of a linearised mechanism, and what they mean in words."""
+"""Natural modes: eigenvalues and shapes of a linearised mechanism, with descriptions."""
 
 from dataclasses import dataclass
 from math import pi
@@ -9,22 +9,22 @@ import scipy
 from ...arguments.named_values import Vector
 
 _NEUTRAL = 1e-7
-"""Of the largest eigenvalue: what is left of double zeros by rounding is about the root of it."""
+"""Largest neutral eigenvalue, relative to the largest of all: rounding moves double zeros by about its square root."""
 _TAKES_PART = 0.1
-"""Of the largest share: below it a coordinate is not named."""
+"""Coordinates with less than this part of the largest share are not named."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mode:
-    """One mode, of a pair of complex eigenvalues that with the positive frequency.
+    """One mode; of a pair of complex eigenvalues, the one with positive frequency.
 
     Attributes
     ----------
-    eigenvalue : [1 / s]; deviations go with exp(eigenvalue t)
-    shape : (n,) complex deviations of the coordinates, that with the largest share 1
-    share : (n,) how much each takes part, |shape_k| sqrt(M_kk), the largest 1
+    eigenvalue : [1 / s]; deviations are proportional to exp(eigenvalue t)
+    shape : (n,) complex deviations of the coordinates; 1 for the one with the largest share
+    share : (n,) |shape_k| sqrt(M_kk), scaled so that the largest is 1
     coordinates : names of x
-    neutral : whether the eigenvalue is zero beside the largest of them
+    neutral : whether the eigenvalue is zero relative to the largest one
     """
 
     eigenvalue: complex
@@ -35,27 +35,27 @@ class Mode:
 
     @property
     def frequency(self) -> float:
-        """Oscillations a second [Hz]."""
+        """Frequency of oscillation [Hz]."""
         return 0.0 if self.neutral else abs(self.eigenvalue.imag) / (2 * pi)
 
     @property
     def damping(self) -> float:
-        """The damping ratio, -Re / |eigenvalue|: 1 does not oscillate, what is below 0 grows. NaN where neutral."""
+        """The damping ratio, -Re / |eigenvalue|: 1 for pure decay, negative for growth, NaN if neutral."""
         return float("nan") if self.neutral else -self.eigenvalue.real / abs(self.eigenvalue)
 
     @property
     def grows(self) -> bool:
-        """Whether it is unstable."""
+        """Whether the mode is unstable."""
         return not self.neutral and self.damping < -_NEUTRAL
 
     @property
     def decays(self) -> bool:
-        """Whether it dies out."""
+        """Whether the mode decays."""
         return not self.neutral and self.damping > _NEUTRAL
 
     @property
     def words(self) -> str:
-        """What it does, and who takes part."""
+        """A description of the behaviour and of the coordinates that take part."""
         return f"{self._behaviour()}: {self._shape()}"
 
     def _behaviour(self) -> str:
@@ -64,11 +64,11 @@ class Mode:
             return "neutral, nothing brings it back"
         undamped = abs(rate) <= _NEUTRAL * abs(self.eigenvalue)
         how = "undamped" if undamped else f"damping ratio {self.damping:.3g}"
-        said = f"oscillates at {self.frequency:.4g} Hz, {how}" if oscillates else ""
+        text = f"oscillates at {self.frequency:.4g} Hz, {how}" if oscillates else ""
         if undamped:
-            return said
+            return text
         grows = f"{'grows' if rate > 0 else 'decays'} by e in {1 / abs(rate):.4g} s"
-        return f"{said}, {grows}" if said else grows
+        return f"{text}, {grows}" if text else grows
 
     def _shape(self) -> str:
         order = [int(k) for k in np.argsort(-self.share, kind="stable") if self.share[k] >= _TAKES_PART]
@@ -86,9 +86,9 @@ class Mode:
 
 @dataclass(frozen=True, slots=True)
 class Reduced:
-    """A system without what nothing depends on: coordinates that only follow have eigenvalues of zero.
+    """A system split into a core and followers, which no equation depends on and which have zero eigenvalues.
 
-    core : (r, r); kept : (r,) and followers : which of the numbers these are
+    core : (r, r); kept : (r,) indices of the numbers in the core; followers : indices of the others
     """
 
     matrix: Vector
@@ -98,7 +98,7 @@ class Reduced:
 
 
 def reduced(matrix: Vector) -> Reduced:
-    """Strip a system of numbers on which no other, but those stripped, depends."""
+    """Remove, repeatedly, the numbers on which no other remaining number depends."""
     kept = list(range(len(matrix)))
     while followers := [k for k in kept if not matrix[kept, k].any()]:
         kept = [k for k in kept if k not in followers]
@@ -107,23 +107,23 @@ def reduced(matrix: Vector) -> Reduced:
 
 
 def eigenvalues(system: Reduced) -> Vector:
-    """Return them, the least stable first."""
+    """Return the eigenvalues, the least stable first."""
     values = np.concatenate([np.zeros(len(system.followers)), _values(system.core)])
     return values[np.lexsort((values.imag, np.abs(values), -values.real))]
 
 
 def eigenvectors(system: Reduced) -> list[tuple[complex, Vector]]:
-    """Return (eigenvalue, vector of the whole system), one of each pair; what only follows stands alone, with zero."""
-    found = [(0j, np.eye(len(system.matrix), dtype=complex)[k]) for k in system.followers]
+    """Return (eigenvalue, vector of the whole system), one of each complex pair; followers have eigenvalue zero."""
+    pairs = [(0j, np.eye(len(system.matrix), dtype=complex)[k]) for k in system.followers]
     values, vectors = np.linalg.eig(system.core) if system.kept else (np.zeros(0), np.zeros((0, 0)))
     for value, vector in zip(values, vectors.T, strict=True):
         if value.imag >= 0:
-            found.append((complex(value), _followed(system, value, vector)))
-    return found
+            pairs.append((complex(value), _with_followers(system, value, vector)))
+    return pairs
 
 
-def _followed(system: Reduced, value: complex, vector: Vector) -> Vector:
-    """Give the numbers that only follow what they have in this mode: (value - A_ff) z_f = A_fk z_k."""
+def _with_followers(system: Reduced, value: complex, vector: Vector) -> Vector:
+    """Return the eigenvector with its followers: (value - A_ff) z_f = A_fk z_k."""
     kept, gone = list(system.kept), list(system.followers)
     whole = np.zeros(len(system.matrix), dtype=complex)
     whole[kept] = vector
@@ -138,12 +138,12 @@ def _values(matrix: Vector) -> Vector:
 
 
 def modes(system: Reduced, Z: Vector, inertia: Vector, coordinates: tuple[str, ...]) -> tuple[Mode, ...]:
-    """Return the modes, the least stable first; Z (2 n, k) makes deviations of x and v of the system's numbers."""
-    found, n = eigenvectors(system), len(coordinates)
-    largest = max((abs(value) for value, _ in found), default=0.0)
-    made = [_mode(value, Z[:n] @ vector, inertia, coordinates, abs(value) <= _NEUTRAL * largest)
-            for value, vector in found]  # fmt: skip
-    return tuple(sorted(made, key=lambda mode: (-mode.eigenvalue.real, abs(mode.eigenvalue))))
+    """Return the modes, the least stable first; Z (2 n, k) maps the system's numbers to deviations of x and v."""
+    pairs, n = eigenvectors(system), len(coordinates)
+    largest = max((abs(value) for value, _ in pairs), default=0.0)
+    unsorted = [_mode(value, Z[:n] @ vector, inertia, coordinates, abs(value) <= _NEUTRAL * largest)
+                for value, vector in pairs]  # fmt: skip
+    return tuple(sorted(unsorted, key=lambda mode: (-mode.eigenvalue.real, abs(mode.eigenvalue))))
 
 
 def _mode(value: complex, shape: Vector, inertia: Vector, coordinates: tuple[str, ...], neutral: bool) -> Mode:

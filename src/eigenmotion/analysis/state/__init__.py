@@ -1,1 +1,1 @@
-"""A mechanism at one state: its derivatives, the contacts that are active, the directions it can take."""
+"""A mechanism at one state: derivatives, active contacts, and the tangent space of the constraints."""

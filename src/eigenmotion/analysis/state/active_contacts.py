@@ -1,4 +1,4 @@
-"""The active contacts and frictions of a state: its contact mode, and the surfaces that it touches."""
+"""Active contacts and frictions of a state: its contact mode, and the surfaces that it touches."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -14,15 +14,15 @@ from ...runtime.variations import act_along, constraint_partials
 from .operating_point import OperatingPoint
 
 TOUCHES = 1e-9
-"""Tolerance of a zero gap or slip, relative to its terms: that of constraints at the start of a run."""
+"""Tolerance of a zero gap or slip, relative to its terms; the same as for constraints at the start of a run."""
 _ROUNDED = 64 * np.finfo(float).eps
-"""The part of the whole state that rounding may leave of a gap,"""
+"""Rounding error of a gap, relative to the size of the state."""
 _STILL = 1e-12
-"""and of all speeds that of a rate: beside what moves, and beside what the forces that act make move."""
+"""Rounding error of a rate, relative to all speeds, including those that the acting forces cause."""
 
 
 class Switch(NamedTuple):
-    """A contact or a friction (slides < 0: contact): its event, its row, and its parameters, as places among all."""
+    """A contact or a friction (slides < 0: contact): indices of its event, its row and its parameters."""
 
     event: int
     holds: int
@@ -50,7 +50,7 @@ def with_parameters(at: OperatingPoint, values: Mapping[int, float]) -> Operatin
     return replace(at, prepared=at.model.prepare(parameters))
 
 
-def opened(at: OperatingPoint) -> OperatingPoint:
+def all_open(at: OperatingPoint) -> OperatingPoint:
     """Return the state in the mode in which no contact holds and no friction acts."""
     return with_parameters(at, {k: 0.0 for one in switches_of(at.model) for k in (one.holds, one.slides, one.idles)
                                 if k >= 0})  # fmt: skip
@@ -62,7 +62,7 @@ def holding(at: OperatingPoint, held: list[Switch]) -> OperatingPoint:
     return with_parameters(at, changes | {one.slides: 0.0 for one in held if not one.is_contact})
 
 
-def decided(at: OperatingPoint) -> OperatingPoint:
+def in_consistent_mode(at: OperatingPoint) -> OperatingPoint:
     """Return the state in its consistent mode, as at the start of a run: on the surfaces that it touches.
 
     If several modes are consistent, the one with the fewest changes from the mode of `at` is chosen.
@@ -116,13 +116,13 @@ class Surfaces:
 
     @cached_property
     def units(self) -> Vector:
-        """(m,) lengths of rows in the mass metric."""
+        """(m,) norms of the rows in the mass metric."""
         return np.asarray(np.linalg.norm(np.linalg.solve(np.linalg.cholesky(self.M), self.A.T), axis=0))
 
     @cached_property
     def push(self) -> float:
         """The norm of the acceleration without any contact or friction, in the mass metric: the size of forces."""
-        at, free = self.at, opened(self.at)
+        at, free = self.at, all_open(self.at)
         return self._length(at.model.acceleration(at.t, at.x, at.v, free.prepared, at.u, True)[0])
 
     def _length(self, d: Vector) -> float:
@@ -145,7 +145,7 @@ class Surfaces:
         return self.A @ at.v + b, TOUCHES * (np.abs(self.A) @ np.abs(at.v) + np.abs(b)) + _STILL * self.units * speed
 
     def accelerations(self, a: Vector) -> Vector:
-        """Return (m,) accelerations along rows, A a + gamma, where the coordinates have a (n,)."""
+        """Return the accelerations (m,) along the rows, A a + gamma, for accelerations a (n,) of the coordinates."""
         at, n = self.at, self.at.model.n
         partial = constraint_partials(at.model, at.t, at.x, at.v, self.all.prepared)[at.model.h :]
         return self.A @ a + partial[:, :n] @ at.v + partial[:, -1]
@@ -166,14 +166,14 @@ class Surfaces:
         return bool(abs(rate[one.row]) <= within[one.row])
 
 
-def held_words(at: OperatingPoint) -> str:
+def mode_text(at: OperatingPoint) -> str:
     """Return a description of the mode: which contacts hold, and which frictions stick or slide."""
     mode: dict[str, Any] = mode_of(at.model, at.prepared)
-    names, said = at.model.parameters, []
+    names, texts = at.model.parameters, []
     for one in switches_of(at.model):
         name = at.model.events[one.event]
         if mode[names[one.holds]]:
-            said.append(f"{name} {'held' if one.is_contact else 'stuck'}")
+            texts.append(f"{name} {'held' if one.is_contact else 'stuck'}")
         elif not one.is_contact and mode[names[one.slides]]:
-            said.append(f"{name} slides {'forward' if mode[names[one.slides]] > 0 else 'back'}")
-    return ", ".join(said)
+            texts.append(f"{name} slides {'forward' if mode[names[one.slides]] > 0 else 'back'}")
+    return ", ".join(texts)

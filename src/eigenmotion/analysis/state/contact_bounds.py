@@ -26,7 +26,7 @@ class Bounds:
         self.size = self.surfaces.push + float(np.abs(at.motion[1] * self.units).sum())
 
     def _margins(self, at: OperatingPoint) -> dict[Switch, float]:
-        """Of what holds at a place."""
+        """Return the margins of active contacts and frictions at a state."""
         values = at.prepared.parameters
         watched = at.model.event_rows(np.array([at.t]), at.x[None], at.v[None], at.u[None], at.prepared)[0]
         return {one: float(watched[one.event] * self.units[one.row])
@@ -34,12 +34,12 @@ class Bounds:
 
     @cached_property
     def own(self) -> dict[Switch, float]:
-        """Of what holds, with the forces of the place."""
+        """The margins with the forces of the state."""
         return self._margins(self.at)
 
     @cached_property
     def margins(self) -> dict[Switch, float]:
-        """Of all that holds, idle or not: positive where a distribution of forces exists that leaves a margin."""
+        """The margins of all active contacts and frictions, also idle ones, with the best distribution of forces."""
         values = self.at.prepared.parameters
         own, idle = self.own, [one for one in switches_of(self.at.model) if values[one.idles]]
         if not idle:
@@ -48,12 +48,12 @@ class Bounds:
         return {one: max(own.get(one, 0.0), shared[one]) for one in shared}
 
     def at_bound(self) -> Iterator[tuple[Switch, str]]:
-        """What of the mode is at a bound, so that beside the state there are others; in words."""
+        """Yield the contacts and frictions at a bound, where nearby states have other modes, with a description."""
         within = _AT_BOUND * self.size
         for one, margin in self.margins.items():
             if margin <= within:
-                said = "touches without force" if one.is_contact else "is at its limit"
-                yield one, f"{one.words(self.at.model)} {said}"
+                texts = "touches without force" if one.is_contact else "is at its limit"
+                yield one, f"{one.words(self.at.model)} {texts}"
         yield from self._at_rest_without_row(within)
 
     def _at_rest_without_row(self, within: float) -> Iterator[tuple[Switch, str]]:
@@ -69,28 +69,29 @@ class Bounds:
                 how = "is at its limit" if still else "has no slip and begins to slide"
                 yield one, f"{one.words(self.at.model)} {how}"
 
-    def missed(self) -> list[str]:
-        """Which conditions the mode does not satisfy, in words; none: it holds at the state."""
+    def violations(self) -> list[str]:
+        """Return descriptions of the conditions that the mode violates; [] if it is consistent."""
         within, model = _AT_BOUND * self.size, self.at.model
         values, closed = self.at.prepared.parameters, self.surfaces.closed()
         along, rate = self.surfaces.accelerations(self.at.motion[0]), self.surfaces.rates[0]
-        said = []
+        texts = []
         for one in switches_of(model):
             if one in self.margins and self.margins[one] < -within:
-                said.append(f"{one.words(model)} would {'pull' if one.is_contact else 'take more than its limit'}")
+                texts.append(f"{one.words(model)} would {'pull' if one.is_contact else 'take more than its limit'}")
             side = 1.0 if one.is_contact else float(values[one.slides])
             if values[one.holds] or values[one.idles] or not side or (one.is_contact and one not in closed):
                 continue
             moves = side * (along[one.row] if self.surfaces.at_rest(one) else rate[one.row])
             if moves < (-within * self.units[one.row] if self.surfaces.at_rest(one) else 0.0):
-                said.append(f"{one.words(model)} would {'close' if one.is_contact else 'slide the other way'}")
-        return said
+                texts.append(f"{one.words(model)} would {'close' if one.is_contact else 'slide the other way'}")
+        return texts
 
 
-def settled(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]]]:
-    """Return the state in the mode in which all possible contacts hold, and a description of those at a bound.
+def with_most_contacts(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]]]:
+    """Return the state in the mode with as many active contacts as possible, and a description of those at a bound.
 
-    A beam on three supports rests on one of them, and touches the others without force; or on all three, with forces.
+    For example, a beam on three supports may rest on one of them and touch the others without force, or rest on all
+    three with forces.
     """
     if not at.model.switches:
         return at, []
@@ -117,7 +118,7 @@ def sticking(at: OperatingPoint) -> OperatingPoint:
         if not one.is_contact and values[one.slides] and not values[one.idles] and surfaces.at_rest(one)
     ]
     there = holding(at, slides)
-    return there if slides and not Bounds(there).missed() and is_within(there) else at
+    return there if slides and not Bounds(there).violations() and is_within(there) else at
 
 
 def is_within(at: OperatingPoint) -> bool:

@@ -1,4 +1,4 @@
-"""A state in the mode in which its contacts and frictions are, or in the one that is named where modes meet."""
+"""Contact mode of a state; if modes meet there, the user selects one."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,43 +8,43 @@ from ...codegen.model import ModelError
 from ...codegen.model.normalise import real
 from ...compiled.projection import Projection
 from ...simulation.initial_state.consistency import check_consistent
-from .active_contacts import Surfaces, Switch, decided, holding, opened, switches_of, with_parameters
-from .contact_bounds import Bounds, settled
+from .active_contacts import Surfaces, Switch, all_open, holding, in_consistent_mode, switches_of, with_parameters
+from .contact_bounds import Bounds, with_most_contacts
 from .operating_point import OperatingPoint
 
 _INSIDE = 1e-10
-"""The tolerance of a run in whose start a gap may be off by as much as a state that is linearised."""
+"""Tolerance of gaps, as at the start of a run."""
 
 
 def in_mode(at: OperatingPoint, mode: Mapping[Any, float] | None) -> OperatingPoint:
-    """Return the place in its mode, on the surfaces that it touches.
+    """Return the state in its mode, on the surfaces that it touches.
 
     Raises
     ------
     ModelError
-        The state is inside a contact; modes meet there and none is named; or the mode named does not hold there.
+        The state is inside a contact; modes meet and none is selected; or the selected mode is not consistent.
     EvaluationError
         No mode is consistent.
     """
     named = _named(at, mode)
-    check_apart(at)
+    check_not_inside(at)
     if not at.model.switches:
         return at
-    free = opened(at)
+    free = all_open(at)
     check_consistent(free.model, free.prepared, free.t, free.x, free.v)
-    found, bounds = settled(decided(_on_surfaces(at)))
+    found, bounds = with_most_contacts(in_consistent_mode(_on_surfaces(at)))
     if named:
-        return _checked(_with_mode(found, named))
+        return _consistent(_with_mode(found, named))
     if bounds:
         raise ModelError(_meeting(found, bounds))
     return found
 
 
-def check_apart(at: OperatingPoint) -> None:
+def check_not_inside(at: OperatingPoint) -> None:
     """Raise ModelError for a state inside a contact, or beyond the surface of an impact."""
     if not at.model.acts:
         return
-    free = opened(at)
+    free = all_open(at)
     if found := at.model.inside(at.t, at.x, at.v, free.prepared, _INSIDE, 0.0 * at.x):
         name, gap = found
         raise ModelError(f"{at.model.name}: x is inside {name!r}, whose gap is {gap:.6g} there and never negative. "
@@ -52,19 +52,19 @@ def check_apart(at: OperatingPoint) -> None:
 
 
 def _on_surfaces(at: OperatingPoint) -> OperatingPoint:
-    """Return the place moved onto the surfaces on which it rests, but for what typing and saving leave; these hold."""
+    """Return the state projected onto the surfaces on which it rests, which are closed; removes rounding errors."""
     surfaces = Surfaces(at)
     touching = [*surfaces.closed(), *(one for one in switches_of(at.model) if not one.is_contact)]
     near = [one for one in touching if surfaces.at_rest(one)]
     if not near:
         return at
-    there = holding(opened(at), near)
+    there = holding(all_open(at), near)
     x, v = Projection(there.model, there.prepared, there.t, least_norm=True)(at.x, at.v)
     return there.at(at.t, x, v)
 
 
 def _named(at: OperatingPoint, mode: Mapping[Any, float] | None) -> dict[int, float]:
-    """Return the named values of the mode, by index of the parameter."""
+    """Return the selected values of the mode: index of the parameter -> value."""
     if mode is None:
         return {}
     if not isinstance(mode, Mapping):
@@ -80,7 +80,7 @@ def _named(at: OperatingPoint, mode: Mapping[Any, float] | None) -> dict[int, fl
 
 
 def _with_mode(at: OperatingPoint, named: dict[int, float]) -> OperatingPoint:
-    """Return the state in the named mode; contacts and frictions that are not named keep theirs."""
+    """Return the state in the selected mode; contacts and frictions that are not named are unchanged."""
     changes: dict[int, float] = {}
     for one in switches_of(at.model):
         if one.holds not in named and one.slides not in named:
@@ -113,24 +113,26 @@ def _is_unloaded(at: OperatingPoint, one: Switch) -> bool:
     return bool(bounds.margins[one] + force <= 1e-9 * bounds.size)
 
 
-def _checked(at: OperatingPoint) -> OperatingPoint:
+def _consistent(at: OperatingPoint) -> OperatingPoint:
     """Return the state; raise ModelError if its mode is not consistent there."""
     check_consistent(at.model, at.prepared, at.t, at.x, at.v)
-    if missed := Bounds(at).missed():
-        raise ModelError(f"{at.model.name}: the mode that is named does not hold at this state: {'; '.join(missed)}")
+    if violations := Bounds(at).violations():
+        raise ModelError(
+            f"{at.model.name}: the mode that is named does not hold at this state: {'; '.join(violations)}"
+        )
     return at
 
 
 def _meeting(at: OperatingPoint, bounds: list[tuple[Switch, str]]) -> str:
-    """Return a message: which modes are possible, and how to name one."""
+    """Return a message with the possible modes, and how to select one."""
     one, names = bounds[0][0], at.model.parameters
     ways = (
         [{one.holds: 1.0}, {one.holds: 0.0}]
         if one.is_contact
         else [{one.holds: 1.0}, {one.slides: 1.0}, {one.slides: -1.0}]
     )
-    possible = [way for way in ways if not Bounds(_with_mode(at, way)).missed()]
-    written = " or ".join(f"{{{names[k]!r}: {value:g}}}" for way in possible for k, value in way.items())
-    said = "; ".join(words for _, words in bounds)
-    return (f"{at.model.name}: modes meet at this state: {said}. On each side of it the equations are others. "
-            f"Name the side: mode={written}")  # fmt: skip
+    possible = [way for way in ways if not Bounds(_with_mode(at, way)).violations()]
+    eigenvalue_text = " or ".join(f"{{{names[k]!r}: {value:g}}}" for way in possible for k, value in way.items())
+    texts = "; ".join(words for _, words in bounds)
+    return (f"{at.model.name}: modes meet at this state: {texts}. On each side of it the equations are others. "
+            f"Name the side: mode={eigenvalue_text}")  # fmt: skip

@@ -1,4 +1,4 @@
-"""The operating point of a system: a state, its acceleration and multipliers, and their derivatives."""
+"""Operating point of a system: a state, its acceleration and multipliers, and their derivatives."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from ...compiled.projection import RESOLVED, next_to
 from ...runtime import CompiledModel, Prepared, variations
 
 _ROUNDED = 256 * np.finfo(float).eps
-"""The part of terms that cancel which rounding may leave."""
+"""Rounding error of a sum, relative to terms that cancel."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class OperatingPoint:
 
     @property
     def coordinates(self) -> int:
-        """How many of x are coordinates: what comes behind are integrals of first-order states."""
+        """The number of coordinates; the other entries of x are integrals of first-order states."""
         return self.model.n_coordinates
 
     @property
@@ -56,12 +56,12 @@ class OperatingPoint:
 
     @cached_property
     def constraints(self) -> Vector:
-        """(h + m, n_arguments), of phi and A v + b."""
+        """(h + m, n_arguments) derivatives of phi and A v + b."""
         return variations.constraint_partials(self.model, self.t, self.x, self.v, self.prepared)
 
     @cached_property
     def jacobian(self) -> Vector:
-        """(2 n, 2 n), of (x, v) -> (v, a)."""
+        """(2 n, 2 n) derivatives of (x, v) -> (v, a)."""
         n = self.model.n
         return np.block([[np.zeros((n, n)), np.eye(n)], [self.motion[2][:, : 2 * n]]])
 
@@ -73,18 +73,18 @@ class OperatingPoint:
 
     @cached_property
     def mobility(self) -> Vector:
-        """(n, n) sizes of what forces do to accelerations, M^-1."""
+        """(n, n) absolute values of M^-1: the effect of forces on accelerations."""
         return np.asarray(np.abs(np.linalg.inv(self.model.factored_matrix(self.t, self.x, self.prepared))))
 
     @cached_property
-    def held_back(self) -> Vector:
-        """(n,) what rows do to accelerations, sizes added: where a mechanism rests this cancels what pushes it."""
+    def reaction_terms(self) -> Vector:
+        """(n,) sum of the sizes of accelerations by reactions; at rest these cancel the accelerations by forces."""
         A = self.model.pfaffian(self.t, self.x, self.prepared)[0]
         return np.asarray(self.mobility @ np.abs(A).T @ np.abs(self.motion[1]))
 
     @cached_property
     def slope_terms(self) -> Vector:
-        """(n, n_arguments) sizes of what is added in derivatives of a, but for those of forces, which this balances."""
+        """(n, n_arguments) sizes of the terms of derivatives of a that are due to reactions."""
         (_, multipliers, _, dm), n, h = self.motion, self.model.n, self.model.h
         if not self.model.m:
             return np.zeros((n, dm.shape[1]))
@@ -101,7 +101,7 @@ class OperatingPoint:
 
     @cached_property
     def slopes(self) -> Vector:
-        """(n, n_arguments) derivatives of a, zero where rows cancel what pushes but for rounding."""
+        """(n, n_arguments) derivatives of a, with rounding errors of terms that cancel set to zero."""
         da = self.motion[2]
         return np.where(np.abs(da) > _ROUNDED * self.slope_terms, da, 0.0)
 
@@ -115,9 +115,9 @@ class OperatingPoint:
 
     @cached_property
     def unresolved(self) -> list[str]:
-        """Coordinates next to whose numbers others have other slopes: angles of 1e16, that nobody knows to a radian.
+        """Coordinates at which the slopes change from one double to the next, as for angles of 1e16.
 
-        What their roundings make of the equations, however small beside |slope| |x|, says nothing then.
+        Residuals of the equations mean nothing then, even if they are small compared with |slope| |x|.
         """
         n = self.model.n
         slope = self.motion[2][:, :n]
@@ -142,6 +142,6 @@ def operating_point(
     parameters: Any,
     inputs: Mapping[Any, Any] | ArrayLike | None,
 ) -> OperatingPoint:
-    """Return the operating point that the user's arguments describe."""
+    """Return the operating point for the user's arguments."""
     (prepared, inputs), t = system.prepare_both(parameters, inputs), number(t, "t")
     return OperatingPoint(system.compiled, prepared, t, *system.begin(x, v, t, prepared), system.signals(inputs, t))

@@ -1,4 +1,4 @@
-"""The tangent space of the constraints: the null space of the derivatives of phi and A v + b."""
+"""Tangent space of the constraints: the null space of the derivatives of phi and A v + b."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,17 +10,17 @@ from ...arguments.named_values import Vector
 from .operating_point import OperatingPoint
 
 _DEPENDENT = 3e-6
-"""What a row of length one must add to others to be independent of them: the root of EM_DEPENDENT (em_rank.h)."""
+"""Least part of a unit row that is independent of other rows: the square root of EM_DEPENDENT (em_rank.h)."""
 
 _PREFERRED = 100.0
-"""How much longer columns count that are asked to be dependent."""
+"""Factor by which the columns that are to be dependent are scaled."""
 
 
 @dataclass(frozen=True, slots=True)
 class Tangent:
-    """Deviations (dx, dv) = Z z of a state, where z holds those of independent coordinates and velocities.
+    """Deviations (dx, dv) = Z z of a state, where z are the deviations of independent coordinates and velocities.
 
-    Z : (2 n, k); free : (k,) which of the 2 n numbers z holds, so that Z[free] is the unit matrix
+    Z : (2 n, k); free : (k,) indices of z among the 2 n numbers, so that Z[free] is the unit matrix
     """
 
     Z: Vector
@@ -28,27 +28,28 @@ class Tangent:
 
 
 def tangent(at: OperatingPoint, dependent: Sequence[int] = ()) -> Tangent:
-    """Return the tangent space of the constraints, without integrals of states, of which nothing depends.
+    """Return the tangent space of the constraints, without integrals of states, on which nothing depends.
 
-    Of coordinates that are compared by their inertia those are dependent that the constraints determine best, or those
-    whose velocities are named.
+    The dependent coordinates are those that the constraints determine best, scaled by their inertia. `dependent` names
+    velocities that are to be dependent.
     """
     n, h = at.model.n, at.model.h
     rows, unit = at.constraints, 1.0 / at.inertia
-    x_free, Nx, _ = solved(rows[:h, :n], unit)
-    v_free, Nv, lifted = solved(rows[h:, n : 2 * n], unit, -rows[h:, :n] @ Nx, dependent)
+    x_free, Nx, _ = null_space(rows[:h, :n], unit)
+    v_free, Nv, lifted = null_space(rows[h:, n : 2 * n], unit, -rows[h:, :n] @ Nx, dependent)
     Z = np.block([[Nx, np.zeros((n, len(v_free)))], [lifted, Nv]])
     free = (*x_free, *(n + k for k in v_free))
     kept = [k for k, number in enumerate(free) if not at.coordinates <= number < n]
     return Tangent(Z[:, kept], tuple(free[k] for k in kept))
 
 
-def solved(
+def null_space(
     A: Vector, unit: Vector, right: Vector | None = None, first: Sequence[int] = ()
 ) -> tuple[list[int], Vector, Vector]:
-    """Return which columns of A (m, n) are free, N (n, free) with A N = 0 and N[free] = 1, and X with A X = right.
+    """Return the free columns of A (m, n), N (n, free) with A N = 0 and N[free] = 1, and X with A X = right.
 
-    Of X the rows `free` are zero. Units of rows and columns make no difference. `first`: columns not to be free.
+    The rows `free` of X are zero. The result does not depend on units of rows and columns. `first`: columns that should
+    not be free.
     """
     n = A.shape[1]
     unit = unit.copy()
@@ -61,11 +62,11 @@ def solved(
         return list(range(n)), np.eye(n), np.zeros((n, right.shape[1]))
     Q, R, order = scipy.linalg.qr(scaled / length, mode="economic", pivoting=True)
     rank = int((np.abs(np.diag(R)) > _DEPENDENT).sum())
-    held, free = order[:rank], np.sort(order[rank:])
+    fixed, free = order[:rank], np.sort(order[rank:])
     place = {k: at for at, k in enumerate(order)}
     both = np.hstack([-R[:rank, [place[k] for k in free]] / unit[free], (Q.T @ (right / length))[:rank]])
-    dependent = scipy.linalg.solve_triangular(R[:rank, :rank], both) * unit[held][:, None]
+    dependent = scipy.linalg.solve_triangular(R[:rank, :rank], both) * unit[fixed][:, None]
     N, X = np.zeros((n, len(free))), np.zeros((n, right.shape[1]))
     N[free, range(len(free))] = 1.0
-    N[held], X[held] = np.split(dependent, [len(free)], axis=1)
+    N[fixed], X[fixed] = np.split(dependent, [len(free)], axis=1)
     return free.tolist(), N, X

@@ -1,1 +1,1 @@
-"""Commands that make files of a model."""
+"""Commands that write files from a model."""

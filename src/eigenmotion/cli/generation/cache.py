@@ -12,8 +12,8 @@ def command(emptied: bool) -> None:
 
     Removed models are compiled again when needed. $EIGENMOTION_CACHE names another folder.
     """
-    held = clear() if emptied else contents()
+    sizes_by_kind = clear() if emptied else contents()
     click.echo(location())
-    for kind, sizes in held.items():
+    for kind, sizes in sizes_by_kind.items():
         count = f"{len(sizes)} {'entry' if len(sizes) == 1 else 'entries'}"
         click.echo(f"  {kind:<9} {count:>13} {sum(sizes) / 1e6:>9.2f} MB{' removed' if emptied else ''}")

@@ -43,7 +43,7 @@ def _text(request: Request, latex: bool, sympy: bool) -> str:
 
 
 def _width() -> str:
-    """Say how many lanes there are."""
+    """Return a text about the number of lanes."""
     try:
         lanes = toolchain().lanes
     except BuildError as error:

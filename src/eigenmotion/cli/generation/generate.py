@@ -52,7 +52,7 @@ def _write(sources: Sources, folder: Path) -> None:
 
 
 def _check(request: Request, folder: Path, derive: bool, diff: bool) -> bool:
-    """Report what is wrong with one model's files; True where something is."""
+    """Report the differences of one model's files; return whether there are any."""
     sources = _derived(request) if derive else None
     differences = differences_by_bytes(sources, folder) if sources else differences_by_hash(request, folder)
     for difference in differences:

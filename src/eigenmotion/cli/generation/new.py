@@ -32,7 +32,7 @@ def command(name: str, template: str) -> None:
 
 
 def model_file(name: str, template: str) -> str:
-    """Return one of the package's models under another name, without the words about its tests."""
+    """Return one of the package's models under another name, without the lines about its tests."""
     text = files("eigenmotion.models").joinpath(f"{template}.py").read_text(encoding="utf-8")
     text = re.sub(r"\nOracles?: .*?(?=\"\"\")", "", text, count=1, flags=re.DOTALL)
     return re.sub(rf'name=(f?)"{template}', rf'name=\1"{name}', text, count=1)

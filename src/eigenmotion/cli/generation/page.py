@@ -51,7 +51,7 @@ def command(
 
 
 def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
-    """Return what sliders begin with."""
+    """Return the initial values of sliders."""
     given = values(model, settings)
     if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & given.get("v0", {}).keys()):
         raise click.UsageError(f"--set {speeds[0]}: a page has rates, not quasi-velocities")
@@ -59,7 +59,7 @@ def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float
 
 
 def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:
-    """Find out before the work what would fail after it."""
+    """Check the options and the target before the work."""
     check_file(target, "-o")
     for name, value in (("--t-end", t_end), ("--rtol", rtol), ("--atol", atol)):
         if value <= 0:

@@ -1,1 +1,1 @@
-"""Commands that run a model."""
+"""Commands that simulate or analyse a model."""

@@ -34,23 +34,23 @@ def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **sha
     given: dict[str, Any] = dict(values(request.model, settings))
     with clock():
         system = system_of(request)
-        found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
-        text = _described(found, given.get("parameters", {})) if found.success else found.message
-    click.echo("\n".join([text, *_solved(found, free)]))
-    return 0 if found.success else 2
+        result = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
+        text = _described(result, given.get("parameters", {})) if result.success else result.message
+    click.echo("\n".join([text, *_solved(result, free)]))
+    return 0 if result.success else 2
 
 
-def _described(found: Equilibrium, given: Mapping[str, float]) -> str:
-    """Return the state and its modes, or why there are none."""
-    system = found.system
+def _described(result: Equilibrium, given: Mapping[str, float]) -> str:
+    """Return the state and its modes, or the reason why there are no modes."""
+    system = result.system
     try:
-        return description(found.linearize(mode=named_modes(system.compiled, given)))
+        return description(result.linearize(mode=named_modes(system.compiled, given)))
     except ModelError as error:
-        return "\n".join([f"{system.name}: {found.message}", "", *state_rows(system.coordinates, found.x, found.v,
-                          found.acceleration), "", str(error)])  # fmt: skip
+        return "\n".join([f"{system.name}: {result.message}", "", *state_rows(system.coordinates, result.x, result.v,
+                          result.acceleration), "", str(error)])  # fmt: skip
 
 
-def _solved(found: Equilibrium, free: tuple[str, ...]) -> list[str]:
-    """Say what inputs and parameters were found, where these were solved for."""
-    given = found.inputs | found.parameters
+def _solved(result: Equilibrium, free: tuple[str, ...]) -> list[str]:
+    """Return lines with the inputs and parameters that were solved for."""
+    given = result.inputs | result.parameters
     return [f"{name} = {given[name] + 0.0:.9g}" for name in free if name in given]

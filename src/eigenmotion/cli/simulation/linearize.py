@@ -35,16 +35,16 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
         x, v = assemble(system, x0, v0, parameters=parameters, keep=keep)
         states = {name: value for name, value in (x0 or {}).items() if name in system.states}
         mode = named_modes(system.compiled, parameters or {})
-        found = system.linearize(
+        result = system.linearize(
             dict(zip(system.coordinates, x, strict=True)) | states, v, parameters=parameters, inputs=inputs, mode=mode
         )
-    click.echo(description(found))
+    click.echo(description(result))
     if plot:
-        click.echo(f"drawn to {save(plane(found), plot)}")
+        click.echo(f"drawn to {save(plane(result), plot)}")
 
 
 def check_plot(plot: Path | None) -> None:
-    """Find out before the work what would fail after it."""
+    """Check the target before the work."""
     if not plot:
         return
     require_matplotlib()

@@ -87,7 +87,7 @@ def command(
 
 
 def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
-    """Find out before the run what would fail after it."""
+    """Check the targets before the run."""
     if plot or animate:
         require_matplotlib()
     if animate and animate.suffix == ".mp4":

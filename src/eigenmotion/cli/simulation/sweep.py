@@ -29,8 +29,8 @@ from eigenmotion.system.system import System
 from ..options import Finite, Shape, check_targets, ending, model, setting, shaping, values
 from ..sweep_values import MOST, check_memory, check_set, design_of
 
-_WORDS = 3  # failures of each kind that are printed
-_AT_ONCE = 64  # parts that go to other machines together
+_SHOWN = 3  # number of failed runs that are listed for each reason
+_AT_ONCE = 64  # number of parts that are sent to a cluster together
 
 
 @click.command("sweep")
@@ -80,7 +80,7 @@ def command(
 ) -> int:
     """Simulate MODEL for many values of parameters, inputs and initial values, and store every run.
 
-    NAME is as of --set. Runs that fail are stored with their reason, and summed up at the end.
+    NAME is as for --set. Runs that fail are stored with their reason, and listed at the end.
     """
     _check_targets(store, plot, workers, scheduler)
     request = Shape(**shape).request(model)
@@ -93,10 +93,12 @@ def command(
     times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
     with clock():
         system = system_of(request)
-    named = chosen_method(system, method, rtol).name  # "auto" is the machine's choice: those that go on keep to it
+    named = chosen_method(system, method, rtol).name  # "auto" depends on the machine; a resumed sweep keeps the choice
     given = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
-    told = _told(design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
-    parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
+    order = _order_of(
+        design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk
+    )
+    parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates)
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
     with parts.locked():
         if resume and is_done(parts):
@@ -128,8 +130,8 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
     return 0
 
 
-def _told(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
-    """Return what a sweep is, as JSON has it: what its bytes follow from."""
+def _order_of(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
+    """Return the order of a sweep as JSON data: all that determines the bytes of its store."""
     drawn = {name: str(one) for name, one in design.samples.items()}
     grid = {name: list(numbers) for name, numbers in design.grid.items()}
     options = {name: given[name] for name in ("rtol", "atol", "method")}
@@ -138,7 +140,7 @@ def _told(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class _Sweep:
-    """Runs, part by part."""
+    """Execution of a sweep, part by part."""
 
     system: System
     model: Model
@@ -150,7 +152,7 @@ class _Sweep:
     options: dict[str, Any]
 
     def run(self, workers: int | None, executor: Any) -> bool:
-        """Run what is missing; return whether all is there, which it is not after Ctrl-C."""
+        """Run the missing parts; return whether all parts exist (not after Ctrl-C)."""
         missing = [number for number in range(self.parts.count) if not self.parts.has(number)]
         if damaged := [number for number in missing if self.parts.is_damaged(number)]:
             click.echo(f"{len(damaged)} parts are damaged, or of another sweep: their runs are made anew", err=True)
@@ -172,7 +174,7 @@ class _Sweep:
         return stop - start
 
     def _do(self, numbers: list[int], workers: int | None, executor: Any) -> bool:
-        """Run parts and keep them. What is interrupted is not kept."""
+        """Run parts and store them, unless they were interrupted; return whether they were stored."""
         each = [self.design.values(*self._span(number)) for number in numbers]
         swept = {name: np.concatenate([one[name] for one in each]) for name in each[0]}
         options = self.options | self._given(swept) | {"workers": workers, "executor": executor}
@@ -187,7 +189,7 @@ class _Sweep:
         return True
 
     def _given(self, swept: dict[str, Any]) -> dict[str, Any]:
-        """Return arguments of `simulate_ensemble`: what is set, and what is swept."""
+        """Return the arguments of `simulate_ensemble` from --set and from swept values."""
         kinds = values(self.model, tuple(f"{name}=0" for name in swept))
         given = {kind: dict(numbers) for kind, numbers in self.settings.items()}
         for kind, names in kinds.items():
@@ -199,7 +201,7 @@ class _Sweep:
 
 
 def _check_targets(store: Path, plot: Path | None, workers: int | None, scheduler: str | None) -> None:
-    """Find out before the runs what would fail after them."""
+    """Check the targets and options before the runs."""
     if plot:
         require_matplotlib()
     check_targets(("-o", store, STORES), ("--plot", plot, FORMATS))
@@ -210,7 +212,7 @@ def _check_targets(store: Path, plot: Path | None, workers: int | None, schedule
 
 @contextmanager
 def _executor(scheduler: str | None) -> Iterator[Any]:
-    """Give the executor of a Dask cluster, or None: threads here."""
+    """Yield the executor of a Dask cluster, or None for threads of this process."""
     if scheduler is None:
         yield None
         return
@@ -227,20 +229,20 @@ def _executor(scheduler: str | None) -> Iterator[Any]:
 
 
 def _summary(parts: Parts, count: int, seconds: float) -> str:
-    """How many, how long, what failed and why."""
+    """Return a text with the number of runs, the time, and the failures with their reasons."""
     stops, first, where = Counter[str](), 0, dict[str, list[int]]()
     for arrays in parts.arrays():
         stops.update(arrays["stop"].tolist())
         for k in np.flatnonzero(~arrays["success"]).tolist():
             named = where.setdefault(str(arrays["stop"][k]), [])
-            if len(named) < _WORDS:
+            if len(named) < _SHOWN:
                 named.append(first + k)
         first += len(arrays["t_end"])
     failed = sum(number for stop, number in stops.items() if stop in where)
     lines = [f"{count} runs in {duration(seconds)}, {failed} failed"]
     for stop, number in stops.most_common():
         runs = (
-            f"  (run {', '.join(map(str, where[stop]))}{', ...' if number > _WORDS else ''})" if stop in where else ""
+            f"  (run {', '.join(map(str, where[stop]))}{', ...' if number > _SHOWN else ''})" if stop in where else ""
         )
         lines.append(f"  {number:>9} {stop}{runs}")
     return "\n".join(lines)

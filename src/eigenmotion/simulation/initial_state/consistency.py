@@ -1,4 +1,4 @@
-"""Consistency of an initial state."""
+"""Check of the consistency of an initial state."""
 
 from enum import IntEnum
 from itertools import combinations
@@ -10,8 +10,8 @@ from ...codegen.model import ModelError
 from ...compiled.projection import Projection
 from ...runtime import CompiledModel, EvaluationError, Prepared
 
-_CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
-_STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
+_CLOSE = 1e-6  # EM_EPSILON: relative gap of eigenvalues below which Omega is extrapolated
+_STILL = 1e-9  # relative part of dM/dx below which equal eigenvalues remain equal
 
 
 def start_state(
@@ -37,12 +37,12 @@ def start_state(
 
 
 def check_direction(model: CompiledModel, start: float, end: float) -> None:
-    """Raise ModelError for a run backwards in time with events that act: impacts and resets cannot be inverted.
+    """Raise ModelError for a run backwards in time with event actions: impacts and resets cannot be inverted.
 
     Raises
     ------
     ModelError
-        The model has such events, and `end` is before `start`.
+        The model has event actions, and `end` is before `start`.
     """
     if model.acts and end < start:
         acting = [name for name, acts in zip(model.events, model.acting, strict=True) if acts]
@@ -53,7 +53,7 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
 
 
 def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
-    """Raise ModelError, as `start_state`, for a state off the constraints by more than the user's rounding errors."""
+    """Raise ModelError, as `start_state`, for a state that violates the constraints by more than rounding errors."""
     _start(model, prepared, t, x, v, 0.0, np.zeros(model.n))
 
 
@@ -98,7 +98,7 @@ def _start(
     refusal, y, at, off = model.start(t, x, v, prepared, rtol, atol)
     if not refusal:
         return y
-    model.check_start(x)  # raises where that is why
+    model.check_start(x)  # raises if a value contradicts its declaration
     if refusal == _Refusal.WITHOUT_INERTIA:
         words = _of_masses(model, model.factored_matrix(t, x, prepared), at)
     elif refusal == _Refusal.WITHIN_CONTACT:
@@ -146,7 +146,7 @@ def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vec
 
 
 def _of_contact(model: CompiledModel, name: str, gap: float) -> str:
-    """Return the error of a start inside a contact, or beyond the surface of an impact."""
+    """Return the message about a start inside a contact, or beyond the surface of an impact."""
     if model.events.index(name) not in {switch[0] for switch in model.switches}:
         return (
             f"x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "

@@ -10,11 +10,11 @@ from ...results.solution import Solution
 from ...runtime import CompiledModel, Prepared
 from .consistency import start_state
 
-_ROUNDED = 1e-9  # what rounding may leave of a velocity, relative
-_OF_A_FACTOR = 1e-6  # by how much, relative, s and eta^T eta = v^T M v may be missed by factors that are those of M
+_ROUNDED = 1e-9  # relative rounding error of a velocity
+_OF_A_FACTOR = 1e-6  # relative tolerance of s and of eta^T eta = v^T M v for factors of M
 
 
-def given_start(
+def restart_state(
     model: CompiledModel, prepared: Prepared, start: Any, rtol: float, atol: Vector
 ) -> tuple[float, Vector]:
     """Return t and y (n_state,) of the last row of a Solution, or of a pair (t, y), checked like any start.
@@ -22,7 +22,7 @@ def given_start(
     Raises
     ------
     ModelError
-        It is neither, it belongs to another model, or y is no state of this model at t.
+        It is neither, it belongs to another model, or y is not a state of this model at t.
     """
     is_pair = not isinstance(start, Solution)
     t, y, x, v = _of_pair(model, prepared, start) if is_pair else _of_solution(model, start)
@@ -62,9 +62,9 @@ def _of_pair(model: CompiledModel, prepared: Prepared, start: Any) -> tuple[floa
 
 
 def _means(model: CompiledModel, prepared: Prepared, t: float, y: Vector, v: Vector) -> bool:
-    """Return whether y has velocity v: the same eta means another velocity if parameters differ."""
-    found = model.velocity_rows(np.array([t]), y[None], prepared)[0]
-    return bool(np.allclose(found, v, rtol=_ROUNDED, atol=_ROUNDED * float(np.abs(v).max(initial=0.0))))
+    """Return whether y has velocity v: with other parameters, the same eta means another velocity."""
+    velocity = model.velocity_rows(np.array([t]), y[None], prepared)[0]
+    return bool(np.allclose(velocity, v, rtol=_ROUNDED, atol=_ROUNDED * float(np.abs(v).max(initial=0.0))))
 
 
 def _has_factors(model: CompiledModel, y: Vector, fresh: Vector) -> bool:

@@ -1,1 +1,1 @@
-"""Sensitivities of a run to parameters, inputs and initial values."""
+"""Sensitivities of a run with respect to parameters, inputs and initial values."""

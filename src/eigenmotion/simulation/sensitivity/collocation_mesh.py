@@ -1,4 +1,4 @@
-"""The mesh of the equations of variation along a run, and their collocation, Radau IIA at eight nodes."""
+"""Mesh of the variational equations along a run, and their collocation (Radau IIA with eight nodes)."""
 
 from itertools import pairwise
 from typing import NamedTuple
@@ -12,13 +12,13 @@ from .run_path import Path
 
 NODES = 8
 _BESIDE = 1e-9
-"""Of the time between two stops: how far from an event spans begin and end (em_variation_events.h)."""
+"""Distance of spans from an event, relative to the time between two stops (em_variation_events.h)."""
 
 
 class Mesh(NamedTuple):
-    """Spans between the stops of a path: its start, its events and its end. No span contains a kink.
+    """Spans between the stops of a path, which are its start, its events and its end. No span contains a kink.
 
-    stops : (stops,) nodes of the path; spans_after : (stops,) how many spans follow each; start, end : (spans,)
+    stops : (stops,) nodes of the path; spans_after : (stops,) number of spans after each; start, end : (spans,)
     """
 
     stops: NDArray[np.int_]
@@ -30,16 +30,16 @@ class Mesh(NamedTuple):
 def mesh_of(path: Path, kinks: Vector) -> Mesh:
     """Return the mesh of a path, with no kink inside a span."""
     t = path.t
-    if not (len(path.mark_row) or len(kinks)) and len(t) > 1:  # as most runs are
+    if not (len(path.mark_row) or len(kinks)) and len(t) > 1:  # most runs
         e = _edges(t[0], t[-1], False, False, kinks)
         return Mesh(np.array([0, len(t) - 1]), np.array([len(e) - 1, 0]), e[:-1], e[1:])
     marked = np.zeros(len(t), dtype=bool)
     marked[path.mark_row] = True
-    made = np.append(False, t[1:] == t[:-1])  # by events that act
-    stops = marked | made
+    acted = np.append(False, t[1:] == t[:-1])  # nodes after event actions
+    stops = marked | acted
     stops[[0, -1]] = True
     stops = np.flatnonzero(stops)
-    edges = [_edges(t[a], t[b], marked[a] or made[a], marked[b], kinks) for a, b in pairwise(stops)]
+    edges = [_edges(t[a], t[b], marked[a] or acted[a], marked[b], kinks) for a, b in pairwise(stops)]
     after = np.array([*(len(one) - 1 for one in edges), 0], dtype=int)
     nothing = np.empty(0)
     return Mesh(stops, after, np.concatenate([nothing, *(one[:-1] for one in edges)]),
@@ -51,14 +51,14 @@ def _edges(a: float, b: float, leaves: bool, meets: bool, kinks: Vector) -> Vect
     if a == b:
         return np.array([a])
     first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
-    within = kinks[(kinks > min(first, last)) & (kinks < max(first, last))]  # those beside an event are seen there
+    within = kinks[(kinks > min(first, last)) & (kinks < max(first, last))]  # kinks at an event are treated there
     return np.concatenate([[first], within if a < b else within[::-1], [last]])
 
 
 def _lagrange(x: Vector) -> Vector:
     """Return the polynomials (..., nodes) that are 1 at one node and 0 at the others."""
-    apart = PLACE[:, None] - PLACE + np.eye(NODES)
-    factors = (x[..., None, None] - PLACE) / apart
+    distance = PLACE[:, None] - PLACE + np.eye(NODES)
+    factors = (x[..., None, None] - PLACE) / distance
     factors[..., np.eye(NODES, dtype=bool)] = 1.0
     return np.asarray(factors.prod(axis=-1))
 

@@ -1,4 +1,4 @@
-"""The path of a run, in order: its rows, and its events with the states before and after those that act."""
+"""Path of a run: its rows and events in order of time, with the states before and after event actions."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -13,17 +13,17 @@ from ...runtime import Prepared
 from ...runtime.variations import act_along
 
 Occurrence = tuple[int, int]
-"""The number of an event, and the number of its occurrence."""
+"""(number of an event, number of its occurrence)"""
 
 
 _NONE = np.empty(0, dtype=int)
 
 
 class Path(NamedTuple):
-    """The nodes of a run in the order of time, each time once, except that events that act add the state after them.
+    """The nodes of a run in the order of time; each time has one node, and an event action adds the state after it.
 
-    t : (k,); z : (k, 2 n) of x, v; where no event happens, rows at one time have a node each
-    mark_row, mark_event : (marks,) the node of an occurrence, and its event; if it acts, the next node is after it
+    t : (k,); z : (k, 2 n) x and v; without events, rows at equal times have separate nodes
+    mark_row, mark_event : (marks,) the node of an occurrence, and its event; the next node is after an event action
     of_rows : the node of each row of the run; of_events : the marks (e,) of each event
     prepared : the prepared parameters in the mode of the first node
     """
@@ -42,7 +42,7 @@ def path_of(task: Task, solution: Solution) -> Path:
     start, prepared = _start(task)
     if not any(len(each) for each in solution.t_events or ()):
         return _undisturbed(task, solution, start, prepared)
-    times, states, marks = _happened(task, solution)
+    times, states, marks = _event_nodes(task, solution)
     sign = 1.0 if task.t_end >= task.t_start else -1.0
     t = np.concatenate([[task.t_start], solution.t, times])
     y = np.concatenate([start[None], solution.y.T, states])
@@ -91,7 +91,7 @@ def _start(task: Task) -> tuple[Vector, Prepared]:
     return c.state(task.t_start, x, v, prepared), prepared
 
 
-def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Occurrence]]]:
+def _event_nodes(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Occurrence]]]:
     """Return the times and states that events add to a path, in order, and the position of each occurrence."""
     c, states = task.model, solution.y_events or []
     after = (solution.y_after_events or states) if c.acts else states
@@ -99,38 +99,39 @@ def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tupl
     for event, times in enumerate(solution.t_events or ()):
         for time, t in enumerate(times.tolist()):
             at_once.setdefault(t, []).append((event, time))
-    t_made: list[float] = []
-    made: list[Vector] = []
+    t_added: list[float] = []
+    added: list[Vector] = []
     marks: list[tuple[int, Occurrence]] = []
     for t, occurrences in at_once.items():
-        acted = [(k, time) for k, time in occurrences if c.acting[k] and time < len(after[k])]  # else it ended the run
+        # an event that ended the run has no state after it
+        acted = [(k, time) for k, time in occurrences if c.acting[k] and time < len(after[k])]
         groups = _in_turns(acted, states, after)
         others = [one for one in occurrences if one not in acted]
-        marks += [(len(made), one) for one in others]
-        t_made.append(t)
-        made.append(
+        marks += [(len(added), one) for one in others]
+        t_added.append(t)
+        added.append(
             states[occurrences[0][0]][occurrences[0][1]] if not groups else states[groups[0][0][0]][groups[0][0][1]]
         )
         for group in groups:
-            marks += [(len(made) - 1, one) for one in group]
-            t_made.append(t)
-            made.append(after[group[0][0]][group[0][1]])
-    return np.array(t_made), np.array(made).reshape(-1, c.n_state), marks
+            marks += [(len(added) - 1, one) for one in group]
+            t_added.append(t)
+            added.append(after[group[0][0]][group[0][1]])
+    return np.array(t_added), np.array(added).reshape(-1, c.n_state), marks
 
 
 def _in_turns(
     occurrences: list[Occurrence], states: Sequence[Vector], after: Sequence[Vector]
 ) -> list[list[Occurrence]]:
-    """Return the occurrences at one time in groups that act together, each on the state after the group before."""
+    """Return the occurrences at one time in groups that act together, each on the state after the previous group."""
     groups: dict[bytes, list[Occurrence]] = {}
     for event, time in occurrences:
         groups.setdefault(states[event][time].tobytes(), []).append((event, time))
-    made = {before: after[group[0][0]][group[0][1]].tobytes() for before, group in groups.items()}
-    turn = next((before for before in groups if before not in made.values()), None)
+    added = {before: after[group[0][0]][group[0][1]].tobytes() for before, group in groups.items()}
+    turn = next((before for before in groups if before not in added.values()), None)
     found = []
     while turn in groups:
         found.append(groups.pop(turn))
-        turn = made[turn]
+        turn = added[turn]
     return found + list(groups.values())
 
 

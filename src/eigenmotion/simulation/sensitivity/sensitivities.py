@@ -1,4 +1,4 @@
-"""Sensitivities of a motion to parameters, inputs and its start."""
+"""Sensitivities of a motion with respect to parameters, inputs and its start."""
 
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -18,7 +18,7 @@ from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
 from .run_path import Path, path_of
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
-"""Initial step of the equations of variation, in steps of the run: their polynomials are of higher degree. Later steps
+"""Initial step of the variational equations, in steps of the run; their polynomials are of higher degree. Later steps
 follow from an error estimate (em_variation_error.h)."""
 _LEAST = 1e-13
 """Least relative tolerance of that error."""
@@ -27,7 +27,7 @@ _LEAST = 1e-13
 class Directions(NamedTuple):
     """The directions in which a motion is differentiated, in the order of `names`.
 
-    S : (2 n, columns), of x and v at the start; P : (n_arguments - 2 n, columns), of inputs, parameters, time
+    S : (2 n, columns) directions of x and v at the start; P : (n_arguments - 2 n, columns) of inputs, parameters, time
     """
 
     names: tuple[str, ...]
@@ -36,14 +36,14 @@ class Directions(NamedTuple):
 
 
 def through_no_controller(name: str) -> ModelError:
-    """Return what refuses to differentiate a model's runs with controllers."""
+    """Return the error for sensitivities of runs with controllers."""
     return ModelError(
         f"{name}: sensitivities do not go through a controller (Sampled): differentiate the closed loop by a run with "
         "its control law in the model's forces"
     )
 
 
-def directions(asked: Differentiated, task: Task) -> Directions:
+def directions(varied: Differentiated, task: Task) -> Directions:
     """Return the directions at the start of a run.
 
     Raises
@@ -51,7 +51,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
     ModelError
         A sampled input is named, or the run has a controller.
     """
-    c, names = task.model, asked.names
+    c, names = task.model, varied.names
     if task.inputs.sampled:
         raise through_no_controller(c.name)
     S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
@@ -63,7 +63,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
             P[given[name], column] = 1.0
             if given[name] < c.n_inputs:
                 _check_constant(task, given[name])
-    if asked.from_quasi:
+    if varied.from_quasi:
         _quasi(task, names, S, P)
     return Directions(names, S, P)
 
@@ -72,7 +72,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
 def _places(
     coordinates: tuple[str, ...], n_states: int, inputs: tuple[str, ...], parameters: tuple[str, ...]
 ) -> tuple[dict[str, int], dict[str, int]]:
-    """Return the rows of S and of P by name; states are velocities (`arguments.states`)."""
+    """Return name -> row of S, and name -> row of P; states are velocities (`arguments.states`)."""
     n = len(coordinates) - n_states
     moving, given = (*rates_of(coordinates[:n]), *coordinates[n:]), (*inputs, *parameters)
     state = {name: row for row, name in enumerate(coordinates[:n])}
@@ -99,40 +99,40 @@ def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
     S[c.n :, free] = -np.linalg.solve(D[:, c.n : 2 * c.n], moved[:, free])
 
 
-def sensitivity(task: Task, solution: Solution, asked: Directions, method: Method) -> dict[str, Sensitivity]:
+def sensitivity(task: Task, solution: Solution, varied: Directions, method: Method) -> dict[str, Sensitivity]:
     """Return name -> derivatives of all rows of a run with dense output.
 
     Raises
     ------
     ModelError
-        A force jumps where no event of the model says so, or events act whose times have no derivative: two at
-        once, or one that only touches zero.
+        A force jumps without an event of the model, or the time of an event action has no derivative: two happen at
+        once, or the event function only touches zero.
     """
     path, parts = path_of(task, solution), partial(parts_of, task.model)
-    found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3.0))
-    if fault is not None and solution.success:  # otherwise the run itself has failed, and its message says why
+    S, shifts, fault = _varied(task, solution, varied, path, TOGETHER.get(method.name, 3.0))
+    if fault is not None and solution.success:  # otherwise the message of the failed run says why
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
                   "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
-    rows = found[path.of_rows].T  # (columns, 2 n, k)
+    rows = S[path.of_rows].T  # (columns, 2 n, k)
     if not task.model.events:
-        return {name: Sensitivity.of(*parts(one), None) for name, one in zip(asked.names, rows, strict=True)}
+        return {name: Sensitivity.of(*parts(one), None) for name, one in zip(varied.names, rows, strict=True)}
     return {
         name: Sensitivity.of(*parts(one), [shifts[marks, column] for marks in path.of_events])
-        for column, (name, one) in enumerate(zip(asked.names, rows, strict=True))
+        for column, (name, one) in enumerate(zip(varied.names, rows, strict=True))
     }
 
 
 def _varied(
-    task: Task, solution: Solution, asked: Directions, path: Path, together: float
+    task: Task, solution: Solution, varied: Directions, path: Path, together: float
 ) -> tuple[Vector, Vector, EvaluationError | None]:
-    """Return directions (k, 2 n, columns) at all nodes, derivatives (marks, columns) of event times, and why they end.
+    """Return directions (k, 2 n, columns) at all nodes, derivatives (marks, columns) of event times, and an error.
 
-    After that end they are NaN.
+    With an error, they are NaN from some time on.
     """
-    c, n, columns = task.model, task.model.n, len(asked.names)
+    c, n, columns = task.model, task.model.n, len(varied.names)
     try:
-        S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, asked.S, asked.P)
+        S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, varied.S, varied.P)
     except EvaluationError as error:
         return np.full((len(path.t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan), error
     kinks = np.empty(0)
@@ -142,9 +142,9 @@ def _varied(
     marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
     rows = path.t if len(mesh.stops) < len(path.t) else np.empty(0)
     at_stops, shifts, at_rows, _, fault = vary(
-        c, path.prepared, _kept(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
+        c, path.prepared, _dense_run(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
         max(task.rtol, _LEAST), together, (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after),
-        (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, asked.P, task.stabilise, task.least_norm,
+        (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, varied.P, task.stabilise, task.least_norm,
     )  # fmt: skip
     if not len(rows):
         return at_stops, shifts, fault
@@ -152,7 +152,7 @@ def _varied(
     return at_rows, shifts, fault
 
 
-def _kept(solution: Solution) -> Run | None:
+def _dense_run(solution: Solution) -> Run | None:
     """Return the run with its dense output; None if it has no steps."""
     run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
     return run if isinstance(run, Run) else None
@@ -160,8 +160,8 @@ def _kept(solution: Solution) -> Run | None:
 
 def _breaks(task: Task, path: Path) -> Vector:
     """Return the times (k,) of the time events along a path."""
-    end, found = float(path.t[-1]), []
+    end, times = float(path.t[-1]), []
     t, sign = float(path.t[0]), 1.0 if task.t_end >= task.t_start else -1.0
     while sign * (t := task.model.smooth_interval(t, sign, path.prepared)[0]) < sign * end:
-        found.append(t)
-    return np.array(found)
+        times.append(t)
+    return np.array(times)
