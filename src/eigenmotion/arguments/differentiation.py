@@ -49,11 +49,11 @@ def differentiated(c: CompiledModel, sensitivities: Sequence[Any], v0: Any) -> D
         raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
     refuse_tables(c, names, "sensitivities")
     quasi = [name for name in names if name in c.quasi_velocities and name not in names_of_states(c)]
-    given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
-    from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
+    argument = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
+    from_quasi = bool(argument & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
     if quasi and not from_quasi:
         raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
-    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n_coordinates:
+    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(argument) < c.n_coordinates:
         raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
     return Differentiated(names, from_quasi)
 

@@ -58,7 +58,7 @@ _ELSEWHERE = MappingProxyType({
 """Solvers of other packages: the package, the compiled method that replaces each, and the call of the solver."""
 
 
-def method_of(given: object, known: Mapping[str, Any]) -> Any:
+def method_of(argument: object, known: Mapping[str, Any]) -> Any:
     """Return the method of a name, in upper or lower case.
 
     Raises
@@ -66,13 +66,13 @@ def method_of(given: object, known: Mapping[str, Any]) -> Any:
     ModelError
         The name is unknown: lists the known ones; for solvers of SciPy and SUNDIALS, names the compiled method.
     """
-    found = [name for name in _ELSEWHERE if isinstance(given, str) and name.lower() == given.lower()]
-    if not found:
-        return choice(given, known, "method")
-    whose, instead, called = _ELSEWHERE[found[0]]
+    solvers = [name for name in _ELSEWHERE if isinstance(argument, str) and name.lower() == argument.lower()]
+    if not solvers:
+        return choice(argument, known, "method")
+    whose, instead, called = _ELSEWHERE[solvers[0]]
     raise ModelError(
-        f"method {given!r} is {whose}: the compiled one in its place is {instead!r}. Solvers of SciPy and SUNDIALS are "
-        "served by System.rhs and System.jacobian, as in "
+        f"method {argument!r} is {whose}: the compiled one in its place is {instead!r}. Solvers of SciPy and SUNDIALS "
+        "are served by System.rhs and System.jacobian, as in "
         f"scipy.integrate.solve_ivp(system.rhs, t_span, system.state(), method={called})"
     )
 

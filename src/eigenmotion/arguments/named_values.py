@@ -37,24 +37,24 @@ def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Ma
     return f"unknown {what} {', '.join(repr(name) for name in wrong)}; known: {listed}.{hint}"
 
 
-def is_named(given: object) -> TypeGuard[Mapping[Any, Any]]:
+def is_named(argument: object) -> TypeGuard[Mapping[Any, Any]]:
     """Return whether values have names: a mapping, or a pandas Series or DataFrame with labels that are strings."""
-    if isinstance(given, Mapping):
+    if isinstance(argument, Mapping):
         return True
-    if not (hasattr(given, "keys") and hasattr(given, "items")):
+    if not (hasattr(argument, "keys") and hasattr(argument, "items")):
         return False
-    return any(isinstance(key, str) for key in given.keys())  # noqa: SIM118  (iterating a Series gives its values)
+    return any(isinstance(key, str) for key in argument.keys())  # noqa: SIM118  (iterating a Series gives its values)
 
 
-def by_spelling(given: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
+def by_spelling(argument: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
     """Return the mapping with its keys as strings. A key given twice, as a string and as a symbol, is an error."""
-    spelt = {spelling(key): value for key, value in given.items()}
-    if len(spelt) < len(given.keys()):
+    spelt = {spelling(key): value for key, value in argument.items()}
+    if len(spelt) < len(argument.keys()):
         raise ModelError(f"{what}: one of {', '.join(map(repr, spelt))} is given twice, by name and as a symbol")
     return spelt
 
 
-def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[str, Any]:
+def by_name(argument: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[str, Any]:
     """Return the mapping with its keys as strings.
 
     Raises
@@ -62,7 +62,7 @@ def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[s
     ModelError
         A key is not among `known` (names it, the known ones and the nearest), or given twice.
     """
-    spelt = by_spelling(given, what)
+    spelt = by_spelling(argument, what)
     if wrong := spelt.keys() - set(known):
         raise ModelError(unknown(what, wrong, known) + _rates_go_elsewhere(wrong, known))
     return spelt
@@ -75,7 +75,9 @@ def _rates_go_elsewhere(wrong: Iterable[str], known: Sequence[str]) -> str:
     return "".join(f" {name!r} is a rate: give it as v0={{{rate!r}: ...}}." for name, rate in found)
 
 
-def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str) -> Vector:
+def overlay(
+    argument: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str
+) -> Vector:
     """Return one number for each name: from an array in that order, or the defaults updated by a mapping.
 
     Raises
@@ -84,13 +86,13 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
         An unknown name, a wrong shape, or something that is not a finite number; names it.
     """
     values = defaults.copy()
-    if given is None:
+    if argument is None:
         return values
-    if is_named(given):
-        for name, value in by_name(given, names, what).items():
+    if is_named(argument):
+        for name, value in by_name(argument, names, what).items():
             values[list(names).index(name)] = real(value, f"{what} {name!r}")
     else:
-        values = vector(given, what)
+        values = vector(argument, what)
     if values.shape != (len(names),):
         raise ModelError(f"{what}: an array of shape {values.shape}, but {len(names)} are needed: {', '.join(names)}")
     if not all(map(isfinite, values.tolist())):  # faster than NumPy for the few numbers of a mechanism
@@ -98,7 +100,7 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
     return values
 
 
-def vector(given: object, what: str) -> Vector:
+def vector(argument: object, what: str) -> Vector:
     """Return real numbers as a new float64 array of the same shape; infinity and NaN are allowed.
 
     Raises
@@ -106,21 +108,21 @@ def vector(given: object, what: str) -> Vector:
     ModelError
         The array is ragged or masked, or contains strings, booleans, complex numbers, objects or too large numbers.
     """
-    if type(given) is np.ndarray and given.dtype == np.float64:
-        return given.copy()
+    if type(argument) is np.ndarray and argument.dtype == np.float64:
+        return argument.copy()
     try:
-        array = np.asarray(given)
+        array = np.asarray(argument)
     except Exception as error:  # a ragged array, or an exception of the user's object
-        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers") from error
+        raise ModelError(f"{what} is {shown(argument)}, not an array of real numbers") from error
     if array.dtype.kind == "O" and array.ndim:  # SymPy's numbers, fractions
         numbers = [real(value, f"{what}[{k}]") for k, value in enumerate(array.flat)]
         return np.array(numbers, dtype=np.float64).reshape(array.shape)
-    if array.dtype.kind not in "fiu" or _has_truths(given) or np.ma.isMaskedArray(given):
-        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers")
+    if array.dtype.kind not in "fiu" or _has_truths(argument) or np.ma.isMaskedArray(argument):
+        raise ModelError(f"{what} is {shown(argument)}, not an array of real numbers")
     with np.errstate(over="ignore"):  # of long doubles: infinite ones are refused where they are read
         return np.array(array, dtype=np.float64)
 
 
-def _has_truths(given: object) -> bool:
+def _has_truths(argument: object) -> bool:
     """Return whether a list contains True or False, which NumPy converts to 1 and 0 in a list with numbers."""
-    return isinstance(given, list | tuple) and any(isinstance(value, bool | np.bool_) for value in given)
+    return isinstance(argument, list | tuple) and any(isinstance(value, bool | np.bool_) for value in argument)

@@ -21,15 +21,15 @@ class OptionError(ModelError, TypeError):
     """An unknown option of `simulate`: a TypeError as Python's own, and a ValueError as all our argument errors."""
 
 
-def is_system(given: object) -> bool:
+def is_system(argument: object) -> bool:
     """Return whether an object is a `System`."""
-    return isinstance(getattr(given, "compiled", None), CompiledModel)
+    return isinstance(getattr(argument, "compiled", None), CompiledModel)
 
 
-def no_system(call: str, given: object, more: str = "") -> OptionError:
+def no_system(call: str, argument: object, more: str = "") -> OptionError:
     """Return the error of a call without a System; `more` are the other arguments of the call."""
     return OptionError(
-        f"{call}: system is {shown(given)}, not a System. Compile the model, or the file that defines it, "
+        f"{call}: system is {shown(argument)}, not a System. Compile the model, or the file that defines it, "
         f"first: {call}(em.build(model){more})"
     )
 
@@ -77,7 +77,7 @@ SCIPY_OPTIONS = {
 """Options of `solve_ivp` -> the corresponding argument here."""
 
 
-def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
+def choice(argument: object, known: Mapping[str, Any], what: str) -> Any:
     """Return the value of a keyword option, in upper or lower case; the keys of `known` are in lower case.
 
     Raises
@@ -85,13 +85,13 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     ModelError
         The word is unknown; lists the known ones.
     """
-    if type(given) is str and given in known:
-        return known[given]
-    if not isinstance(given, str):
-        raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
-    if given.lower() not in known:
-        raise ModelError(unknown(what, [given], list(known)))
-    return known[given.lower()]
+    if type(argument) is str and argument in known:
+        return known[argument]
+    if not isinstance(argument, str):
+        raise ModelError(f"{what} is {shown(argument)}, not one of the words {', '.join(known)}")
+    if argument.lower() not in known:
+        raise ModelError(unknown(what, [argument], list(known)))
+    return known[argument.lower()]
 
 
 def least_norm_of(dependent_constraints: str) -> int:

@@ -16,11 +16,11 @@ class OwnControllers:
 
     def __init__(self, count: int, reasons: dict[int, str]) -> None:
         self._count, self._reasons = count, reasons
-        self._found: dict[tuple[Controlled, int], Controlled] = {}
-        self._made: dict[Any, list[Controller]] = {}
+        self._of_member: dict[tuple[Controlled, int], Controlled] = {}
+        self._from_make: dict[Any, list[Controller]] = {}
         self._owners = set[int]()
 
-    def column(self, given: Column) -> Column:
+    def column(self, argument: Column) -> Column:
         """Return an input, where a controller is replaced by a list with one controller for each member.
 
         Raises
@@ -28,38 +28,38 @@ class OwnControllers:
         ModelError
             A controller cannot be copied, or `make` returns the same object twice.
         """
-        if isinstance(given, Controlled):
-            given = [given] * self._count
-        if not isinstance(given, list):
-            return given
-        return [self._of(one, k) if isinstance(one, Controlled) else one for k, one in enumerate(given)]
+        if isinstance(argument, Controlled):
+            argument = [argument] * self._count
+        if not isinstance(argument, list):
+            return argument
+        return [self._of(one, k) if isinstance(one, Controlled) else one for k, one in enumerate(argument)]
 
     def _of(self, one: Controlled, k: int) -> Controlled:
         """Return the controller of member k, the same object for each of its inputs."""
-        if (one, k) not in self._found:
-            self._found[one, k] = self._copied(one) if one.sampled.make is None else self._by_make(one, k)
-        return self._found[one, k]
+        if (one, k) not in self._of_member:
+            self._of_member[one, k] = self._copied(one) if one.sampled.make is None else self._by_make(one, k)
+        return self._of_member[one, k]
 
     def _by_make(self, one: Controlled, k: int) -> Controlled:
         try:
-            made = one.sampled.controller()
+            controller = one.sampled.controller()
         except Exception as error:  # whatever a function of the user's raises
             self._reasons.setdefault(k, f"make of {one} raised {type(error).__name__}: {error}")
             return one
-        if id(owner(made)) in self._owners:
+        if id(owner(controller)) in self._owners:
             raise ModelError(
-                f"make of {one} returned {shown(made)} for run {k}, and for another before, which would share what "
-                "it keeps: return a new one each time. What keeps nothing is given as the function"
+                f"make of {one} returned {shown(controller)} for run {k}, and for another before, which would share "
+                "what it keeps: return a new one each time. What keeps nothing is given as the function"
             )
-        others = self._made.setdefault(one.sampled.make, [])
-        others.append(made)
-        self._owners.add(id(owner(made)))
-        return _with(one, made, shared(others[0], made) if len(others) > 1 else ())
+        others = self._from_make.setdefault(one.sampled.make, [])
+        others.append(controller)
+        self._owners.add(id(owner(controller)))
+        return _with(one, controller, shared(others[0], controller) if len(others) > 1 else ())
 
     def _copied(self, one: Controlled) -> Controlled:
         function: Any = one.sampled.function
         if isinstance(function, FunctionType):
-            return self._found.setdefault((one, -1), _with(one, function, names(function)))
+            return self._of_member.setdefault((one, -1), _with(one, function, names(function)))
         try:
             return _with(one, deepcopy(function), ())
         except Exception as error:  # whatever copying an object of the user's raises

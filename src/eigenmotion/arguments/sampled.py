@@ -59,9 +59,9 @@ class Sampled:
         if (self.function is None) == (self.make is None):
             raise ModelError("a Sampled input needs a function, or make=, which returns one for each run: one of them")
         for name in ("function", "make"):
-            given = getattr(self, name)
-            if given is not None and not callable(given):
-                raise ModelError(f"the {name} of a Sampled input is {shown(given)}, which cannot be called")
+            argument = getattr(self, name)
+            if argument is not None and not callable(argument):
+                raise ModelError(f"the {name} of a Sampled input is {shown(argument)}, which cannot be called")
         for name in ("period", "delay"):
             object.__setattr__(self, name, number(getattr(self, name), f"the {name} of a Sampled input"))
         if not self.period > 0:
@@ -84,24 +84,24 @@ class Sampled:
         if self.make is None:
             assert self.function is not None
             return self.function
-        made = self.make()
-        if not callable(made):
-            raise ModelError(f"make of a Sampled input returned {shown(made)}, which cannot be called")
-        return made
+        function = self.make()
+        if not callable(function):
+            raise ModelError(f"make of a Sampled input returned {shown(function)}, which cannot be called")
+        return function
 
 
-def _initial(given: Any) -> float | tuple[float, ...]:
+def _initial(argument: Any) -> float | tuple[float, ...]:
     what = "the initial value of a Sampled input"
-    values = listed(given)
-    return number(given, what) if values is None else tuple(number(value, what) for value in values)
+    values = listed(argument)
+    return number(argument, what) if values is None else tuple(number(value, what) for value in values)
 
 
-def listed(given: Any) -> list[Any] | None:
+def listed(argument: Any) -> list[Any] | None:
     """Return the items of a list, a tuple or an array of one axis; None of anything else."""
-    if isinstance(given, list | tuple):
-        return list(given)
-    if getattr(given, "ndim", 0) == 1 and hasattr(given, "tolist"):
-        return list(given.tolist())
+    if isinstance(argument, list | tuple):
+        return list(argument)
+    if getattr(argument, "ndim", 0) == 1 and hasattr(argument, "tolist"):
+        return list(argument.tolist())
     return None
 
 
@@ -123,8 +123,8 @@ class Controlled:
         initial = self.sampled.initial
         if initial is None:
             return
-        given = len(initial) if isinstance(initial, tuple) else None
-        if given != (len(self.names) if self.several else None):
+        argument = len(initial) if isinstance(initial, tuple) else None
+        if argument != (len(self.names) if self.several else None):
             raise ModelError(f"{self}: initial is {shown(initial)}, but must be {self._needed}")
 
     def __str__(self) -> str:
@@ -161,7 +161,7 @@ class Controlled:
         )
 
 
-def by_input(given: Mapping[Any, Any]) -> dict[Any, Any]:
+def by_input(argument: Mapping[Any, Any]) -> dict[Any, Any]:
     """Return the value of each input; a Sampled, for one name or a tuple of names, becomes a Controlled.
 
     Raises
@@ -169,17 +169,17 @@ def by_input(given: Mapping[Any, Any]) -> dict[Any, Any]:
     ModelError
         An input is given twice, or a tuple of names has a value that is not a Sampled.
     """
-    found: dict[Any, Any] = {}
-    for keys, value in _parts(given):
+    values_by_input: dict[Any, Any] = {}
+    for keys, value in _parts(argument):
         for key in keys:
-            if key in found:
+            if key in values_by_input:
                 raise ModelError(f"input {spelled(key)!r} is given twice: alone and among several, or in two tuples")
-            found[key] = value
-    return found
+            values_by_input[key] = value
+    return values_by_input
 
 
-def _parts(given: Mapping[Any, Any]) -> Iterator[tuple[tuple[Any, ...], Any]]:
-    for key, value in given.items():
+def _parts(argument: Mapping[Any, Any]) -> Iterator[tuple[tuple[Any, ...], Any]]:
+    for key, value in argument.items():
         several = isinstance(key, tuple)
         keys = key if several else (key,)
         if not keys:
@@ -187,14 +187,14 @@ def _parts(given: Mapping[Any, Any]) -> Iterator[tuple[tuple[Any, ...], Any]]:
         yield keys, _controlled(value, tuple(map(spelled, keys)), several=several)
 
 
-def _controlled(given: Any, names: tuple[str, ...], *, several: bool) -> Any:
-    if isinstance(given, Sampled):
-        return Controlled(given, names, several)
-    if isinstance(given, list) and (several or any(isinstance(one, Sampled) for one in given)):
-        return [_controlled(one, names, several=several) for one in given]
+def _controlled(argument: Any, names: tuple[str, ...], *, several: bool) -> Any:
+    if isinstance(argument, Sampled):
+        return Controlled(argument, names, several)
+    if isinstance(argument, list) and (several or any(isinstance(one, Sampled) for one in argument)):
+        return [_controlled(one, names, several=several) for one in argument]
     if several:
         raise ModelError(
-            f"inputs {', '.join(map(repr, names))} are given {shown(given)} at once: give them a Sampled, whose "
+            f"inputs {', '.join(map(repr, names))} are given {shown(argument)} at once: give them a Sampled, whose "
             "function returns a number for each, or each a value of its own"
         )
-    return given
+    return argument

@@ -34,14 +34,14 @@ def references(function: Any) -> Iterator[Reference]:
                 waiting.append(value)
 
 
-def _of_one(given: Any) -> Iterator[Reference]:
-    if isinstance(given, FunctionType):
-        yield from _of_function(given)
-    elif isinstance(given, partial):
-        named = {"func": given.func} | dict(enumerate(given.args)) | given.keywords
-        yield from ((str(name), hash((id(given), name)), value) for name, value in named.items())
-    elif not isinstance(given, _CONSTANT):
-        yield from _in_table(getattr(given, "__dict__", {}))
+def _of_one(argument: Any) -> Iterator[Reference]:
+    if isinstance(argument, FunctionType):
+        yield from _of_function(argument)
+    elif isinstance(argument, partial):
+        named = {"func": argument.func} | dict(enumerate(argument.args)) | argument.keywords
+        yield from ((str(name), hash((id(argument), name)), value) for name, value in named.items())
+    elif not isinstance(argument, _CONSTANT):
+        yield from _in_table(getattr(argument, "__dict__", {}))
 
 
 def _of_function(function: FunctionType) -> Iterator[Reference]:

@@ -201,13 +201,13 @@ class Inputs:
 def check_samples(model: CompiledModel, inputs: Inputs) -> None:
     """Raise EvaluationError if the value of an input contradicts the assumptions of its symbol."""
     for k, signal in enumerate(inputs.signals if any(model.declared) else ()):
-        given = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Controlled) else (signal,)
+        argument = signal.values if isinstance(signal, Signal) else () if isinstance(signal, Controlled) else (signal,)
         u = np.array(model.input_defaults)
-        for u[k] in np.asarray(given, dtype=np.float64):
+        for u[k] in np.asarray(argument, dtype=np.float64):
             model.check_inputs(u)
 
 
-def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
+def bind(argument: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
     """Return the inputs of a run: name -> number, (times, values) (linear), Signal or Sampled; others have defaults.
 
     A tuple of names -> a Sampled that sets all of them.
@@ -217,33 +217,41 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
     ModelError
         An unknown name, or a value that is none of these; names it.
     """
-    if not is_named(given):
-        raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values), Signal or Sampled")
-    named = by_name(by_input(given), names, "input")
+    if not is_named(argument):
+        raise ModelError(
+            f"inputs is {shown(argument)}, not a mapping name -> number, (times, values), Signal or Sampled"
+        )
+    named = by_name(by_input(argument), names, "input")
     return Inputs(
         tuple(
-            given if isinstance(given := named.get(name, default), Controlled) else as_signal(given, name)
+            argument if isinstance(argument := named.get(name, default), Controlled) else as_signal(argument, name)
             for name, default in zip(names, defaults, strict=True)
         )
     )
 
 
-def as_signal(given: Any, name: str) -> float | Signal:
+def as_signal(argument: Any, name: str) -> float | Signal:
     """Return one input as a number or a Signal: a number, a pair (times, values), a Signal or an interpolant."""
-    if isinstance(given, Controlled):
+    if isinstance(argument, Controlled):
         raise ModelError(f"input {name!r} is Sampled: only `simulate` and `simulate_ensemble` ask controllers")
-    if callable(given) and not isinstance(given, Signal) and not hasattr(given, "c"):  # SciPy's have coefficients
+    interpolant = callable(argument) and hasattr(argument, "c")  # SciPy's interpolants have coefficients
+    if callable(argument) and not isinstance(argument, Signal) and not interpolant:
         raise ModelError(
             f"input {name!r} is a function. Of the time: sample it, as (times, f(times)). Of the state: it is a "
             "controller, em.Sampled(function, period), which is asked with t, x, v."
         )
-    if not callable(given) and not isinstance(given, tuple | list):
-        return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
-    if isinstance(given, tuple | list) and len(given) != 2:
-        raise ModelError(f"input {name!r} is {shown(given)}: neither a number, a pair (times, values) nor a Signal")
+    if not callable(argument) and not isinstance(argument, tuple | list):
+        return number(
+            argument, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given"
+        )
+    if isinstance(argument, tuple | list) and len(argument) != 2:
+        raise ModelError(f"input {name!r} is {shown(argument)}: neither a number, a pair (times, values) nor a Signal")
     try:
-        made = given if isinstance(given, Signal) else Signal(given) if callable(given) else Signal(*given)
-        _ = made.compiled  # which not every interpolant can be
+        if isinstance(argument, Signal):
+            signal = argument
+        else:
+            signal = Signal(argument) if interpolant else Signal(*argument)
+        _ = signal.compiled  # raises the error of an interpolant that cannot be compiled
     except ModelError as error:
         raise ModelError(f"input {name!r}: {error}") from error
-    return made
+    return signal

@@ -13,7 +13,7 @@ from ..runtime.tables import table_address
 from .named_values import is_named, spelled
 
 
-def with_tables(c: CompiledModel, given: Any, several: bool = False) -> Any:
+def with_tables(c: CompiledModel, argument: Any, several: bool = False) -> Any:
     """Return parameters with tables replaced by the numbers that refer to them in compiled code.
 
     Parameters
@@ -26,10 +26,10 @@ def with_tables(c: CompiledModel, given: Any, several: bool = False) -> Any:
     ModelError
         The value for a table is not a table, or has another number of arguments.
     """
-    if not c.tables or not is_named(given):
-        return given
+    if not c.tables or not is_named(argument):
+        return argument
     return {key: _numbers(c, spelled(key), value, several) if spelled(key) in c.tables else value
-            for key, value in given.items()}  # fmt: skip
+            for key, value in argument.items()}  # fmt: skip
 
 
 def _numbers(c: CompiledModel, name: str, value: Any, several: bool) -> Any:

@@ -60,17 +60,17 @@ class _Arguments:
             raise ModelError(f"members of an ensemble cannot be counted: arrays differ in length ({listed})")
         return sizes.pop() if sizes else 1
 
-    def table(self, given: Any, names: Sequence[str], defaults: Vector, what: str, mark: str = "") -> Table:
+    def table(self, argument: Any, names: Sequence[str], defaults: Vector, what: str, mark: str = "") -> Table:
         """Return columns by name, or rows (K or 1, n) for an array (n,) or (K, n)."""
-        if given is None:
+        if argument is None:
             return {}
-        if not is_named(given):
-            return self._rows(given, names, defaults, what, mark)
-        named = by_name(given, names, what)
+        if not is_named(argument):
+            return self._rows(argument, names, defaults, what, mark)
+        named = by_name(argument, names, what)
         return {name: self.numbers(value, f"{what} {name!r}", name + mark) for name, value in named.items()}
 
-    def _rows(self, given: Any, names: Sequence[str], defaults: Vector, what: str, mark: str) -> Vector:
-        array = vector(given, what)
+    def _rows(self, argument: Any, names: Sequence[str], defaults: Vector, what: str, mark: str) -> Vector:
+        array = vector(argument, what)
         if array.ndim != 2:
             return overlay(array, names, defaults, what)[None]
         if array.shape[1] != len(names):
@@ -141,16 +141,16 @@ def _beside(left: Vector, right: Vector) -> Vector:
     return np.hstack([np.broadcast_to(part, (count, part.shape[1])) for part in (left, right)])
 
 
-def _check_shared(c: CompiledModel, given: Table) -> None:
+def _check_shared(c: CompiledModel, argument: Table) -> None:
     """Raise EvaluationError if a value of all members contradicts the assumptions of its symbol.
 
     If members have different values, only the members with a wrong value fail, later.
     """
-    if isinstance(given, dict):
-        shared = {name: column for name, column in given.items() if column.size == 1}
+    if isinstance(argument, dict):
+        shared = {name: column for name, column in argument.items() if column.size == 1}
         c.check_parameters(_filled(shared, c.parameters, c.parameter_defaults)[0])
-    elif len(given) == 1:
-        c.check_parameters(given[0])
+    elif len(argument) == 1:
+        c.check_parameters(argument[0])
 
 
 def _rates(system: CompiledSystem, v0: Any) -> bool:
@@ -175,9 +175,9 @@ def _by_member(
     V = np.zeros((count, system.n))
     for k in range(count):
         p, x = P[k if len(P) > 1 else 0], X[k if len(X) > 1 else 0]
-        given = {name: column[k % column.size] if column.ndim else float(column) for name, column in v0.items()}
+        argument = {name: column[k % column.size] if column.ndim else float(column) for name, column in v0.items()}
         try:
-            V[k] = system.start(x, given or None, t, system.prepare(p))[1]
+            V[k] = system.start(x, argument or None, t, system.prepare(p))[1]
         except (ModelError, EvaluationError) as error:
             if count == 1:
                 raise
@@ -213,18 +213,18 @@ def _signals(system: CompiledSystem, inputs: Any, arguments: _Arguments) -> tupl
     return columns
 
 
-def _column(given: Any, name: str, arguments: _Arguments) -> Column:
+def _column(argument: Any, name: str, arguments: _Arguments) -> Column:
     """Return one input: a number, a pair, a Signal or a controller for all; a list or an array, one for each member."""
     what = f"input {name!r}"
-    if isinstance(given, Controlled):
-        return given
-    if isinstance(given, list) and any(isinstance(one, tuple | Controlled) or callable(one) for one in given):
-        arguments.note(what, len(given))
-        signals: list[Any] = [one if isinstance(one, Controlled) else as_signal(one, name) for one in given]
+    if isinstance(argument, Controlled):
+        return argument
+    if isinstance(argument, list) and any(isinstance(one, tuple | Controlled) or callable(one) for one in argument):
+        arguments.note(what, len(argument))
+        signals: list[Any] = [one if isinstance(one, Controlled) else as_signal(one, name) for one in argument]
         return signals if len(signals) > 1 else signals[0]
-    if isinstance(given, list | np.ndarray) and np.ndim(given):
-        column = arguments.numbers(given, what, name)
+    if isinstance(argument, list | np.ndarray) and np.ndim(argument):
+        column = arguments.numbers(argument, what, name)
         if not np.isfinite(column).all():
             raise ModelError(f"{what} of member {int(np.argmin(np.isfinite(column)))} is not a finite number")
         return column if len(column) > 1 else float(column[0])
-    return as_signal(given, name)
+    return as_signal(argument, name)

@@ -143,10 +143,10 @@ def chosen_method(system: CompiledSystem, method: object, rtol: float, least_nor
     )
 
 
-def _differentiated(system: CompiledSystem, given: Any, v0: Any) -> Differentiated | None:
-    if given is None:
+def _differentiated(system: CompiledSystem, argument: Any, v0: Any) -> Differentiated | None:
+    if argument is None:
         return None
-    return differentiated(system.compiled, given, v0)
+    return differentiated(system.compiled, argument, v0)
 
 
 def _check_constant(system: CompiledSystem, common: EnsembleTask, members: Members) -> None:

@@ -152,9 +152,9 @@ def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchai
     candidates = [chosen] if chosen else [("cc",), ("gcc",), ("clang",)]
     more = _words(os.environ.get(FLAGS, ""), f"${FLAGS}") if flags is None else _words(flags, "flags")
     for command in candidates:
-        found = shutil.which(command[0])
-        if found:  # absolute, as it runs in other folders; links are not resolved, as some compilers check their name
-            return Toolchain((os.path.abspath(found), *command[1:]), more)  # noqa: PTH100
+        path = shutil.which(command[0])
+        if path:  # absolute, as it runs in other folders; links are not resolved, as some compilers check their name
+            return Toolchain((os.path.abspath(path), *command[1:]), more)  # noqa: PTH100
     if not chosen and zig_is_there():
         return Toolchain(ZIG, more)
     raise CompilerNotFoundError(

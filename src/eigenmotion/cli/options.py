@@ -145,7 +145,7 @@ def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> di
     UsageError
         The model does not have the name, or the value is not a number.
     """
-    given = {name: _number(name, text, option) for name, text in assignments(settings, option).items()}
+    numbers_by_name = {name: _number(name, text, option) for name, text in assignments(settings, option).items()}
     positions = [spelled(key) for key in model.coordinates]
     rates = [f"{name}'" for name in positions]
     kinds = {
@@ -155,12 +155,16 @@ def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> di
         "v0": [*rates, *(spelled(y) for y, _ in model.quasi_velocities)],
     }
     known = [name for names in kinds.values() for name in names]
-    if unknown := sorted(given.keys() - set(known)):
+    if unknown := sorted(numbers_by_name.keys() - set(known)):
         raise click.UsageError(f"{option} {unknown[0]}: not known to {model.name}, which has {', '.join(known)}")
-    if twice := [name for name in given if known.count(name) > 1]:
+    if twice := [name for name in numbers_by_name if known.count(name) > 1]:
         raise click.UsageError(f"{option} {twice[0]}: of {model.name} two things have that name. Rename one of them")
     chosen = {
-        kind: {name.removesuffix("'") if name in rates else name: given[name] for name in names if name in given}
+        kind: {
+            name.removesuffix("'") if name in rates else name: numbers_by_name[name]
+            for name in names
+            if name in numbers_by_name
+        }
         for kind, names in kinds.items()
     }
     return {kind: numbers for kind, numbers in chosen.items() if numbers}

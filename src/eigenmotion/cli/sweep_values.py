@@ -52,16 +52,16 @@ def _values(name: str, text: str) -> list[float]:
     pieces = text.split(":")
     try:
         if len(pieces) == 1:
-            found = [float(value) for value in text.split(",")]
+            parsed = [float(value) for value in text.split(",")]
         else:
             low, high, number = pieces
             _check_count(option, count := int(number))
-            found = np.linspace(float(low), float(high), count).tolist()
+            parsed = np.linspace(float(low), float(high), count).tolist()
     except ValueError as error:
         raise click.UsageError(f"{option}: expected A:B:K, K values from A to B, or a list V,V,...") from error
-    if not found or not np.isfinite(found).all():
+    if not parsed or not np.isfinite(parsed).all():
         raise click.UsageError(f"{option}: there must be values, and finite ones")
-    return found
+    return parsed
 
 
 def _check_count(option: str, count: int) -> None:
@@ -74,14 +74,14 @@ def _check_count(option: str, count: int) -> None:
 def _distribution(name: str, text: str) -> Distribution:
     """Return the distribution of KIND(A,B)."""
     option = f"--sample {name}={text}"
-    found = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
+    parsed = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
     try:
-        if found is None:
+        if parsed is None:
             raise ValueError
-        numbers = float(found[2]), float(found[3])
+        numbers = float(parsed[2]), float(parsed[3])
         if not np.isfinite(numbers).all():
             raise ValueError
-        return Distribution(found[1].lower(), *numbers)
+        return Distribution(parsed[1].lower(), *numbers)
     except ModelError as error:
         raise click.UsageError(f"{option}: {error}") from error
     except ValueError as error:

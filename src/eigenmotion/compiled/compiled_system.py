@@ -68,8 +68,8 @@ class CompiledSystem(Description):
             if parameters.model is not self._compiled:
                 raise ModelError(f"parameters were prepared for {parameters.model.name}, another compiled model")
             return parameters
-        given = with_tables(self._compiled, parameters)
-        values = overlay(given, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
+        named = with_tables(self._compiled, parameters)
+        values = overlay(named, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
         return self._compiled.prepare(values)
 
     def state(

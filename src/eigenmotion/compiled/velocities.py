@@ -62,20 +62,20 @@ def initial_rates(
         if v0 is None:
             return _default(model, c, t, x)
         return whole_v(model, overlay(v0, model.coordinates[:n], model.initial_v[:n], "v0"), None)
-    given = by_spelling(v0, "v0", rate_name)
-    refuse_states(model, given)
-    quasi = given.keys() & set(model.quasi_velocities)
+    argument = by_spelling(v0, "v0", rate_name)
+    refuse_states(model, argument)
+    quasi = argument.keys() & set(model.quasi_velocities)
     if not quasi:
-        _check_names(model, given)
-        complete = len(given) == model.n_coordinates
+        _check_names(model, argument)
+        complete = len(argument) == model.n_coordinates
         start = model.initial_v if complete else _default(model, c, t, x)
-        return overlay(given, model.coordinates, start, "coordinate of v0")
-    if rates := given.keys() & set(model.coordinates):
+        return overlay(argument, model.coordinates, start, "coordinate of v0")
+    if rates := argument.keys() & set(model.coordinates):
         raise ModelError(
             f"{model.name}: v0 gives rates ({', '.join(sorted(rates))}) and quasi-velocities "
             f"({', '.join(sorted(quasi))}). Give the velocities in one of the two."
         )
-    y = overlay(given, model.quasi_velocities, _default_quasi(model, c, t, x), "quasi-velocity of v0")
+    y = overlay(argument, model.quasi_velocities, _default_quasi(model, c, t, x), "quasi-velocity of v0")
     return rates_from(model, c, t, x, y)
 
 
@@ -91,6 +91,6 @@ def _default_quasi(model: CompiledModel, c: Prepared, t: float, x: Vector) -> Ve
     return transformation(model, c, t, x) @ model.initial_v
 
 
-def _check_names(model: CompiledModel, given: Mapping[str, Any]) -> None:
-    if wrong := given.keys() - set(model.coordinates):
+def _check_names(model: CompiledModel, argument: Mapping[str, Any]) -> None:
+    if wrong := argument.keys() - set(model.coordinates):
         raise ModelError(unknown("coordinate of v0", wrong, (*model.coordinates, *model.quasi_velocities)))

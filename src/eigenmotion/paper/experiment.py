@@ -70,9 +70,9 @@ class History:
         ]
         C = np.asarray(self.solution.C)[list(ORDER)]
         mu = np.einsum("iak,kab,jbk->ijk", C, np.array(rates), C)
-        apart = self.eigenvalues[None, :, :] - self.eigenvalues[:, None, :]
+        difference = self.eigenvalues[None, :, :] - self.eigenvalues[:, None, :]
         off = (mu != 0) & ~np.eye(4, dtype=bool)[:, :, None]
-        return np.asarray(np.divide(mu, apart, out=np.zeros_like(mu), where=off))
+        return np.asarray(np.divide(mu, difference, out=np.zeros_like(mu), where=off))
 
     @property
     def hand(self) -> tuple[Vector, Vector]:

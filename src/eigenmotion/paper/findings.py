@@ -112,10 +112,10 @@ def approaches(history: History, i: int, j: int) -> list[tuple[float, float]]:
 
 def _approached(history: History) -> Finding:
     """List the approaches of eigenvalues within the coupled block, in the order of time."""
-    found = sorted((t, size, i, j) for i, j in PAIRS for t, size in approaches(history, i, j))
-    measured = "; ".join(f"lambda_{i + 1} and lambda_{j + 1} to {size:.3f} at t = {t:.2f}" for t, size, i, j in found)
-    as_stated = bool(found) and found[0][2:] == (1, 3) and abs(found[0][0] - 2.0) < 0.1
-    numbers = {f"at_{t:.1f}": size for t, size, _, _ in found}
+    events = sorted((t, size, i, j) for i, j in PAIRS for t, size in approaches(history, i, j))
+    measured = "; ".join(f"lambda_{i + 1} and lambda_{j + 1} to {size:.3f} at t = {t:.2f}" for t, size, i, j in events)
+    as_stated = bool(events) and events[0][2:] == (1, 3) and abs(events[0][0] - 2.0) < 0.1
+    numbers = {f"at_{t:.1f}": size for t, size, _, _ in events}
     return _finding(
         5, "at t = 2 the second and the fourth eigenvalue become close", measured, _yes(as_stated), **numbers
     )

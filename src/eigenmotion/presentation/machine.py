@@ -16,7 +16,7 @@ def machine(compiler: Mapping[str, str]) -> dict[str, str]:
         "cores": str(os.cpu_count()),
         **compiler,
         "Python": platform.python_version(),
-        **{name: found for name in _PACKAGES if (found := _version(name))},
+        **{name: installed for name in _PACKAGES if (installed := _version(name))},
     }
 
 

@@ -1,4 +1,4 @@
-"""From measurements to advice: what reaches an accuracy soonest, and what a curve says."""
+"""Recommendation of a method and tolerance from measurements, and properties of measured curves."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -11,14 +11,14 @@ def columns(ours: Collection[str], users: Sequence[tuple[str, str]]) -> list[str
     again if that name is taken too.
     """
     counts = Counter(name for _, name in users)
-    taken, named = {*ours, *counts}, []
+    used, named = {*ours, *counts}, []
     for kind, name in users:
         column = name
         if name in ours or counts[name] > 1:
             column = f"{kind}_{name}"
-            while column in taken:
+            while column in used:
                 column = f"{kind}_{column}"
-        taken.add(column)
+        used.add(column)
         named.append(column)
     return named
 

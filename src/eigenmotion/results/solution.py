@@ -199,9 +199,9 @@ class Solution(dict[str, Any]):
         return super().__contains__(name) or name in _DEFAULTS or (self._rows is not None and name in _DERIVED)
 
     def __iter__(self) -> Iterator[str]:
-        found = list(super().__iter__())
-        yield from found
-        yield from (name for name in (*_DEFAULTS, *(_DERIVED if self._rows is not None else ())) if name not in found)
+        names = list(super().__iter__())
+        yield from names
+        yield from (name for name in (*_DEFAULTS, *(_DERIVED if self._rows is not None else ())) if name not in names)
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

@@ -178,7 +178,7 @@ def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
 
 
 def _checked(
-    system: CompiledSystem, t_span: Any, x0: Any, v0: Any, given: Any, parameters: Any, inputs: Any, rtol: Any,
+    system: CompiledSystem, t_span: Any, x0: Any, v0: Any, argument: Any, parameters: Any, inputs: Any, rtol: Any,
     atol: Any, t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
     dependent_constraints: Any,
 ) -> Task:  # fmt: skip
@@ -189,7 +189,7 @@ def _checked(
     check_covered(system.compiled, inputs, start, end)
     prepared, inputs = _prepared(system, parameters, inputs)
     signals = _inputs(system, inputs, start, end)
-    y = _begin(system, prepared, start, x0, v0, given, relative, absolute)
+    y = _begin(system, prepared, start, x0, v0, argument, relative, absolute)
     stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
     return Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
@@ -199,15 +199,15 @@ def _checked(
 
 
 def _begin(
-    system: CompiledSystem, prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
+    system: CompiledSystem, prepared: Any, start: float, x0: Any, v0: Any, argument: Any, rtol: float, atol: Vector
 ) -> Vector:
     """Return the initial y (n_state,): at x0, v0, or at the end of another run."""
-    if given is None:
+    if argument is None:
         x, v = system.begin(x0, v0, start, prepared)
         return start_state(system.compiled, prepared, start, x, v, rtol, atol)
     if not (x0 is None and v0 is None):
         raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")
-    t, y = restart_state(system.compiled, prepared, given, rtol, atol)
+    t, y = restart_state(system.compiled, prepared, argument, rtol, atol)
     if t != start:
         raise ModelError(f"start is a state at t = {t!r}, but t_span begins at {start!r}")
     return y
@@ -225,10 +225,10 @@ def refused(
     return OptionError(f"{call}: {unknown('option', misspelt, known, SCIPY_OPTIONS)}")
 
 
-def _checker(given: Any) -> CompiledModel:
-    if not is_system(given):
-        raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
-    checker: CompiledModel = given.compiled
+def _checker(argument: Any) -> CompiledModel:
+    if not is_system(argument):
+        raise OptionError(f"estimate_error is {shown(argument)}; give True, False, or a System in another formulation")
+    checker: CompiledModel = argument.compiled
     return checker
 
 
@@ -263,8 +263,8 @@ def _prepared(system: CompiledSystem, parameters: Any, inputs: Any) -> tuple[Pre
         raise ModelError(str(error)) from error
 
 
-def _inputs(system: CompiledSystem, given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
-    bound = system.bind(given)
+def _inputs(system: CompiledSystem, argument: Mapping[Any, Any] | None, start: float, end: float) -> Any:
+    bound = system.bind(argument)
     if (gap := bound.uncovered(start, end)) is not None:
         name = tuple(system.inputs)[gap[0]]
         raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")

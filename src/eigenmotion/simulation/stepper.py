@@ -179,9 +179,9 @@ def stepper(
     return Stepper(task, METHOD_NUMBERS[named])
 
 
-def method_named(given: str) -> str:
+def method_named(argument: str) -> str:
     """Return a method of steppers by its name, in upper or lower case."""
-    name: str = method_of(given, {name: name for name in STEPPED})
+    name: str = method_of(argument, {name: name for name in STEPPED})
     return name
 
 

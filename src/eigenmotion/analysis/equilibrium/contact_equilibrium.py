@@ -42,18 +42,18 @@ def solve_with_modes(balance: Balance) -> tuple[Balance, Vector]:
     Newton's method and the downhill search both start at the given state; the nearer solution counts. If neither
     converges, sets of contacts are held as guesses.
     """
-    start, found = balance.start, list[tuple[Balance, Vector]]()
+    start, solutions = balance.start, list[tuple[Balance, Vector]]()
     here = _in_start_mode(balance)
     first, solution, holds = _with_modes(here, start)
     if holds:
-        found.append((first, solution))
+        solutions.append((first, solution))
     stays = np.array_equal(solution, start) or (first.given is here.given and not any(_mode(here)))
     if balance.of_coordinates_alone and not (holds and stays):
         below, q, holds = _with_modes(*_downhill(here, start))
-        found += [(below, q)] * holds
-    if found:
+        solutions += [(below, q)] * holds
+    if solutions:
         unit = balance.point(start).inertia[list(balance.free)] if balance.of_coordinates_alone else 1.0
-        return min(found, key=lambda one: float(np.linalg.norm(unit * (one[1] - start))))
+        return min(solutions, key=lambda one: float(np.linalg.norm(unit * (one[1] - start))))
     guessed = (_with_modes(begin, start) for begin in islice(_guesses(balance), _GUESSES))
     return next(((begin, q) for begin, q, holds in guessed if holds), (first, solution))
 

@@ -202,10 +202,10 @@ def _stays(at: OperatingPoint) -> bool:
 
 def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], steady: bool, bounds: list[str],
            residuals: tuple[Vector, ...]) -> str:  # fmt: skip
-    held = mode_text(at)
+    active = mode_text(at)
     if steady:
         kind = "at rest" if at.rests else "steady"
-        return "; ".join([f"{kind}, {held}" if held else kind, *bounds])
+        return "; ".join([f"{kind}, {active}" if active else kind, *bounds])
     if not wrong.any():
         return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
     a, phi, rates = residuals
@@ -216,7 +216,7 @@ def _words(balance: Balance, at: OperatingPoint, wrong: NDArray[np.bool_], stead
     texts += [f"the rate of {balance.system.row_names[k]} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)
     left = ", ".join(text for text, is_wrong in zip(texts, wrong, strict=True) if is_wrong)
-    where = f", with {held}" if held else ""
+    where = f", with {active}" if active else ""
     return f"no equilibrium found by varying {free}; what is left is {left}{where}{_rounded(at)}"
 
 

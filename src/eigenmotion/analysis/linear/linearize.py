@@ -109,12 +109,12 @@ def _full(at: OperatingPoint) -> StateSpace:
 
 
 def _refuse_shared_reactions(at: OperatingPoint, by_multipliers: Vector) -> None:
-    held = np.argwhere(by_multipliers)
+    used = np.argwhere(by_multipliers)
     n, h = at.model.n, at.model.h
     dependent = at.model.m - (n - sum(k >= n for k in tangent(at).free))
-    if len(held) and dependent:
+    if len(used) and dependent:
         raise ModelError(
-            f"{at.model.name}: output {at.model.outputs[held[0][0]]!r} holds a multiplier of constraint rows that "
+            f"{at.model.name}: output {at.model.outputs[used[0][0]]!r} holds a multiplier of constraint rows that "
             f"depend on each other ({dependent} of {at.model.m} do, {h} of them holonomic), and how they share the "
             "reaction has no derivative. Leave out the rows that are not needed, or the output"
         )
@@ -180,15 +180,15 @@ def _moved(at: OperatingPoint, basis: Tangent, ahead: float) -> Vector | None:
     a = at.motion[0]
     there = at.at(at.t + ahead, at.x + ahead * at.v + ahead**2 / 2 * a, at.v + ahead * a)
     try:
-        found = _same_numbers(there, basis)
+        moved = _same_numbers(there, basis)
     except (EvaluationError, ValueError, np.linalg.LinAlgError):
         return None
-    return found if found is not None and np.isfinite(found).all() else None
+    return moved if moved is not None and np.isfinite(moved).all() else None
 
 
 def _same_numbers(there: OperatingPoint, basis: Tangent) -> Vector | None:
     """Return the system in the same independent numbers at another state, or None if they are dependent there."""
     n = there.model.n
     dependent = [k for k in range(n) if n + k not in basis.free]
-    found = tangent(there, dependent)
-    return _of_independent(there, found) if found.free == basis.free else None
+    other = tangent(there, dependent)
+    return _of_independent(there, other) if other.free == basis.free else None

@@ -96,16 +96,16 @@ def with_most_contacts(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[S
     if not at.model.switches:
         return at, []
     bounds, values = Bounds(at), at.prepared.parameters
-    found = list(bounds.at_bound())
-    loose = [one for one, _ in found if not values[one.holds]]
+    bounded = list(bounds.at_bound())
+    loose = [one for one, _ in bounded if not values[one.holds]]
     if not loose:
-        return at, found
+        return at, bounded
     all_of_them = Bounds(holding(at, loose))
     moves = np.abs(bounds.surfaces.accelerations(all_of_them.at.motion[0] - at.motion[0]))
     margins = {one: max(bounds.margins.get(one, 0.0), margin) for one, margin in all_of_them.margins.items()}
     within = _AT_BOUND * bounds.size
     if (moves > within * bounds.units).any() or min(margins.values()) <= within:
-        return at, found
+        return at, bounded
     return all_of_them.at, []
 
 

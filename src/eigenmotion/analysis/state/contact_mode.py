@@ -32,12 +32,12 @@ def in_mode(at: OperatingPoint, mode: Mapping[Any, float] | None) -> OperatingPo
         return at
     free = all_open(at)
     check_consistent(free.model, free.prepared, free.t, free.x, free.v)
-    found, bounds = with_most_contacts(in_consistent_mode(_on_surfaces(at)))
+    chosen, bounds = with_most_contacts(in_consistent_mode(_on_surfaces(at)))
     if named:
-        return _consistent(_with_mode(found, named))
+        return _consistent(_with_mode(chosen, named))
     if bounds:
-        raise ModelError(_meeting(found, bounds))
-    return found
+        raise ModelError(_meeting(chosen, bounds))
+    return chosen
 
 
 def check_not_inside(at: OperatingPoint) -> None:
@@ -45,8 +45,8 @@ def check_not_inside(at: OperatingPoint) -> None:
     if not at.model.acts:
         return
     free = all_open(at)
-    if found := at.model.inside(at.t, at.x, at.v, free.prepared, _INSIDE, 0.0 * at.x):
-        name, gap = found
+    if penetrated := at.model.inside(at.t, at.x, at.v, free.prepared, _INSIDE, 0.0 * at.x):
+        name, gap = penetrated
         raise ModelError(f"{at.model.name}: x is inside {name!r}, whose gap is {gap:.6g} there and never negative. "
                          "Give a state where it is at least 0")  # fmt: skip
 

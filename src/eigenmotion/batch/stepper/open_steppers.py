@@ -90,10 +90,10 @@ def steppers(
     return Steppers(common, total, _threads(workers), starts)
 
 
-def _whole(given: object, what: str) -> int:
-    if isinstance(given, bool | np.bool_) or not isinstance(given, int | np.integer) or given < 1:
-        raise ModelError(f"{what} is {shown(given)}, but must be a whole number of at least 1")
-    return int(given)
+def _whole(argument: object, what: str) -> int:
+    if isinstance(argument, bool | np.bool_) or not isinstance(argument, int | np.integer) or argument < 1:
+        raise ModelError(f"{what} is {shown(argument)}, but must be a whole number of at least 1")
+    return int(argument)
 
 
 def _threads(workers: int | None) -> int:
@@ -117,17 +117,17 @@ def _rows(table: Vector, count: int) -> Vector:
     return np.ascontiguousarray(np.broadcast_to(table, (count, table.shape[1])))
 
 
-def _columns(system: CompiledSystem, given: Any, count: int) -> Vector:
+def _columns(system: CompiledSystem, argument: Any, count: int) -> Vector:
     """Return inputs (K, n_inputs). Signals are not allowed, because each `advance` may set the inputs."""
     names = system.compiled.inputs
-    made = np.tile(system.compiled.input_defaults, (count, 1))
-    if not isinstance(given, tuple):
-        return made if given is None else columns(given, names, made)
-    for k, (name, column) in enumerate(zip(names, given, strict=True)):
+    u = np.tile(system.compiled.input_defaults, (count, 1))
+    if not isinstance(argument, tuple):
+        return u if argument is None else columns(argument, names, u)
+    for k, (name, column) in enumerate(zip(names, argument, strict=True)):
         if not isinstance(column, float | np.ndarray):
             raise ModelError(
                 f"{system.name}: input {name!r} of steppers is a number for each member, which `advance` sets; "
                 "simulate and stepper take signals, and a controller (Sampled) is called between two advances"
             )
-        made[:, k] = column
-    return made
+        u[:, k] = column
+    return u

@@ -11,9 +11,9 @@ from ...codegen.model.normalise import ModelError, shown
 from ...runtime import CompiledModel
 
 
-def numbers(given: ArrayLike, count: int, what: str) -> Vector:
+def numbers(argument: ArrayLike, count: int, what: str) -> Vector:
     """Return a finite number, or (K,) of them."""
-    values = vector(given, what)
+    values = vector(argument, what)
     if values.shape not in ((), (count,)):
         raise ModelError(f"{what} has shape {values.shape}; give a number, or ({count},), one for each member")
     if not np.isfinite(values).all():
@@ -21,50 +21,50 @@ def numbers(given: ArrayLike, count: int, what: str) -> Vector:
     return values
 
 
-def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
+def columns(argument: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
     """Return inputs (K, n_inputs): the current ones updated by name, or all new; (K,) is allowed for a single input."""
-    made = over.copy()
-    if is_named(given):
-        for name, value in by_name(given, names, "input").items():
-            made[:, names.index(name)] = numbers(value, len(made), f"input {name!r}")
-        return made
-    values = vector(given, "inputs")
-    if len(names) == 1 and values.shape == (len(made),):
+    updated = over.copy()
+    if is_named(argument):
+        for name, value in by_name(argument, names, "input").items():
+            updated[:, names.index(name)] = numbers(value, len(updated), f"input {name!r}")
+        return updated
+    values = vector(argument, "inputs")
+    if len(names) == 1 and values.shape == (len(updated),):
         values = values[:, None]
-    if values.shape not in ((len(names),), made.shape):
-        raise ModelError(f"inputs has shape {values.shape}, but must be {made.shape}: {', '.join(names) or 'none'}")
-    made[...] = values
-    _check_finite(made, names, np.arange(len(made)), "input")
-    return made
+    if values.shape not in ((len(names),), updated.shape):
+        raise ModelError(f"inputs has shape {values.shape}, but must be {updated.shape}: {', '.join(names) or 'none'}")
+    updated[...] = values
+    _check_finite(updated, names, np.arange(len(updated)), "input")
+    return updated
 
 
-def rows(given: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.intp], what: str) -> Vector:
+def rows(argument: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.intp], what: str) -> Vector:
     """Return (K, n): the current values updated by name, or new rows; rows of members not chosen are ignored."""
-    if given is None:
+    if argument is None:
         return over
-    made = over.copy()
-    if is_named(given):
-        for name, value in by_name(given, names, what).items():
-            made[:, names.index(name)] = _column(value, len(made), f"{what} {name!r}")
+    updated = over.copy()
+    if is_named(argument):
+        for name, value in by_name(argument, names, what).items():
+            updated[:, names.index(name)] = _column(value, len(updated), f"{what} {name!r}")
     else:
-        values = vector(given, what)
-        if values.shape not in (made.shape, made.shape[1:]):
-            raise ModelError(f"{what}: shape {values.shape}, but must be {made.shape}: {', '.join(names)}")
-        made[...] = values
-    _check_finite(made, names, chosen, what)
-    return made
+        values = vector(argument, what)
+        if values.shape not in (updated.shape, updated.shape[1:]):
+            raise ModelError(f"{what}: shape {values.shape}, but must be {updated.shape}: {', '.join(names)}")
+        updated[...] = values
+    _check_finite(updated, names, chosen, what)
+    return updated
 
 
-def _column(given: ArrayLike, count: int, what: str) -> Vector:
-    values = vector(given, what)
+def _column(argument: ArrayLike, count: int, what: str) -> Vector:
+    values = vector(argument, what)
     if values.shape not in ((), (count,)):
         raise ModelError(f"{what} has shape {values.shape}; give a number, or ({count},) numbers")
     return values
 
 
-def _check_finite(made: Vector, names: tuple[str, ...], chosen: NDArray[np.intp], what: str) -> None:
-    if not np.isfinite(made[chosen]).all():
-        k, place = np.argwhere(~np.isfinite(made[chosen]))[0]
+def _check_finite(updated: Vector, names: tuple[str, ...], chosen: NDArray[np.intp], what: str) -> None:
+    if not np.isfinite(updated[chosen]).all():
+        k, place = np.argwhere(~np.isfinite(updated[chosen]))[0]
         raise ModelError(f"{what} {names[place]!r} of member {chosen[k]} is not a finite number")
 
 

@@ -199,8 +199,8 @@ class Steppers(ManySteps):
 
     def _begin(self, chosen: NDArray[np.intp], starts: Starts) -> None:
         """Restart all these members; if one cannot start, restart none and raise."""
-        doubtful = self.stage(chosen, starts.t, starts.x, starts.v, starts.parameters)
-        for k in chosen.tolist() if self.model.extrapolates else doubtful.tolist():
+        to_check = self.stage(chosen, starts.t, starts.x, starts.v, starts.parameters)
+        for k in chosen.tolist() if self.model.extrapolates else to_check.tolist():
             try:
                 prepared = self.model.prepare(starts.parameters[k].copy())
                 start = starts.x[k].copy(), starts.v[k].copy()

@@ -72,11 +72,11 @@ class Design:
         """Return name -> values of the members start ... stop - 1."""
         members = np.arange(start, stop)
         point, sample = members // self.n, members % self.n
-        found = {}
+        columns_by_name = {}
         for name, values in reversed(list(self.grid.items())):
             point, place = np.divmod(point, len(values))
-            found[name] = np.asarray(values, dtype=np.float64)[place]
-        return dict(reversed(list(found.items()))) | self._drawn(sample)
+            columns_by_name[name] = np.asarray(values, dtype=np.float64)[place]
+        return dict(reversed(list(columns_by_name.items()))) | self._drawn(sample)
 
     def _drawn(self, sample: NDArray[np.int_]) -> dict[str, Vector]:
         drawn = {name: np.empty(len(sample)) for name in self.samples}
@@ -90,12 +90,12 @@ class Design:
         """Return name -> (_BLOCK,) random values. Each name has its own stream, independent of the other names."""
         spread = [name for name, one in self.samples.items() if one.kind == "sobol"]
         columns = dict(zip(spread, self._sobol(block, len(spread)).T, strict=True)) if spread else {}
-        found = {}
+        columns_by_name = {}
         for name, one in self.samples.items():
             random = np.random.default_rng([self.seed, crc32(name.encode()), block])
             uniform = columns[name] if name in columns else random.random(_BLOCK)
-            found[name] = one.of(uniform, random.standard_normal(_BLOCK) if one.kind == "normal" else uniform)
-        return found
+            columns_by_name[name] = one.of(uniform, random.standard_normal(_BLOCK) if one.kind == "normal" else uniform)
+        return columns_by_name
 
     def _sobol(self, block: int, dimensions: int) -> Vector:
         engine = qmc.Sobol(dimensions, rng=np.random.default_rng(self.seed))

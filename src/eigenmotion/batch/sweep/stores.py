@@ -27,12 +27,12 @@ _SWEPT, _OUTPUT = "swept ", "output "
 
 def arrays_of(runs: Ensemble, swept: Arrays) -> Arrays:
     """Return the arrays to store, with the runs as first axis; `swept`: name -> (K,)."""
-    kept = {"x": runs.x, "v": runs.v, "energy": runs.energy, "multipliers": runs.multipliers, "t_end": runs.t_end,
+    arrays = {"x": runs.x, "v": runs.v, "energy": runs.energy, "multipliers": runs.multipliers, "t_end": runs.t_end,
             "success": runs.success, "stop": np.array([str(reason) for reason in runs.stop], dtype="U32"),
             "nfev": runs.nfev}  # fmt: skip
-    kept |= {_OUTPUT + name: values for name, values in (runs.states | runs.outputs).items()}
-    kept |= {_SWEPT + name: values for name, values in swept.items()}
-    return {name: np.ascontiguousarray(values) for name, values in kept.items()}
+    arrays |= {_OUTPUT + name: values for name, values in (runs.states | runs.outputs).items()}
+    arrays |= {_SWEPT + name: values for name, values in swept.items()}
+    return {name: np.ascontiguousarray(values) for name, values in arrays.items()}
 
 
 def require(store: Path) -> None:
@@ -68,8 +68,8 @@ def _holds(suffix: str, column: str) -> bool:
         path = Path(folder) / f"rehearsal{suffix}"
         try:
             _write(xarray.Dataset({column: ("run", np.ones(1))}, {"run": np.zeros(1)}), path)
-            with _opened(path) as found:
-                return column in found.data_vars
+            with _opened(path) as dataset:
+                return column in dataset.data_vars
         except Exception:  # any exception of xarray, zarr, SciPy or the file system about a name
             return False
 
@@ -200,8 +200,8 @@ def _order_of_npz(store: Path) -> str:
 
 
 def _order_of_dataset(store: Path) -> str:
-    with _opened(store) as found:
-        return str(found.attrs["sweep"])
+    with _opened(store) as dataset:
+        return str(dataset.attrs["sweep"])
 
 
 _DATASETS: dict[str, dict[str, Any]] = {

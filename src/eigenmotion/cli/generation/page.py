@@ -52,10 +52,10 @@ def command(
 
 def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
     """Return the initial values of sliders."""
-    given = values(model, settings)
-    if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & given.get("v0", {}).keys()):
+    arguments = values(model, settings)
+    if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & arguments.get("v0", {}).keys()):
         raise click.UsageError(f"--set {speeds[0]}: a page has rates, not quasi-velocities")
-    return given
+    return arguments
 
 
 def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:

@@ -31,20 +31,20 @@ def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **sha
     is set, for example floor_held=0.
     """
     request = Shape(**shape).request(model)
-    given: dict[str, Any] = dict(values(request.model, settings))
+    arguments: dict[str, Any] = dict(values(request.model, settings))
     with clock():
         system = system_of(request)
-        result = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
-        text = _described(result, given.get("parameters", {})) if result.success else result.message
+        result = find_equilibrium(system, arguments.pop("x0", None), free=free or None, **arguments)
+        text = _described(result, arguments.get("parameters", {})) if result.success else result.message
     click.echo("\n".join([text, *_solved(result, free)]))
     return 0 if result.success else 2
 
 
-def _described(result: Equilibrium, given: Mapping[str, float]) -> str:
+def _described(result: Equilibrium, arguments: Mapping[str, float]) -> str:
     """Return the state and its modes, or the reason why there are no modes."""
     system = result.system
     try:
-        return description(result.linearize(mode=named_modes(system.compiled, given)))
+        return description(result.linearize(mode=named_modes(system.compiled, arguments)))
     except ModelError as error:
         return "\n".join([f"{system.name}: {result.message}", "", *state_rows(system.coordinates, result.x, result.v,
                           result.acceleration), "", str(error)])  # fmt: skip
@@ -52,5 +52,5 @@ def _described(result: Equilibrium, given: Mapping[str, float]) -> str:
 
 def _solved(result: Equilibrium, free: tuple[str, ...]) -> list[str]:
     """Return lines with the inputs and parameters that were solved for."""
-    given = result.inputs | result.parameters
-    return [f"{name} = {given[name] + 0.0:.9g}" for name in free if name in given]
+    arguments = result.inputs | result.parameters
+    return [f"{name} = {arguments[name] + 0.0:.9g}" for name in free if name in arguments]

@@ -27,10 +27,10 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
     """Linearise MODEL at a state: print eigenvalues with frequency and damping, and describe the modes."""
     check_plot(plot)
     request = Shape(**shape).request(model)
-    given = values(request.model, settings, "--at")
+    arguments = values(request.model, settings, "--at")
     with clock():
         system = system_of(request)
-        x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
+        x0, v0, parameters, inputs = (arguments.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
         keep = tuple(name for name in x0 or () if name in system.coordinates)
         x, v = assemble(system, x0, v0, parameters=parameters, keep=keep)
         states = {name: value for name, value in (x0 or {}).items() if name in system.states}

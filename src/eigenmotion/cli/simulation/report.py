@@ -56,8 +56,8 @@ def _report(requests: list[Request], options: list[ReportOptions], output: Path)
         with bar(each.model.name) as progress:
             reports.append(examine(each.model, settings, progress))
     page, *others = write_report(reports, output)
-    for found in reports:
-        click.echo(f"{found.name}: " + "\n  ".join(recommendation(found)))
+    for report in reports:
+        click.echo(f"{report.name}: " + "\n  ".join(recommendation(report)))
     click.echo(f"wrote {page} and {len(others)} files beside it")
 
 

@@ -67,13 +67,13 @@ def command(
     request = Shape(**shape).request(model)
     if animate and not request.model.drawing:
         require_drawing(None, request.model.name)
-    given = values(request.model, settings)
+    arguments = values(request.model, settings)
     options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
     with clock():
         system = system_of(request)
         _log.info("running %s to t = %g", system.name, t_end)
         start = time.perf_counter()
-        solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **given)
+        solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **arguments)
         seconds = time.perf_counter() - start
     click.echo(summary(system, solution, seconds))
     if plot:

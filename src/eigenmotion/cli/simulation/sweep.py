@@ -94,12 +94,12 @@ def command(
     with clock():
         system = system_of(request)
     named = chosen_method(system, method, rtol).name  # "auto" depends on the machine; a resumed sweep keeps the choice
-    given = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
+    arguments = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
     order = _order_of(
-        design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk
+        design, arguments, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk
     )
     parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates)
-    work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
+    work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), arguments)
     with parts.locked():
         if resume and is_done(parts):
             parts.clear()
@@ -130,11 +130,11 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
     return 0
 
 
-def _order_of(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
+def _order_of(design: Design, arguments: dict[str, Any], **rest: Any) -> dict[str, Any]:
     """Return the order of a sweep as JSON data: all that determines the bytes of its store."""
     drawn = {name: str(one) for name, one in design.samples.items()}
     grid = {name: list(numbers) for name, numbers in design.grid.items()}
-    options = {name: given[name] for name in ("rtol", "atol", "method")}
+    options = {name: arguments[name] for name in ("rtol", "atol", "method")}
     return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
 
 
@@ -191,13 +191,13 @@ class _Sweep:
     def _given(self, swept: dict[str, Any]) -> dict[str, Any]:
         """Return the arguments of `simulate_ensemble` from --set and from swept values."""
         kinds = values(self.model, tuple(f"{name}=0" for name in swept))
-        given = {kind: dict(numbers) for kind, numbers in self.settings.items()}
+        arguments = {kind: dict(numbers) for kind, numbers in self.settings.items()}
         for kind, names in kinds.items():
             for name in names:
                 rate = f"{name}'"
                 column = swept[rate] if kind == "v0" and rate in swept else swept[name]
-                given.setdefault(kind, {})[name] = column
-        return given
+                arguments.setdefault(kind, {})[name] = column
+        return arguments
 
 
 def _check_targets(store: Path, plot: Path | None, workers: int | None, scheduler: str | None) -> None:

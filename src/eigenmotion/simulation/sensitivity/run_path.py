@@ -128,11 +128,11 @@ def _in_turns(
         groups.setdefault(states[event][time].tobytes(), []).append((event, time))
     added = {before: after[group[0][0]][group[0][1]].tobytes() for before, group in groups.items()}
     turn = next((before for before in groups if before not in added.values()), None)
-    found = []
+    ordered = []
     while turn in groups:
-        found.append(groups.pop(turn))
+        ordered.append(groups.pop(turn))
         turn = added[turn]
-    return found + list(groups.values())
+    return ordered + list(groups.values())
 
 
 def _of_rows(t: Vector, rows: Vector, every_step: bool) -> NDArray[np.int_]:
@@ -140,9 +140,9 @@ def _of_rows(t: Vector, rows: Vector, every_step: bool) -> NDArray[np.int_]:
     first: dict[float, int] = {}
     for node, time in enumerate(t.tolist()):
         first.setdefault(time, node)
-    found, last = [], -1
+    nodes, last = [], -1
     for time in rows.tolist():
         again = every_step and last >= 0 and t[last] == time and last + 1 < len(t) and t[last + 1] == time
         last = last + 1 if again else first[time]
-        found.append(last)
-    return np.array(found, dtype=int)
+        nodes.append(last)
+    return np.array(nodes, dtype=int)

@@ -48,7 +48,7 @@ class _ContactRun:
         return [one for one in self.model.switches if one.slides is not None]
 
     @cached_property
-    def held(self) -> Vector:
+    def closed(self) -> Vector:
         return self.mode(self.contacts, "_held")
 
     @cached_property
@@ -73,11 +73,11 @@ class _ContactRun:
     def violations(self) -> Iterator[float]:
         """Yield the violation of each condition."""
         gaps, opens = (self.outputs(self.contacts, end) for end in ("_gap", "_opens"))
-        slips, held, stuck = self.slips(), self.held == 1, self.stuck == 1
+        slips, closed, stuck = self.slips(), self.closed == 1, self.stuck == 1
         size = max(_size(self.solution.x), _UNMOVED)
         yield _largest(-gaps) / size
-        yield _largest(np.abs(gaps[held])) / size
-        yield _largest(np.abs(opens[held])) / max(_size(opens), 1.0)
+        yield _largest(np.abs(gaps[closed])) / size
+        yield _largest(np.abs(opens[closed])) / max(_size(opens), 1.0)
         yield _largest(-np.nan_to_num(self.ways) * slips) / _size(slips)
         yield _largest(np.abs(slips[stuck])) / max(_size(slips), 1.0)
         yield self.forces()
@@ -135,18 +135,18 @@ class _ContactRun:
         order = [one.row for one in self.contacts] + [self.model.h + one.row for one in self.frictions]
         order += [row for row in range(self.model.m) if row not in order]
         A = self.system.pfaffian(x, t, dict(self.parameters) | modes)[0][order]
-        held, stuck, way = self.held[:, k] == 1, self.stuck[:, k] == 1, np.nan_to_num(self.ways[:, k])
+        closed, stuck, way = self.closed[:, k] == 1, self.stuck[:, k] == 1, np.nan_to_num(self.ways[:, k])
         limit = np.where(stuck, *(self.outputs(self.frictions, end)[:, k] for end in ("_sticks", "_limit")))
         names, c = [one.name for one in self.contacts], len(self.contacts)
         on = np.array([names.index(one.over) if one.over else -1 for one in self.frictions], dtype=int)
         shown = -self.solution.multipliers[order, k]
         for j in np.flatnonzero(way):
             shown[c + j] = -way[j] * limit[j] * (shown[on[j]] if on[j] >= 0 else 1.0)
-        return _least(A, A.T @ shown, c, limit, on, way, held, stuck)
+        return _least(A, A.T @ shown, c, limit, on, way, closed, stuck)
 
 
 def _least(
-    A: Vector, total: Vector, c: int, limit: Vector, on: Vector, way: Vector, held: Vector, stuck: Vector
+    A: Vector, total: Vector, c: int, limit: Vector, on: Vector, way: Vector, closed: Vector, stuck: Vector
 ) -> float:
     """Return the least s with A^T f = total, f >= -s for contacts, |f| <= limit + s for sticking frictions."""
     m = len(A)
@@ -162,7 +162,7 @@ def _least(
         else:
             equal.append(own + way_j * most)
             right.append(-way_j * fixed)
-    limits = [(None if one else 0.0, None if one else 0.0) for one in held] + [(None, None)] * (m - c) + [(0.0, None)]
+    limits = [(None if one else 0.0, None if one else 0.0) for one in closed] + [(None, None)] * (m - c) + [(0.0, None)]
     bounded += [-np.eye(m + 1)[i] - np.eye(m + 1)[m] for i in range(c)]
     done = linprog(np.eye(m + 1)[m], np.array(bounded), bounds + [0.0] * c, np.array(equal), np.array(right), limits)
     return float(done.x[m]) if done.status == 0 else np.inf
