@@ -129,7 +129,7 @@ def at_random(ending: str, kills: int) -> None:
 
 def begun() -> Path:
     """Leave a sweep after two of its parts; returns the folder."""
-    keep = Parts.keep
+    keep = Parts.write_part
 
     def dying(self, number, arrays):
         keep(self, number, arrays)
@@ -178,7 +178,7 @@ def test_parts_without_an_order_are_nobodys(scene):
 def test_one_process_writes_at_a_time(scene, capsys, monkeypatch):
     """A second --resume is refused by name while the first is at work, and the first ends as if it were alone."""
     assert main([*ONE, "-o", "one.csv"]) == 0
-    keep, codes = Parts.keep, []
+    keep, codes = Parts.write_part, []
 
     def kept(self, number, arrays):
         keep(self, number, arrays)
@@ -186,7 +186,7 @@ def test_one_process_writes_at_a_time(scene, capsys, monkeypatch):
             codes.append(None)
             codes[0] = main([*ONE, "-o", "runs.csv", "--resume"])
 
-    monkeypatch.setattr(Parts, "keep", kept)
+    monkeypatch.setattr(Parts, "write_part", kept)
     assert main([*ONE, "-o", "runs.csv", "--resume"]) == 0
     assert codes == [2]
     assert "another sweep writes into it now" in capsys.readouterr().err

@@ -54,7 +54,7 @@ def files(store: Path) -> dict[str, bytes]:
 
 def killed_after(parts: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let sweeps die when they have kept so many parts."""
-    keep, kept = kept_parts.Parts.keep, []
+    keep, kept = kept_parts.Parts.write_part, []
 
     def dying(self, number, arrays):
         if len(kept) == parts:
@@ -62,7 +62,7 @@ def killed_after(parts: int, monkeypatch: pytest.MonkeyPatch) -> None:
         kept.append(number)
         keep(self, number, arrays)
 
-    monkeypatch.setattr(kept_parts.Parts, "keep", dying)
+    monkeypatch.setattr(kept_parts.Parts, "write_part", dying)
 
 
 def test_a_sweep_stores_what_simulate_finds(scene, capsys):

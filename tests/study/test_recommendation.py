@@ -10,7 +10,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.reference.motion import scaled_error
-from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation, write_report
+from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine, recommendation, write_report
 from eigenmotion.report.curves import _LOOKS as looks
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
@@ -89,7 +89,7 @@ def stiff() -> Findings:
         patch.setattr("eigenmotion.report.formulations.FORMULATIONS", ("lagrange",))
         patch.setattr(importlib.import_module("eigenmotion.report.examine"), "peers", lambda *_: Peers((), ()))
         patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-5, 1e-7, 1e-9, 1e-11))
-        ask = Ask(error=1e-6, t_end=0.5, tolerances=(1e-6,), settings=STIFF, budget=Budget(rounds=1))
+        ask = ReportOptions(error=1e-6, t_end=0.5, tolerances=(1e-6,), settings=STIFF, budget=Budget(rounds=1))
         return examine(elastic_link(), ask, lambda done, what: None)
 
 

@@ -13,7 +13,7 @@ import eigenmotion as em
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.elimination import accelerations
 from eigenmotion.reference.extended_precision import extended
-from eigenmotion.reference.integration import Midpoint, NotReachedError, followed
+from eigenmotion.reference.integration import Midpoint, NotReachedError, integrate_adaptive
 from eigenmotion.reference.lagrange_equations import classical, double, explicit
 from eigenmotion.reference.motion import rates_of, reference, scaled_error
 from eigenmotion.stability.expectation.truth import Collocated
@@ -61,7 +61,12 @@ def test_extrapolation_has_its_order():
         return np.array([y[1], -y[0]])
 
     errors = [
-        float(abs(followed(Midpoint(3), rhs, np.array([1.0, 0.0]), np.linspace(0, 8, n + 1), 1.0)[-1, 0] - np.cos(8.0)))
+        float(
+            abs(
+                integrate_adaptive(Midpoint(3), rhs, np.array([1.0, 0.0]), np.linspace(0, 8, n + 1), 1.0)[-1, 0]
+                - np.cos(8.0)
+            )
+        )
         for n in (16, 32)
     ]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(6, abs=0.7)
@@ -69,7 +74,7 @@ def test_extrapolation_has_its_order():
 
 def test_extrapolation_stops_where_steps_vanish():
     with np.errstate(all="ignore"), pytest.raises(NotReachedError):
-        followed(Midpoint(8), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
+        integrate_adaptive(Midpoint(8), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
 
 
 def test_collocation_has_its_order():
@@ -92,7 +97,7 @@ def test_collocation_has_its_order():
 def test_collocation_crosses_a_strongly_damped_start():
     """y'' + 1e6 y' + 1e10 y = 0, whose parts die out at the rates 1e4 and 1e6."""
     times = np.linspace(0.0, 1e-3, 11)
-    rows = followed(Collocation(7), lambda time, y: np.array([y[1], -1e6 * y[1] - 1e10 * y[0]]), np.array([1.0, 0.0]),
+    rows = integrate_adaptive(Collocation(7), lambda time, y: np.array([y[1], -1e6 * y[1] - 1e10 * y[0]]), np.array([1.0, 0.0]),
                     times, 1e-14)  # fmt: skip
     with mpmath.workdps(40):
         root = mpmath.sqrt(mpmath.mpf(10) ** 12 / 4 - mpmath.mpf(10) ** 10)
@@ -103,7 +108,7 @@ def test_collocation_crosses_a_strongly_damped_start():
 
 def test_collocation_does_not_go_on_without_a_solution():
     with np.errstate(all="ignore"), pytest.raises(NotReachedError):
-        followed(Collocation(5), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-12)
+        integrate_adaptive(Collocation(5), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-12)
 
 
 def stiff_start() -> np.ndarray:
@@ -117,8 +122,8 @@ def test_the_reference_of_a_stiff_motion_is_implicit():
     made = reference(equations, stiff_start(), 0.2)
     assert "implicit steps" in made.how
     assert made.errors.max() < 1e-15
-    graded = Collocated(extended(equations), np.ones(6)).rows(stiff_start(), made.t, 0)
-    assert np.abs(graded[:, :3] - made.x).max() < 1e-12
+    integrate_graded = Collocated(extended(equations), np.ones(6)).rows(stiff_start(), made.t, 0)
+    assert np.abs(integrate_graded[:, :3] - made.x).max() < 1e-12
     rates = rates_of(extended(equations), made.t[:1], stiff_start()[None])
     assert rates.real.min() == pytest.approx(-1.6e6, rel=0.01)
 

@@ -19,7 +19,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.cli.simulation import report as cli
-from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation
+from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine, recommendation
 from eigenmotion.report.recommend import recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
 
@@ -47,7 +47,7 @@ def found(progress) -> Findings:
         patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", tuple(10.0**-k for k in range(4, 9)))
         for name in ("SLOW", "_TURN"):  # every run is timed as slow ones are: three times
             patch.setattr(f"eigenmotion.report.measure.{name}", 0.0)
-        ask = Ask(error=1e-8, t_end=10.0, tolerances=TOLERANCES, budget=Budget(np.inf, rounds=3))
+        ask = ReportOptions(error=1e-8, t_end=10.0, tolerances=TOLERANCES, budget=Budget(np.inf, rounds=3))
         return examine(model_of("dual_link"), ask, lambda done, what: progress.append((done, what)))
 
 
@@ -240,7 +240,7 @@ def test_the_advice_in_words(found):
 
 
 def test_the_command_writes_and_advises(called):
-    assert called.asked == [("dual_link", Ask(error=1e-6, t_end=3.0))]
+    assert called.asked == [("dual_link", ReportOptions(error=1e-6, t_end=3.0))]
     assert "formulation" in called.said
     assert (called.folder / "report.html").is_file()
 
@@ -270,7 +270,7 @@ def test_settings_reach_every_run_and_the_reference(monkeypatch):
     monkeypatch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))
     monkeypatch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-8,))
     settings = {"parameters": {"l": 0.4}, "x0": {"theta": 1.0}}
-    ask = Ask(t_end=2.0, tolerances=(1e-8,), settings=settings, budget=Budget(rounds=1))
+    ask = ReportOptions(t_end=2.0, tolerances=(1e-8,), settings=settings, budget=Budget(rounds=1))
     made = examine(model_of("pendulum"), ask, lambda done, what: None)
     k, w = mpmath.sin(mpmath.mpf(0.5)), mpmath.sqrt(mpmath.mpf(9.81) / mpmath.mpf(0.4))
     exact = float(2 * mpmath.asin(k * mpmath.ellipfun("cd", 2 * w, k=k)))
@@ -294,4 +294,8 @@ def test_a_run_that_cannot_get_to_the_end_is_a_mistake(monkeypatch):
     falling = em.Model(name="falling", coordinates=[theta], kinetic_energy=theta.diff() ** 2 / 2,
                        potential_energy=-1 / theta, initial={theta: 1})  # fmt: skip
     with pytest.raises(ModelError, match="--t-end"):
-        examine(falling, Ask(t_end=10.0, tolerances=(1e-6,), budget=Budget(np.inf, rounds=3)), lambda done, what: None)
+        examine(
+            falling,
+            ReportOptions(t_end=10.0, tolerances=(1e-6,), budget=Budget(np.inf, rounds=3)),
+            lambda done, what: None,
+        )

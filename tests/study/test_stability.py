@@ -18,7 +18,7 @@ from eigenmotion.building.shared_library import load
 from eigenmotion.building.toolchain import toolchain
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.extended_precision import EPSILON
-from eigenmotion.reference.integration import NotReachedError, graded
+from eigenmotion.reference.integration import NotReachedError, integrate_graded
 from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
 from eigenmotion.stability.cases.case import EXPLICIT
 from eigenmotion.stability.cases.variants import EXTRAPOLATE, PLAIN, UNSTABILISED
@@ -149,7 +149,7 @@ def test_rules():
 def test_collocation_follows_a_stiff_decay():
     """y' = -1e6 (y - cos t) - sin t from y = 2: cos t + exp(-1e6 t)."""
     times = np.array([0.0, 1e-6, 1e-3, 1.0])
-    rows = graded(Collocation(5), lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
+    rows = integrate_graded(Collocation(5), lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
     exact = np.cos(times) + np.exp(-1e6 * times)
     assert np.abs(rows[:, 0] - exact).max() < 1e-11
 
@@ -157,7 +157,7 @@ def test_collocation_follows_a_stiff_decay():
 def test_steps_on_a_mesh_do_not_go_on_without_a_solution():
     """y' = y^2 from y = 1 ends at t = 1."""
     with np.errstate(all="ignore"), pytest.raises(NotReachedError, match=r"stopped at t = 0\.9"):
-        graded(Collocation(5), lambda t, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 8)
+        integrate_graded(Collocation(5), lambda t, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 8)
 
 
 def test_chain_by_hand_is_the_chain_of_the_model():
@@ -176,9 +176,9 @@ def test_closed_forms_obey_the_classical_equations(name, value):
     n, start = len(point.x0), np.concatenate([point.x0, point.v0])
     times = np.linspace(0.0, 0.4, 5)
     rows = point.truth.rows(start, times, FINE)
-    difference = rows - graded(Collocation(5), lagrange(case.model(value), point.parameters), start, times, 16).astype(
-        np.float64
-    )
+    difference = rows - integrate_graded(
+        Collocation(5), lagrange(case.model(value), point.parameters), start, times, 16
+    ).astype(np.float64)
     whole_turns = np.concatenate([2 * np.pi * np.round(difference[:, :n] / (2 * np.pi)), 0 * difference[:, n:]], axis=1)
     assert np.abs(difference - whole_turns).max() < 1e-11
 

@@ -16,7 +16,7 @@ from eigenmotion.stability.cases.case import EXPLICIT, TOLERANCES, Case
 from eigenmotion.stability.cases.variants import CONTACTS, UNSTABILISED
 from eigenmotion.stability.evaluation.contact_conditions import largest_violation
 from eigenmotion.stability.evaluation.contact_outputs import with_contact_outputs
-from eigenmotion.stability.expectation.piecewise_motion import Rocking, Rubbed
+from eigenmotion.stability.expectation.piecewise_motion import DrivenFrictionMass, RockingBlock
 from eigenmotion.stability.models.contacts import painleves_rod
 
 from ..oracles.bearings import Bearings, Rubs
@@ -61,7 +61,7 @@ def test_contacts_are_right_in_all_cases(case):
 @pytest.mark.parametrize("alpha", [0.1, 0.4])
 def test_a_block_comes_down_when_its_energy_says(alpha):
     """t = integral of da / a', a'^2 = 3/2 g (height lost) / (b^2 + h^2); Housner's acosh for slender ones."""
-    block, p = Rocking(np.tan(alpha), 1.0, 9.81), 0.4 * alpha
+    block, p = RockingBlock(np.tan(alpha), 1.0, 9.81), 0.4 * alpha
     height = lambda a: block.b * np.sin(a) + block.h * np.cos(a)  # noqa: E731
     rate = lambda a: np.sqrt(1.5 * block.g * (height(p) - height(a)) / (block.b**2 + block.h**2))  # noqa: E731
     falls = quad(lambda s: 2 * s / rate(p - s**2), 0.0, np.sqrt(p), epsabs=1e-12)[0]
@@ -73,7 +73,7 @@ def test_a_block_comes_down_when_its_energy_says(alpha):
 @pytest.mark.parametrize(("e", "limit"), [(None, 1.2), (0.5, 3.0)])
 def test_slides_between_events_are_those_of_newtons_law(e, limit):
     """Where neither is at rest nor struck, the rate of v is the force over m; and v is that of x."""
-    mass, times = Rubbed(2.0, 10.0, 1.0, limit, e, 1e-3), np.linspace(0.0, 5.0, 40001)
+    mass, times = DrivenFrictionMass(2.0, 10.0, 1.0, limit, e, 1e-3), np.linspace(0.0, 5.0, 40001)
     x, v = mass(np.zeros(2), times).T
     assert np.abs(np.gradient(x, times) - v)[np.abs(np.gradient(v, times)) < 20].max() < 1e-3
     a, slides = np.gradient(v, times), np.abs(v) > 1e-2
