@@ -137,7 +137,7 @@ def begun() -> Path:
             raise SystemExit(9)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Parts, "keep", dying)
+        patch.setattr(Parts, "write_part", dying)
         with pytest.raises(SystemExit):
             main([*ONE, "-o", "runs.npz"])
     return Path(".runs.npz.parts")

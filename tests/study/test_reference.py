@@ -97,8 +97,8 @@ def test_collocation_has_its_order():
 def test_collocation_crosses_a_strongly_damped_start():
     """y'' + 1e6 y' + 1e10 y = 0, whose parts die out at the rates 1e4 and 1e6."""
     times = np.linspace(0.0, 1e-3, 11)
-    rows = integrate_adaptive(Collocation(7), lambda time, y: np.array([y[1], -1e6 * y[1] - 1e10 * y[0]]), np.array([1.0, 0.0]),
-                    times, 1e-14)  # fmt: skip
+    rhs = lambda time, y: np.array([y[1], -1e6 * y[1] - 1e10 * y[0]])  # noqa: E731
+    rows = integrate_adaptive(Collocation(7), rhs, np.array([1.0, 0.0]), times, 1e-14)
     with mpmath.workdps(40):
         root = mpmath.sqrt(mpmath.mpf(10) ** 12 / 4 - mpmath.mpf(10) ** 10)
         a, b = -mpmath.mpf(500000) + root, -mpmath.mpf(500000) - root
