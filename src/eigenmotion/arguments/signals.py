@@ -249,8 +249,10 @@ def as_signal(argument: Any, name: str) -> float | Signal:
     try:
         if isinstance(argument, Signal):
             signal = argument
+        elif interpolant:
+            signal = Signal(argument)
         else:
-            signal = Signal(argument) if interpolant else Signal(*argument)
+            signal = Signal(*argument)
         _ = signal.compiled  # raises the error of an interpolant that cannot be compiled
     except ModelError as error:
         raise ModelError(f"input {name!r}: {error}") from error
