@@ -1,8 +1,8 @@
-"""Cost of short calls from Python, one place or one short run: microseconds, medians with quartiles.
+"""Benchmark of short calls from Python, at one state or of one short run: microseconds, medians with quartiles.
 
-Arguments are NumPy arrays. The run is one step of dop853. Its whole call stands beside the same run by the same sources
-from C (common/run.c), which allocates, enters, steps and frees as the call does: the difference is what `simulate`
-costs besides its steps. Python and C take turns.
+Arguments are NumPy arrays. The run is one step of dop853. It is also timed from C with the same sources (common/run.c),
+where it allocates, opens, steps and frees as the call from Python does: the difference is the overhead of `simulate`.
+Python and C alternate.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ T_END, TOLERANCE = 1e-4, 1e-6
 
 
 def timed(action: Callable[[], object]) -> float:
-    """Return the seconds of one call, over enough of them to be seen."""
+    """Return the seconds of one call, as the mean over CALLS calls."""
     start = time.perf_counter()
     for _ in range(CALLS):
         action()
@@ -43,7 +43,7 @@ def calls(system: em.System) -> dict[str, Callable[[], object]]:
 
 
 def measured(name: str, formulation: str, folder: Path) -> dict[str, np.ndarray]:
-    """Return the seconds of each call in each round, and those of the run in C."""
+    """Return the seconds of each call in each round, and of the run in C."""
     model = em.load_model(MODELS / f"{name}.py")
     system = em.build(model, formulation=formulation)
     in_c = Runner.of_model(model, folder / f"{name} {formulation}", formulation=formulation)
@@ -51,9 +51,9 @@ def measured(name: str, formulation: str, folder: Path) -> dict[str, np.ndarray]
     actions = {title: lambda call=call: timed(call) for title, call in calls(system).items()}
     actions["run in C"] = lambda: 1e-9 * in_c.nanoseconds(1000, T_END, TOLERANCE)
     rounds = [{title: action() for title, action in actions.items()} for _ in range(ROUNDS)]
-    found = {title: np.array([each[title] for each in rounds]) for title in actions}
-    found["besides its steps"] = found["simulate"] - np.median(found["run in C"])
-    return found
+    seconds = {title: np.array([each[title] for each in rounds]) for title in actions}
+    seconds["besides its steps"] = seconds["simulate"] - np.median(seconds["run in C"])
+    return seconds
 
 
 def main() -> None:

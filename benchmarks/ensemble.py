@@ -1,7 +1,7 @@
-"""Many runs: dual_link over 10 s, K1 varied, beside heyoka.py's batches; threads; processes; and a loop of `simulate`.
+"""Benchmark of ensembles: dual_link over 10 s with varied K1, compared with heyoka.py's batches; loops of `simulate`.
 
-Ratios are medians over rounds in which whatever is compared runs in turns. Errors are medians over members of the
-largest error of x at the end, against runs at 1e-13.
+Also the gain by threads and processes. Ratios are medians over rounds in which the compared calls alternate. Errors are
+medians over members of the largest error of x at the end, compared with runs at 1e-13.
 """
 
 from __future__ import annotations
@@ -29,25 +29,25 @@ TARGET, TOLERANCES = 5e-10, 10.0 ** -np.arange(8.5, 12.1, 0.125)
 SPAN, ROUNDS = (0.0, 10.0), 5
 COUNTS = (1, 8, 100, 10_000)
 SLOW = tuple(f"{formulation} ra15" for formulation in FORMULATIONS)  # left out where there are many runs
-MANY = 300_000  # runs: so many that an executor's chunks, eight on two cores, are of a second each
+MANY = 300_000  # runs: enough for an executor's chunks (eight on two cores) to take a second each
 SCENES = {"four_bar": {}, "chaplygin_sleigh": {}, "spatial_arm": {"n": 6}, "chain": {"n": 8}}
 
 LOOPS = ("four_bar", "slider_crank", "bricard", "jansen")
 
 
 def spread(count: int) -> np.ndarray:
-    """K1 of so many members."""
+    """Return K1 of `count` members."""
     return np.linspace(0.5, 2.0, count)
 
 
 def ensemble(system: System, count: int, tolerance: float, **options: object) -> np.ndarray:
-    """x (count, n) at the end."""
-    given = {"rtol": tolerance, "atol": tolerance, "workers": 1, **options}
-    return simulate_ensemble(system, SPAN, parameters={"K1": spread(count)}, **given).x[:, :, 0]
+    """Return x (count, n) at the end."""
+    options = {"rtol": tolerance, "atol": tolerance, "workers": 1, **options}
+    return simulate_ensemble(system, SPAN, parameters={"K1": spread(count)}, **options).x[:, :, 0]
 
 
 def tolerance_for(run: Callable[[float], np.ndarray], exact: np.ndarray) -> tuple[float, float]:
-    """The loosest tolerance that reaches the target, and the error there."""
+    """Return the loosest tolerance that reaches the target error, and the error there."""
     for tolerance in TOLERANCES:
         error = float(np.median(np.abs(run(tolerance) - exact).max(axis=1)))
         if error <= TARGET:
@@ -56,7 +56,7 @@ def tolerance_for(run: Callable[[float], np.ndarray], exact: np.ndarray) -> tupl
 
 
 def batches() -> Callable[[int, float, int], Callable[[], np.ndarray]] | None:
-    """heyoka.py's: (count, tolerance, batch) -> what runs them; integrators are compiled before."""
+    """Return (count, tolerance, batch) -> function that makes these runs with heyoka.py, by a compiled integrator."""
     if find_spec("heyoka") is None:
         return None
     import heyoka  # noqa: PLC0415, an optional package
@@ -124,14 +124,16 @@ def half(system: System) -> None:
 
 
 def threads() -> None:
-    """Two threads over one, on short work and on ten times that; and two processes, which share nothing: what those
-    gain is what the machine has to give."""
+    """Print the gain by two threads over one, for two amounts of work, and by two processes.
+
+    The processes share nothing, so that their gain shows what the machine can give.
+    """
     system = build(MODELS / "dual_link.py", formulation="lagrange")
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         calls = {f"{runs} by {workers}": partial(ensemble, system, runs, 1e-10, workers=workers)
                  for runs in (4000, 40_000) for workers in (1, 2)}  # fmt: skip
         calls["processes"] = lambda: list(pool.map(half, [system] * 2))
-        calls["processes"]()  # they load what they need
+        calls["processes"]()  # warm-up: the processes import and load the library
         seconds = interleaved(calls, ROUNDS)
     for runs in (4000, 40_000):
         gained = ratio(seconds[f"{runs} by 1"], seconds[f"{runs} by 2"])
@@ -140,30 +142,30 @@ def threads() -> None:
 
 
 class Watched(Executor):
-    """Another executor, and the seconds that each chunk took in its worker."""
+    """A wrapper of an executor that records the seconds that each chunk takes in its worker."""
 
     def __init__(self, pool: Executor) -> None:
         self.pool, self.seconds = pool, list[float]()
 
-    def submit(self, function: Callable[..., object], /, *given: object) -> Future:  # type: ignore[override]
-        future = self.pool.submit(function, *given)
+    def submit(self, function: Callable[..., object], /, *arguments: object) -> Future:  # type: ignore[override]
+        future = self.pool.submit(function, *arguments)
         future.add_done_callback(lambda done: self.seconds.append(done.result()[1]))
         return future
 
 
 def processes() -> None:
-    """An executor of two processes that have begun, on chunks of a second as design.md has them, over one thread."""
+    """Print the gain by an executor of two running processes over one thread, with chunks of a second."""
     system = build(MODELS / "dual_link.py", formulation="lagrange")
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         watched = Watched(pool)
-        ensemble(system, 1000, 1e-10, workers=None, executor=pool)  # they load what they need
+        ensemble(system, 1000, 1e-10, workers=None, executor=pool)  # warm-up: the processes load the library
         calls = {
             "thread": partial(ensemble, system, MANY, 1e-10),
             "executor": partial(ensemble, system, MANY, 1e-10, workers=None, executor=watched),
         }
         seconds = interleaved(calls, ROUNDS)
     chunks = np.array(watched.seconds)
-    chunks = chunks[chunks > 0.1 * np.median(chunks)]  # without pilots
+    chunks = chunks[chunks > 0.1 * np.median(chunks)]  # without the pilot runs, which are short
     times = ratio(seconds["thread"], seconds["executor"])
     print(f"\n{MANY} runs: an executor of two processes {times} times as fast as one thread, ", end="")
     print(f"in chunks of {spread_of(chunks, 1.0, 2)} s", flush=True)
@@ -176,13 +178,13 @@ def beside_a_loop(count: int = 64) -> None:
             system = build(MODELS / f"{name}.py", formulation=formulation, **arguments)
             first = next(iter(system.parameters))
             values = system.parameters[first] * np.linspace(0.95, 1.05, count) if name != "four_bar" else np.ones(count)
-            given = {"rtol": 1e-9, "atol": 1e-9}
+            options = {"rtol": 1e-9, "atol": 1e-9}
             key = first if name != "four_bar" else "density"
             calls = {
                 "ensemble": partial(
-                    simulate_ensemble, system, (0.0, 1.0), parameters={key: values}, workers=1, **given
+                    simulate_ensemble, system, (0.0, 1.0), parameters={key: values}, workers=1, **options
                 ),
-                "loop": lambda s=system, k=key, v=values, g=given: [
+                "loop": lambda s=system, k=key, v=values, g=options: [
                     s.simulate((0.0, 1.0), parameters={k: p}, **g) for p in v
                 ],
             }
@@ -191,7 +193,7 @@ def beside_a_loop(count: int = 64) -> None:
 
 
 def beside_nodes(count: int = 24) -> None:
-    """What method="auto" goes by where steps are put on positions one by one."""
+    """Print the measurements on which method="auto" relies if each step is projected onto the position constraints."""
     tolerances = 10.0 ** -np.arange(6, 12)
     print(
         f"\n{count} runs of 1 s, lanes of dop853 over ra15, one core, at {' '.join(f'{one:.0e}' for one in tolerances)}"
@@ -199,13 +201,13 @@ def beside_nodes(count: int = 24) -> None:
     for name in LOOPS:
         system = build(MODELS / f"{name}.py", formulation="lagrange")
         key, value = next(iter(system.parameters.items()))
-        found = []
+        ratios = []
         for tolerance in tolerances:
-            given = {"parameters": {key: np.full(count, value)}, "rtol": tolerance, "atol": tolerance, "workers": 1}
-            calls = {m: partial(simulate_ensemble, system, (0.0, 1.0), method=m, **given) for m in ("dop853", "ra15")}
+            options = {"parameters": {key: np.full(count, value)}, "rtol": tolerance, "atol": tolerance, "workers": 1}
+            calls = {m: partial(simulate_ensemble, system, (0.0, 1.0), method=m, **options) for m in ("dop853", "ra15")}
             seconds = interleaved(calls, 3 * ROUNDS, time.thread_time)
-            found.append(f"{np.median(seconds['dop853'] / seconds['ra15']):.2f}")
-        print(f"  {name:<20}{'   '.join(found)}", flush=True)
+            ratios.append(f"{np.median(seconds['dop853'] / seconds['ra15']):.2f}")
+        print(f"  {name:<20}{'   '.join(ratios)}", flush=True)
 
 
 def main() -> None:

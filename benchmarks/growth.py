@@ -1,9 +1,9 @@
-"""Up to which n each formulation is worth using, on a chain of n links in a plane and an arm of n links in space.
+"""Benchmark of scaling with n: up to which n each formulation is competitive, for a plane chain and a spatial arm.
 
 For each n: states, operations and nanoseconds of one right-hand side, right-hand sides and time of a run to a given
-error with dop853, and seconds from the model to the imported module. Errors are the largest on the way, against a run
-at 1e-13 of another formulation; the span is one in which a perturbation of the start hardly grows (printed too). It
-prints the tables of docs/report.md, section "Growth with the number of coordinates".
+error with dop853, and seconds from the model to the imported module. Errors are the largest along the run, compared
+with a run at 1e-13 of another formulation; the span is short enough that a perturbation of the start hardly grows (its
+growth is printed too). It prints the tables of docs/report.md, section "Growth with the number of coordinates".
 """
 
 from __future__ import annotations
@@ -35,18 +35,18 @@ from eigenmotion.report.solvers import OUR_TOLERANCES, Problem, Track, explicit_
 
 MODELS = Path(__file__).parents[1] / "models"
 OTHER = {"lagrange": "cholesky"}
-"""Formulation that an error is measured against; lagrange for all the others."""
+"""The formulation whose run is the reference for errors; lagrange for formulations not listed."""
 ERROR, TIGHT, TOLERANCES = 1e-6, 1e-13, OUR_TOLERANCES[:15]
 ROWS, ROUNDS, PERTURBATION = 41, 7, 1e-7
 PATIENCE = 60.0
-"""[s] of building, after which a formulation is not built for larger n."""
+"""[s] A formulation whose build takes longer is not built for larger n."""
 WORTH = 1.5
-"""Times as long as the quickest: up to here a formulation counts as worth using."""
+"""A formulation is competitive if it takes at most this multiple of the fastest one's time."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """A model of n links, the n, and the span of the run [s]."""
+    """A model of n links, the values of n, and the span of the run [s]."""
 
     file: str
     sizes: tuple[int, ...]
@@ -58,7 +58,12 @@ CASES = (Case("chain", (2, 3, 4, 6, 8, 12, 16, 32), 2.0), Case("spatial_arm", (2
 
 @dataclass(frozen=True)
 class Program:
-    """A formulation of a model: built in so many seconds; operations (None: see the message) and timer of its rhs."""
+    """A built formulation of a model.
+
+    built : seconds of the build
+    operations : of one right-hand side; None if they could not be counted
+    nanoseconds : calls -> time of one right-hand side
+    """
 
     system: System
     built: float
@@ -68,7 +73,7 @@ class Program:
 
 @dataclass(frozen=True)
 class Judges:
-    """Each formulation's runs are compared with another one's rows."""
+    """The judges of each formulation's runs, which compare them with the run of another formulation."""
 
     by_formulation: Mapping[str, Judge]
 
@@ -81,7 +86,7 @@ class Judges:
 
 
 def program(model: Model, formulation: str, folder: Path) -> Program:
-    """Generate, compile and load anew; the timer is linked with the same library."""
+    """Generate, compile and load a model without the cache; the timer is linked with the same library."""
     start = time.perf_counter()
     sources = request(model, formulation=formulation).sources()
     work = folder / f"{model.name}_{formulation}"
@@ -110,22 +115,22 @@ def alone(programs: Mapping[str, Program]) -> dict[str, float]:
 
 
 def tight(system: System, times: np.ndarray, **start: np.ndarray) -> np.ndarray:
-    """Return x, v (k, 2n) of a run that is much more accurate than those it is for."""
+    """Return x, v (k, 2n) of a run that is much more accurate than those compared with it."""
     run = system.simulate((0.0, times[-1]), rtol=TIGHT, atol=TIGHT, t_eval=times, **start)
     return np.concatenate([run.x, run.v]).T
 
 
 def judges(programs: Mapping[str, Program], times: np.ndarray) -> Judges:
     rows = {name: tight(one.system, times) for name, one in programs.items()}
-    found = {}
+    by_name = {}
     for name, one in programs.items():
         x, v = np.split(rows[OTHER.get(name, "lagrange")], 2, axis=1)
-        found[name] = Judge(Reference(times, x, v, np.zeros(len(times)), "a tight run"), one.system)
-    return Judges(found)
+        by_name[name] = Judge(Reference(times, x, v, np.zeros(len(times)), "a tight run"), one.system)
+    return Judges(by_name)
 
 
 def growth(system: System, times: np.ndarray) -> float:
-    """Return by how much a perturbation of the start has grown at the most."""
+    """Return the largest factor by which a perturbation of the start grows."""
     shift = PERTURBATION * np.random.default_rng(0).choice((-1.0, 1.0), (2, system.n))
     x0, v0 = system.initial
     apart = tight(system, times, x0=x0 + shift[0], v0=v0 + shift[1]) - tight(system, times)
@@ -142,29 +147,29 @@ def runs(programs: Mapping[str, Program], t_end: float) -> dict[str, Curve]:
 
 
 def built(model: Model, names: Sequence[str], folder: Path, left_out: dict[str, str]) -> dict[str, Program]:
-    """Build what can be built; say in `left_out` what cannot, or took so long that it is not built for larger n."""
-    found = {}
+    """Build the formulations; record in `left_out` those that cannot be built, or are too slow to build."""
+    programs = {}
     for name in names:
         try:
-            found[name] = program(model, name, folder)
+            programs[name] = program(model, name, folder)
         except ModelError as error:
             left_out[name] = f"from n = {model.n}: {str(error).partition(';')[0].partition(': ')[2]}"
         else:
-            if found[name].built > PATIENCE:
-                left_out[name] = f"above n = {model.n}, which took {found[name].built:.0f} s to build"
-    return found
+            if programs[name].built > PATIENCE:
+                left_out[name] = f"above n = {model.n}, which took {programs[name].built:.0f} s to build"
+    return programs
 
 
 def cells(numbers: Mapping[str, float | None], form: str) -> str:
-    """Write a number a formulation, in their request."""
+    """Format a number for each formulation, in the order of FORMULATIONS."""
     return " / ".join("-" if numbers.get(name) is None else form.format(numbers[name]) for name in FORMULATIONS)
 
 
 def row(n: int, programs: Mapping[str, Program], t_end: float) -> dict[str, float | None]:
     """Print a line of the table; return the seconds to ERROR."""
-    found = runs(programs, t_end)
-    reached = {name: curve.reaching(ERROR) for name, curve in found.items()}
-    seconds = {name: curve.seconds_at(ERROR) for name, curve in found.items()}
+    curve_of = runs(programs, t_end)
+    reached = {name: curve.reaching(ERROR) for name, curve in curve_of.items()}
+    seconds = {name: curve.seconds_at(ERROR) for name, curve in curve_of.items()}
     parts = (
         str(n),
         cells({name: one.system.n_state for name, one in programs.items()}, "{}"),
@@ -180,7 +185,7 @@ def row(n: int, programs: Mapping[str, Program], t_end: float) -> dict[str, floa
 
 
 def conclude(by_n: Mapping[int, Mapping[str, float | None]], left_out: Mapping[str, str]) -> None:
-    """Print who is quickest where, and where who is worth using."""
+    """Print for which n each formulation is the fastest, and for which it is competitive."""
     times = {n: {name: s for name, s in seconds.items() if s is not None} for n, seconds in by_n.items()}
     quickest = {n: min(seconds, key=seconds.get) for n, seconds in times.items() if seconds}
     print()
@@ -214,10 +219,10 @@ def main() -> None:
     options = argparse.ArgumentParser(description="Up to which n each formulation is worth using.")
     options.add_argument("models", nargs="*", help="chain, spatial_arm; both if none is named")
     options.add_argument("--most", type=int, default=10**9, help="the largest n")
-    asked = options.parse_args()
+    arguments = options.parse_args()
     for case in CASES:
-        if not asked.models or case.file in asked.models:
-            table(case, asked.most)
+        if not arguments.models or case.file in arguments.models:
+            table(case, arguments.most)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""The paper's mechanism beside heyoka.py: whole Python calls over 10 s, at its own tolerances.
+"""Benchmark of the paper's mechanism compared with heyoka.py: whole Python calls over 10 s, at heyoka.py's tolerances.
 
-Each of ours runs at the loosest tolerance, in half decades, that leaves at most twice the error of heyoka.py's; ratios
-are medians over interleaved rounds, with quartiles. Errors are those of theta(10), the largest of four.
+Each of our runs has the loosest tolerance, in half decades, with at most twice the error of heyoka.py's run. Ratios are
+medians over interleaved rounds, with quartiles. Errors are the largest of the four errors of theta(10).
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ def start() -> Start:
     return Start(np.concatenate([model.initial_x, model.initial_v]), T_END)
 
 
-def theirs(found: Peers, tolerance: float) -> tuple[Callable[[], object], float]:
+def theirs(others: Peers, tolerance: float) -> tuple[Callable[[], object], float]:
     """Return the run of heyoka.py and its error."""
-    attempt = next(solver for solver in found.solvers if solver.family == "heyoka.py").attempt(tolerance)
+    attempt = next(solver for solver in others.solvers if solver.family == "heyoka.py").attempt(tolerance)
     track = attempt.track(np.array([0.0, T_END]), attempt.run())
     return attempt.run, float(np.abs(track.x[-1] - CERTIFIED).max())
 
 
 def as_good(system: System, method: str, error: float) -> tuple[Callable[[], object], float, float] | None:
-    """Return the run at the loosest tolerance whose error is no larger, the tolerance and the error."""
+    """Return the run with the loosest tolerance whose error is at most `error`, its tolerance and its error."""
     for tolerance in OURS:
         run = partial(system.simulate, (0.0, T_END), rtol=tolerance, atol=tolerance, method=method)
         if (off := float(np.abs(run().x[:, -1] - CERTIFIED).max())) <= error:
@@ -52,9 +52,9 @@ def repeated(run: Callable[[], object]) -> None:
         run()
 
 
-def compared(systems: dict[str, System], found: Peers, tolerance: float) -> None:
-    """Print all of ours over heyoka.py at one of its tolerances."""
-    run, error = theirs(found, tolerance)
+def compared(systems: dict[str, System], others: Peers, tolerance: float) -> None:
+    """Print the time of each of our runs over that of heyoka.py, at one of its tolerances."""
+    run, error = theirs(others, tolerance)
     good = {f"{name} {method}": as_good(system, method, 2.0 * error)
             for name, system in systems.items() for method in METHODS}  # fmt: skip
     calls = {"heyoka.py": run, **{name: one[0] for name, one in good.items() if one}}
@@ -75,10 +75,10 @@ def main() -> None:
     if find_spec("heyoka") is None:
         print("left out: heyoka.py is not installed (pip install 'eigenmotion[peers]')")
         return
-    found = peers(classical(model), start())
+    others = peers(classical(model), start())
     systems = {name: build(model, formulation=name) for name in FORMULATIONS}
     for tolerance in TOLERANCES:
-        compared(systems, found, tolerance)
+        compared(systems, others, tolerance)
 
 
 if __name__ == "__main__":

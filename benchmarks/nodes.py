@@ -1,8 +1,9 @@
-"""Steps by nodes, "ra15", beside dop853 at equal error: every model in two formulations, a kinked and a held force.
+"""Benchmark of ra15 (Gauss-Radau collocation) compared with dop853 at equal error.
 
-Time of whole calls in interleaved rounds over tolerances, and the largest error of x at eleven times; between them
-both are interpolated. Ratios are ra15 over dop853, at errors from 1e-3 to 1e-9 relative to the size of the motion. Last
-what "auto" (simulation/method_selection.py) makes of it: the time of the method it takes over that of the better one.
+It runs every model in two formulations, and two models with a kinked and a sampled force. The time of whole calls is
+measured in interleaved rounds over tolerances, with the largest error of x at eleven times; the time at a given error
+is interpolated. Ratios are ra15 over dop853, at errors from 1e-3 to 1e-9 relative to the size of the motion. At the end
+the choice of "auto" (simulation/method_selection.py): the time of the method it chooses over that of the faster one.
 """
 
 from __future__ import annotations
@@ -29,14 +30,14 @@ Both = dict[str, tuple[np.ndarray, np.ndarray]]
 
 
 def kinked() -> Model:
-    """An oscillator that a one-sided spring meets in every period."""
+    """Return an oscillator that touches a one-sided spring in every period."""
     q = dynamicsymbols("q")
     force = -q - 2 * sympy.Max(q, 0)
     return Model(name="kinked", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, forces={q: force}, initial={q: 1.0})
 
 
 def held() -> Model:
-    """A pendulum driven by a torque that is held between samples."""
+    """Return a pendulum driven by a torque that is constant between samples."""
     q, u = dynamicsymbols("q u")
     return Model(name="held", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=-9.81 * sympy.cos(q),
                  forces={q: u}, inputs={u: 0.0}, initial={q: 1.0})  # fmt: skip
@@ -48,7 +49,7 @@ def inputs_of(system: System) -> dict[str, Signal]:
 
 
 def times_and_errors(system: System) -> Both:
-    """Seconds and relative errors of each method at each tolerance; NaN where a run fails, or what judges them does."""
+    """Return seconds and relative errors of each method at each tolerance; NaN if a run or its reference run fails."""
     at, inputs = np.linspace(0.0, SPAN, 11), inputs_of(system)
     tight = system.simulate((0.0, SPAN), rtol=1e-13, atol=1e-13, t_eval=at, method="dop853", inputs=inputs)
     exact = tight.x if tight.success else np.full((system.n, len(at)), np.nan)
@@ -65,7 +66,7 @@ def times_and_errors(system: System) -> Both:
 
 
 def seconds_at(target: float, seconds: np.ndarray, errors: np.ndarray) -> float:
-    """Interpolate the time for an error; NaN where no run is so good."""
+    """Interpolate the time for an error; NaN if no run reaches it."""
     known = np.isfinite(errors) & (errors > 0)
     order = np.argsort(errors[known])
     x, y = np.log(errors[known][order]), np.log(seconds[known][order])
@@ -73,15 +74,15 @@ def seconds_at(target: float, seconds: np.ndarray, errors: np.ndarray) -> float:
 
 
 def chosen(system: System) -> list[str]:
-    """Return what "auto" takes at each tolerance."""
+    """Return the method that "auto" chooses at each tolerance."""
     return [system.simulate((0.0, SPAN), rtol=tolerance, atol=tolerance, method="auto", inputs=inputs_of(system)).method
             for tolerance in TOLERANCES]  # fmt: skip
 
 
 def lost(system: System, both: Both) -> dict[str, np.ndarray]:
-    """Return, at each tolerance, the time of each method over that of the better one; `auto` among them.
+    """Return, at each tolerance, the time of each method, and of `auto`, over that of the faster method.
 
-    NaN where a run fails, or `auto` takes the scene for stiff.
+    NaN if a run fails, or `auto` chooses a stiff method.
     """
     better = np.where(np.isfinite(both["dop853"][1]), np.minimum(both["dop853"][0], both["ra15"][0]), np.nan)
     times = {method: both[method][0] / better for method in METHODS}
@@ -92,7 +93,7 @@ def lost(system: System, both: Both) -> dict[str, np.ndarray]:
 def main() -> None:
     heads = [f"{formulation} {target:.0e}" for formulation in FORMULATIONS for target in TARGETS]
     print("time of ra15 over that of dop853 at equal error\n" + f"{'model':<18}" + "".join(f"{h:>18}" for h in heads))
-    found, losses = [], []
+    table, losses = [], []
     for model in (*MODELS, kinked(), held()):
         ratios = []
         for formulation in FORMULATIONS:
@@ -101,9 +102,9 @@ def main() -> None:
             losses.append(lost(system, both))
             at = [[seconds_at(target, *both[method]) for method in METHODS] for target in TARGETS]
             ratios += [nodes / stages for stages, nodes in at]
-        found.append(ratios)
+        table.append(ratios)
         print(f"{system.name:<18}" + "".join(f"{ratio:>18.2f}" for ratio in ratios), flush=True)
-    print(f"{'median':<18}" + "".join(f"{ratio:>18.2f}" for ratio in np.nanmedian(found, axis=0)))
+    print(f"{'median':<18}" + "".join(f"{ratio:>18.2f}" for ratio in np.nanmedian(table, axis=0)))
     print("\ntime over that of the better method at equal tolerance, geometric mean over all of these: rtol")
     print(f"{'':<18}" + "".join(f"{tolerance:>8.0e}" for tolerance in TOLERANCES))
     for method in (*METHODS, "auto"):

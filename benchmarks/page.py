@@ -1,9 +1,9 @@
-"""Weight and cost of a page: bytes, frames a second in Chromium, and ten seconds of motion beside the native run.
+"""Benchmark of web pages: size in bytes, frames per second in Chromium, and the time of a run in the page and natively.
 
-Headless, with software rendering, as on a machine without a graphics card. The run is dop853 with a hundred rows a
-second, by WebAssembly in the page and by `simulate` here, at the same tolerances; least of many. Models in space are
-drawn by three.js, which npm brings. Where others use the machine, look at the processor time of the browser's busiest
-process, a frame: 16.7 ms and less are 60 frames a second.
+Chromium runs headless, with software rendering, as on a machine without a graphics card. The run is 10 s by dop853 with
+a hundred rows per second, by WebAssembly in the page and by `simulate` natively, at the same tolerances; the shortest
+of many. Models in space are drawn by three.js, which npm installs. If the machine is shared with others, the processor
+time per frame of the browser's busiest process is more reliable: up to 16.7 ms allow 60 frames per second.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ LEAST = """(() => { let least = Infinity;
 
 
 def native(path: Path) -> float:
-    """Return the milliseconds of a run here."""
+    """Return the milliseconds of a native run."""
     system, least = em.build(path), np.inf
     for _ in range(TIMES):
         began = time.perf_counter()
@@ -53,22 +53,22 @@ def native(path: Path) -> float:
 
 
 def processor_times(pid: int) -> dict[int, float]:
-    """Return the seconds that each process below one has used, by what Linux says."""
-    found, parents = dict[int, float](), dict[int, int]()
+    """Return the processor seconds of a process and each of its descendants, from /proc."""
+    used, parents = dict[int, float](), dict[int, int]()
     for stat in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):
             fields = stat.read_text().rpartition(")")[2].split()
             each = int(stat.parent.name)
             parents[each] = int(fields[1])
-            found[each] = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+            used[each] = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
     below = {pid}
     while more := {each for each, parent in parents.items() if parent in below} - below:
         below |= more
-    return {each: found.get(each, 0.0) for each in below}
+    return {each: used.get(each, 0.0) for each in below}
 
 
 def frames(browser: Browser) -> tuple[float, float]:
-    """Return frames a second, and the milliseconds of processor time that the busiest process takes for one."""
+    """Return frames per second, and the processor time of the busiest process per frame in milliseconds."""
     browser.ask(COUNT % 1)
     pid, first, before = browser._process.pid, browser.ask("eigenmotion.frames"), processor_times(browser._process.pid)
     rate = browser.ask(COUNT % SECONDS)
@@ -77,7 +77,7 @@ def frames(browser: Browser) -> tuple[float, float]:
 
 
 def measure(name: str, space: bool, browser: Browser, folder: Path) -> None:
-    """Print what the page of a model weighs and costs."""
+    """Print the size and the cost of a model's page."""
     path, library = ROOT / "models" / f"{name}.py", three() if space else None
     texts = [
         page(request(path), path.read_text(encoding="utf-8"), Run(T_END, TOLERANCE, TOLERANCE), one)

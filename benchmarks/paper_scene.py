@@ -1,7 +1,7 @@
-"""The paper's mechanism: every formulation, alone and in runs, beside SciPy on Lagrange's equations.
+"""Benchmark of the paper's mechanism: right-hand sides and runs of every formulation, compared with SciPy.
 
-Ratios are medians over interleaved rounds, with quartiles; errors are those of theta(10), the largest of four, against
-values that independent integrations in many digits agree on.
+SciPy integrates Lagrange's equations. Ratios are medians over interleaved rounds, with quartiles. Errors are the
+largest of the four errors of theta(10), compared with values on which independent integrations in many digits agree.
 """
 
 from __future__ import annotations
@@ -25,29 +25,29 @@ CERTIFIED = np.array([0.700265153433880811, 2.454211044030905019, 0.141975525603
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 T_END, LONG = 10.0, 1000.0
 REPEATS, ROUNDS = 20, 15
-"""Our runs in a round, so that both sides take a time that can be measured; rounds."""
+"""Our runs in a round, enough to be measured; rounds."""
 
 Outcome = tuple[np.ndarray, int]
-"""theta(10) (4,) and how many right-hand sides it took."""
+"""theta(10) (4,) and the number of right-hand sides."""
 
 
 def alone(rounds: int = 21, calls: int = 200_000) -> None:
-    """One right-hand side in C, each call waiting for the one before as in an integration."""
+    """Print the time of one right-hand side in C, where each call depends on the one before, as in an integration."""
     with tempfile.TemporaryDirectory() as folder:
         timers = {name: right_hand_side(model, name, Path(folder)) for name in FORMULATIONS}
-        found = {name: np.empty(rounds) for name in FORMULATIONS}
+        nanoseconds_of = {name: np.empty(rounds) for name in FORMULATIONS}
         for k in range(rounds):
             for name, timer in timers.items():
-                found[name][k] = timer(calls)
+                nanoseconds_of[name][k] = timer(calls)
     print(f"{'one right-hand side, called from C':<36} {'ns':<22} / lagrange")
-    for name, nanoseconds in found.items():
-        print(f"  {name:<34} {spread(nanoseconds, 1.0):<22} {ratio(nanoseconds, found['lagrange'])}")
+    for name, nanoseconds in nanoseconds_of.items():
+        print(f"  {name:<34} {spread(nanoseconds, 1.0):<22} {ratio(nanoseconds, nanoseconds_of['lagrange'])}")
 
 
 def within(systems: dict[str, System]) -> None:
-    """What a right-hand side costs within a run at 1e-9, with its share of steps, projection and rows.
+    """Print the time of a run at 1e-9 per right-hand side, which includes its share of steps, projection and rows.
 
-    From runs of two lengths, so that what a run costs once falls out.
+    It is the difference between runs of two lengths, so that the constant cost of a run cancels.
     """
     at = {"rtol": 1e-9, "atol": 1e-9}
     more = {name: one.simulate((0.0, LONG), **at).nfev - one.simulate((0.0, T_END), **at).nfev
@@ -61,7 +61,7 @@ def within(systems: dict[str, System]) -> None:
 
 
 def around(systems: dict[str, System]) -> None:
-    """What a run costs besides its steps: one that ends where it starts, its checks and its result included."""
+    """Print the overhead of a run: the time of a run of zero length, with its checks and its result."""
     still = {name: partial(repeated, partial(one.simulate, (0.0, 0.0))) for name, one in systems.items()}
     print(f"\n{'a run of no length':<36} us")
     for name, seconds in interleaved(still, ROUNDS).items():
@@ -74,19 +74,19 @@ def of_scipy(tolerance: float) -> Callable[[], Outcome]:
     x, v = np.array(model.initial_x), np.array(model.initial_v)
 
     def run() -> Outcome:
-        found = solve_ivp(f, (0.0, T_END), np.concatenate([x, v]), method="DOP853", rtol=tolerance, atol=tolerance,
-                          args=(p,))  # fmt: skip
-        return found.y[: len(x), -1], found.nfev
+        result = solve_ivp(f, (0.0, T_END), np.concatenate([x, v]), method="DOP853", rtol=tolerance, atol=tolerance,
+                           args=(p,))  # fmt: skip
+        return result.y[: len(x), -1], result.nfev
 
     return run
 
 
 def of_system(system: System, tolerance: float) -> Callable[[], Outcome]:
-    """Return our run, as a user calls it: checks before it included."""
+    """Return our run as users call it, including checks of arguments."""
 
     def run() -> Outcome:
-        found = system.simulate((0.0, T_END), rtol=tolerance, atol=tolerance)
-        return found.y[: system.n, -1], found.nfev
+        solution = system.simulate((0.0, T_END), rtol=tolerance, atol=tolerance)
+        return solution.y[: system.n, -1], solution.nfev
 
     return run
 
@@ -97,7 +97,7 @@ def repeated(run: Callable[[], object]) -> None:
 
 
 def runs(systems: dict[str, System], tolerance: float) -> None:
-    """Print the time of a run of 10 s at rtol = atol, and the error it leaves."""
+    """Print the time of a run of 10 s at rtol = atol, and its error."""
     outcomes = {name: of_system(system, tolerance) for name, system in systems.items()}
     scipy = of_scipy(tolerance)
     seconds = interleaved({**{name: partial(repeated, run) for name, run in outcomes.items()}, "scipy": scipy}, ROUNDS)

@@ -1,6 +1,6 @@
-"""Time from a model file to a System: stage by stage, in fresh caches; commands as a user calls them.
+"""Benchmark of the build: time from a model file to a System by stage, with empty caches; and time of commands.
 
-Seconds, medians of repeats; times of this machine, unlike ratios, and longer where others use it too.
+Seconds, medians of repeats. Unlike ratios, they depend on the machine and on its other load.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ REPEATS = 3
 
 Seconds = dict[str, float]
 Spent = tuple[float, float]
-"""Seconds elapsed, and those in which a processor worked for it: these do not grow where others use the machine too."""
+"""Elapsed seconds and processor seconds; the latter do not depend on the other load of the machine."""
 
 
 def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[..., Any]:
-    """Return `action`, which adds the time it takes to seconds[name]."""
+    """Return a wrapper of `action` that adds its time to seconds[name]."""
 
     def wrapped(*arguments: Any, **keywords: Any) -> Any:
         start = time.perf_counter()
@@ -58,7 +58,7 @@ def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[.
 
 
 def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
-    """Return `Toolchain.compile_unit`, which adds what each unit takes to seconds["C, UNIT"]."""
+    """Return a wrapper of `Toolchain.compile_unit` that adds the time of each unit to seconds["C, UNIT"]."""
     compile_unit = Toolchain.compile_unit
 
     def wrapped(tools: Toolchain, folder: Path, stem: str, unit: str) -> str:
@@ -68,9 +68,9 @@ def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
 
 
 def stages(file: str, definitions: dict[str, int]) -> Seconds:
-    """Build a model in a fresh cache, then each part as if it were asked for; return the seconds of each stage.
+    """Build a model with an empty cache, then each part that is built on demand; return the seconds of each stage.
 
-    Those of the compiler run side by side, and count how long they wait for their turn.
+    Compilations run in parallel; their times include waiting for a free core.
     """
     seconds: Seconds = {}
     with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
@@ -91,7 +91,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
 
 
 def command(*words: str, cache: str) -> Spent:
-    """Return what `eigenmotion WORDS` takes in a process of its own, the compilers it starts included."""
+    """Return the time of `eigenmotion WORDS` in a new process, including the compilers that it starts."""
     environment = os.environ | {LOCATION: cache}
     start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([sys.executable, "-m", "eigenmotion", *words], env=environment, check=True, capture_output=True)
@@ -101,7 +101,7 @@ def command(*words: str, cache: str) -> Spent:
 
 
 def warm_build(cache: str) -> float:
-    """Return the seconds of `em.build` on a model built before, in a new process, after imports and the model file."""
+    """Return the seconds of `em.build` of a cached model in a new process, without imports and loading of the model."""
     words = (
         "import time, eigenmotion as em; em.build, em.System, em.simulate; m = em.load_model('models/dual_link.py');"
         "s = time.perf_counter(); em.build(m); print(time.perf_counter() - s)"
@@ -122,21 +122,21 @@ def in_fresh_cache(*words: str) -> Spent:
 
 
 def after_a_change(cache: str) -> Spent:
-    """Return what building dual_link takes after a change of its energies: the stepper is there."""
-    told, changed = (MODELS / "dual_link.py").read_text(), Path(cache) / "dual_link.py"
-    changed.write_text(told.replace("potential_energy=potential_energy", "potential_energy=2 * potential_energy"))
+    """Return the time to build dual_link after a change of its energies, with the stepper in the cache."""
+    source, changed = (MODELS / "dual_link.py").read_text(), Path(cache) / "dual_link.py"
+    changed.write_text(source.replace("potential_energy=potential_energy", "potential_energy=2 * potential_energy"))
     return command("build", str(changed), "-o", f"{cache}/changed", cache=cache)
 
 
 def operations(n: int) -> str:
-    """Return what `explain` counts for the chain of n links, and per pair of coordinates."""
+    """Return the operation count of `explain` for the chain of n links, in all and per pair of coordinates."""
     line = next(line for line in explain(load_model(MODELS / "chain.py", n=n)).splitlines() if "eigenfactor: " in line)
     total = sum(int(word) for word in line.replace(",", "").split() if word.isdigit())
     return f"{total}, {total / (n * (n + 1) / 2):.1f} per pair"
 
 
 def commands() -> None:
-    """Print what commands take in processes of their own."""
+    """Print the times of commands in new processes."""
     model, chain = str(MODELS / "dual_link.py"), str(MODELS / "chain.py")
     print("commands, in processes of their own")
     print(f"  build dual_link, empty cache      {middle(partial(in_fresh_cache, 'build', model))}")
@@ -152,14 +152,14 @@ def commands() -> None:
 
 
 def main() -> None:
-    toolchain().identity  # noqa: B018, asked for once a process
+    toolchain().identity  # noqa: B018, computed once in a process, so not part of the first build
     for file, definitions, repeats in CASES:
-        found = [stages(file, definitions) for _ in range(repeats)]
+        results = [stages(file, definitions) for _ in range(repeats)]
         title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])
-        print(f"{title}: {median(one['all'] for one in found):.2f} s in all")
-        for name in found[0]:
-            if name != "all":  # a process imports a module once
-                print(f"  {name:<42} {median(one[name] for one in found if name in one):.3f}")
+        print(f"{title}: {median(one['all'] for one in results):.2f} s in all")
+        for name in results[0]:
+            if name != "all":
+                print(f"  {name:<42} {median(one[name] for one in results if name in one):.3f}")  # imports occur once
     commands()
     print("operations of the straight-line part of chain, eigenfactor")
     for n in (5, 10, 20):

@@ -1,13 +1,13 @@
-"""Cost of a stepper besides its right-hand sides, from Python and in C, and the worst case of methods of fixed step.
+"""Benchmark of steppers: overhead besides right-hand sides, from Python and in C; worst case of fixed-step methods.
 
-First: 1,000 steps of 10 ms of the Furuta pendulum under a controller in Python, whose time is taken apart; off the
-steps' time goes what as many right-hand sides cost in C. The motion is compared with one run whose input holds the same
-values. Then microseconds of each of a million steps of 1 ms in C (common/control.c): medians, 99.9th percentiles, the
-most, and the right-hand sides of a step. A right-hand side by itself costs more than one inside a step, where compilers
-see both: what is besides them may be less than nothing. `most` is when the system took the processor away.
+First: 1,000 steps of 10 ms of the Furuta pendulum under a controller in Python, which is timed separately. The overhead
+is the time of the steps minus that of as many right-hand sides in C. It can be negative, because a compiler can
+optimise a right-hand side together with a step. The motion is compared with that of one run with the same input values.
+Then the microseconds of each of a million steps of 1 ms in C (common/control.c): median, 99.9th percentile and maximum,
+and the right-hand sides of a step. The maximum occurs when the system interrupts the process.
 
-Last: K environments that one call advances by 10 ms (`System.steppers`), in one thread, beside a Python loop over K
-single steppers that do the same: how many of them a second of the processor takes on, each with its start and torque.
+Last: K environments advanced by 10 ms in one call (`System.steppers`) in one thread, compared with a Python loop over K
+single steppers: environments advanced per second of processor time, each with its own start and torque.
 """
 
 from __future__ import annotations
@@ -31,19 +31,19 @@ MODELS = Path(__file__).parents[1] / "models"
 ROUNDS, COUNT, PERIOD, TOLERANCE = 31, 1000, 0.01, 1e-9
 GAINS = np.array([0.083, 1.036, 0.057, 0.105])  # of a linear-quadratic regulator about upright
 MILLION = 1_000_000
-ENVIRONMENTS = 4096  # advanced between two looks at the clock, at the least
+ENVIRONMENTS = 4096  # the least number of environments advanced between two readings of the clock
 STEPPED = (("furuta_pendulum", "lagrange"), ("furuta_pendulum", "eigenfactor"), ("dual_link", "eigenfactor"))
 
 
 def controller(t: float, x: np.ndarray, v: np.ndarray) -> float:
-    """Hold the rod upright while the arm swings to and fro."""
+    """Return the torque that stabilises the rod upright while the arm swings to and fro."""
     return float(GAINS[0] * (x[0] - sin(t)) + GAINS[1] * x[1] + GAINS[2] * (v[0] - cos(t)) + GAINS[3] * v[1])
 
 
 def controlled(system: em.System, method: str) -> tuple[em.Stepper, list[float], list[np.ndarray], float, float]:
-    """Return the stepper at the end, the inputs, x on the way, and the seconds of advancing and of the whole loop."""
+    """Return the stepper at the end, inputs and x of each step, and the seconds of advancing and of the whole loop."""
     stepper = system.stepper(rtol=TOLERANCE, atol=TOLERANCE, method=method)
-    held, on_the_way, advancing, clock = [], [], 0.0, time.perf_counter
+    applied, on_the_way, advancing, clock = [], [], 0.0, time.perf_counter
     begin = clock()
     for k in range(1, COUNT + 1):
         inputs = {"u": controller(stepper.t, x := stepper.x, stepper.v)}
@@ -51,15 +51,15 @@ def controlled(system: em.System, method: str) -> tuple[em.Stepper, list[float],
         start = clock()
         stepper.advance(k * PERIOD, inputs)
         advancing += clock() - start
-        held.append(inputs["u"])
-    return stepper, held, on_the_way, advancing, clock() - begin
+        applied.append(inputs["u"])
+    return stepper, applied, on_the_way, advancing, clock() - begin
 
 
-def off(system: em.System, held: list[float], on_the_way: list[np.ndarray], method: str) -> float:
-    """Return by how much x of one run with the same inputs is elsewhere, at the most."""
+def off(system: em.System, applied: list[float], on_the_way: list[np.ndarray], method: str) -> float:
+    """Return the largest difference of x from one run with the same inputs."""
     times = np.arange(COUNT) * PERIOD
     run = system.simulate(
-        (0.0, COUNT * PERIOD), inputs={"u": em.Signal(times, held, "hold")}, rtol=TOLERANCE, atol=TOLERANCE,
+        (0.0, COUNT * PERIOD), inputs={"u": em.Signal(times, applied, "hold")}, rtol=TOLERANCE, atol=TOLERANCE,
         method=method, t_eval=times,
     )  # fmt: skip
     return float(np.abs(run.x.T - np.array(on_the_way)).max())
@@ -72,7 +72,7 @@ def show_controlled(formulation: str, method: str, folder: Path) -> None:
     advance, besides, whole = [], [], []
     for _ in range(ROUNDS):
         nanoseconds = rhs(200_000)
-        stepper, held, on_the_way, advancing, total = controlled(system, method)
+        stepper, applied, on_the_way, advancing, total = controlled(system, method)
         advance.append(advancing / COUNT)
         besides.append(advance[-1] - 1e-9 * nanoseconds * stepper.nfev / COUNT)
         whole.append(total / COUNT)
@@ -80,7 +80,7 @@ def show_controlled(formulation: str, method: str, folder: Path) -> None:
     print(f"  advance            {spread(np.array(advance), 1e-6)} us a step")
     print(f"  besides them       {spread(np.array(besides), 1e-6)} us a step")
     print(f"  with controller    {spread(np.array(whole), 1e-6)} us a step")
-    print(f"  off one run by     {off(system, held, on_the_way, method):.1e}")
+    print(f"  off one run by     {off(system, applied, on_the_way, method):.1e}")
 
 
 def show_fixed(name: str, formulation: str, folder: Path) -> None:
@@ -88,13 +88,13 @@ def show_fixed(name: str, formulation: str, folder: Path) -> None:
     work = generated(model, folder / f"fixed {name} {formulation}", formulation=formulation)
     program = compiled(work, model.name, (f"{model.name}.c",), "control.c")
     for method, about in FIXED.items():
-        said = subprocess.run([program, str(about.number), str(MILLION)], capture_output=True, text=True, check=True)
-        rhs, median, late, most = map(float, said.stdout.split())
+        result = subprocess.run([program, str(about.number), str(MILLION)], capture_output=True, text=True, check=True)
+        rhs, median, late, most = map(float, result.stdout.split())
         print(f"  {name}, {formulation}, {method:<9} {rhs:3g}  {median:6.3f}  {late:6.3f}  {most:8.3f}")
 
 
 def rate(advance: Callable[[int], None], done: int, count: int) -> float:
-    """Return how many environments are advanced in a second of the processor: the most of ROUNDS."""
+    """Return the number of environments advanced per second of processor time: the largest of ROUNDS."""
     times, most = max(1, ENVIRONMENTS // count), 0.0
     for _ in range(ROUNDS):
         begin = time.process_time()
@@ -105,7 +105,7 @@ def rate(advance: Callable[[int], None], done: int, count: int) -> float:
 
 
 def show_many(system: em.System, count: int, **options: Any) -> None:
-    """Print the rate of `count` of them as one, and in a loop, each with its own start and torque."""
+    """Print the rate of `count` environments in one call and in a loop, each with its own start and torque."""
     angles, torques = np.linspace(-3.0, 3.0, count), np.linspace(-0.01, 0.01, count)[:, None]
     many = system.steppers(count, x0={"phi": angles}, workers=1, **options)
     single = [system.stepper(x0={"phi": angle}, **options) for angle in angles]

@@ -1,9 +1,10 @@
-"""Stiff scenes: time to an error, of the compiled stiff methods and CasADi's CVODES; steps across samples of an input.
+"""Benchmark of stiff scenes: time to a given error of the compiled stiff methods and of CasADi's CVODES.
 
-Time of whole calls, the error the largest of x on the way at 201 rows, relative to 1 + |x|, against collocation in
-extended precision on equations apart from the generator's (report/measure.py). CVODES stays in C and has CasADi's exact
-Jacobian; it only has to return the end state. Last the steps that 1,000 samples of a torque take, linear between
-them, over those of the spline through them; and the time of "auto" over that of the method it takes.
+The time is that of whole calls. The error is the largest of x at 201 rows, relative to 1 + |x|, compared with
+collocation in extended precision on independently derived equations (report/measure.py). CVODES runs in C with CasADi's
+exact Jacobian, and only returns the end state. Then the number of steps with 1,000 samples of a torque, interpolated
+linearly, over that with the spline through them; and the time of "auto" over that of dop853 on a scene that is not
+stiff.
 """
 
 from __future__ import annotations
@@ -29,9 +30,9 @@ TARGETS = (1e-4, 1e-6, 1e-8, 1e-10)
 
 
 def governor() -> Model:
-    """A flyball governor: two balls on arms, whose sleeve hangs on a link of stiffness k and damping d.
+    """Return a flyball governor: two balls on arms; a link of stiffness k and damping d holds the sleeve.
 
-    The engine's torque falls as the sleeve rises.
+    The engine's torque decreases as the sleeve rises.
     """
     phi, theta, z = dynamicsymbols("phi theta z")
     m, M, J, g, l, k, d, c, tau, kappa = symbols("m M J g l k d c tau kappa", positive=True)
@@ -49,7 +50,7 @@ def governor() -> Model:
 
 
 def relaxation() -> Model:
-    """Van der Pol's oscillator as a mass on a spring with a damping that changes its sign, mu = 1000."""
+    """Return van der Pol's oscillator, a mass on a spring with a damping that changes its sign, mu = 1000."""
     x = dynamicsymbols("x")
     mu = symbols("mu", positive=True)
     return Model(
@@ -59,7 +60,7 @@ def relaxation() -> Model:
 
 
 def driven() -> Model:
-    """A pendulum on a stiff, damped spring, driven by a torque."""
+    """Return a pendulum on a stiff, damped spring, driven by a torque."""
     theta, r, u = dynamicsymbols("theta r u")
     m, k, d, g, L = symbols("m k d g L", positive=True)
     return Model(
@@ -79,7 +80,7 @@ SCENES = (
 
 
 def solvers_of(model: Model, problem: Problem, values: dict[str, float]) -> tuple[list[Solver], Judge]:
-    """Return our stiff methods and CVODES, and what judges them."""
+    """Return our stiff methods and CVODES, and the judge of their errors."""
     system = build(model, formulation="lagrange")
     equations, probe = classical(model).with_values(values), problem.simulate(system, "radau9", 1e-9)
     rows = np.concatenate([probe.x, probe.v]).T
@@ -89,13 +90,13 @@ def solvers_of(model: Model, problem: Problem, values: dict[str, float]) -> tupl
 
 
 def print_times() -> None:
-    """Print the time of each solver to each error, over CVODES BDF's."""
+    """Print the time of each solver to each error, and its ratio to that of CVODES BDF."""
     print(f"{'time to an error of':<44}" + "".join(f"{target:>12.0e}" for target in TARGETS))
-    for title, model, given, t_end in SCENES:
-        solvers, judge = solvers_of(model(), Problem(t_end, given), given.get("parameters", {}))
-        found = {c.label: c for c in curves(measure(solvers, judge, Budget(), lambda *_: None))}
-        base = next((curve for label, curve in found.items() if label.endswith("BDF")), None)
-        for label, curve in found.items():
+    for title, model, options, t_end in SCENES:
+        solvers, judge = solvers_of(model(), Problem(t_end, options), options.get("parameters", {}))
+        by_label = {c.label: c for c in curves(measure(solvers, judge, Budget(), lambda *_: None))}
+        base = next((curve for label, curve in by_label.items() if label.endswith("BDF")), None)
+        for label, curve in by_label.items():
             seconds = [(curve.seconds_at(target), base and base.seconds_at(target)) for target in TARGETS]
             cells = [f"{1e3 * s:.3g} ms" if s else "-" for s, _ in seconds]
             ratios = [f"{s / b:.2g}" if s and b else "-" for s, b in seconds]
@@ -104,7 +105,7 @@ def print_times() -> None:
 
 
 def print_inputs() -> None:
-    """Print how many steps a sampled torque takes, over those of the spline through its samples."""
+    """Print the number of steps with a sampled torque over that with the spline through its samples."""
     system, times = build(driven(), formulation="lagrange"), np.linspace(0.0, 10.0, 1000)
     torque = 3 * np.sin(2 * times) + np.cos(5 * times)
     print("\nsteps across 1,000 linear samples over those of the spline through them")
@@ -118,10 +119,10 @@ def print_inputs() -> None:
 
 
 def print_choice() -> None:
-    """Print what looking for stiffness costs a run that has none."""
+    """Print the cost of the stiffness test for a run that is not stiff."""
     system = build(relaxation(), formulation="lagrange")
-    given = {"parameters": {"mu": 0.1}, "rtol": 1e-4}
-    calls = {method: partial(system.simulate, (0.0, 5.0), method=method, **given) for method in ("auto", "dop853")}
+    options = {"parameters": {"mu": 0.1}, "rtol": 1e-4}
+    calls = {method: partial(system.simulate, (0.0, 5.0), method=method, **options) for method in ("auto", "dop853")}
     seconds = interleaved(calls, 400, thread_time)
     print(f"\n'auto' over dop853, a call of {1e6 * np.median(seconds['dop853']):.0f} us: "
           f"{np.median(seconds['auto']) / np.median(seconds['dop853']):.2f}")  # fmt: skip

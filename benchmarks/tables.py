@@ -1,6 +1,6 @@
-"""Cost of a table of a thousand pieces over that of one of five: building, and a right-hand side.
+"""Benchmark of tables: cost of a table of a thousand pieces compared with one of five, in builds and right-hand sides.
 
-Pairs in turns; medians of the ratios are printed. Builds are from an empty cache, and take some seconds each.
+Both alternate; medians of the ratios are printed. Builds start from an empty cache, and take some seconds each.
 """
 
 import os
@@ -20,7 +20,7 @@ theta = dynamicsymbols("theta")
 
 
 def model(pieces: int) -> em.Model:
-    """Return a pendulum under a torque that a table of its angle gives."""
+    """Return a pendulum under a torque that is a table of its angle."""
     angles = np.linspace(-np.pi, np.pi, pieces + 1)
     values = np.sin(angles)
     values[-1] = values[0]
@@ -31,7 +31,7 @@ def model(pieces: int) -> em.Model:
 
 
 def built(pieces: int) -> float:
-    """Return the seconds of a build, the stepper being there."""
+    """Return the seconds of a build, with the stepper in the cache."""
     start = time.perf_counter()
     em.build(model(pieces))
     return time.perf_counter() - start
@@ -45,7 +45,7 @@ def evaluated(system: em.System) -> float:
 
 
 def main() -> None:
-    """Print both ratios."""
+    """Print the additional seconds of a build, and the ratio of the times of a right-hand side."""
     added = []
     for _ in range(BUILDS):
         with tempfile.TemporaryDirectory() as cache:

@@ -1,7 +1,8 @@
-"""Right-hand sides and errors of passages through an avoided crossing, over gaps from 0 to 1e-1 (docs/theory.md).
+"""Benchmark of eigenvalue veering: cost and errors of passages through an avoided crossing (docs/theory.md).
 
-For each gap and tolerance: the right-hand sides of `eigenfactor` over those of `lagrange`, its largest error on the
-way over lagrange's, and the part of its steps that did not run the published equations. Ten passages each.
+For each gap from 0 to 1e-1 and each tolerance: the right-hand sides of `eigenfactor` over those of `lagrange`, its
+largest error along the run over lagrange's, and the part of its steps that did not use the published equations. Each
+run has ten passages.
 """
 
 import numpy as np
@@ -22,7 +23,7 @@ def ten_passages(system, gap):
 
 
 def exactly(systems, gap):
-    """Return the end of ten passages, and the motion until then by a formulation in which nothing can be close."""
+    """Return the end of ten passages, and the motion until then by a formulation without eigenvalues."""
     t_end = ten_passages(systems["lagrange"], gap)
     tight = {"rtol": 1e-13, "atol": 1e-13, "max_step": 0.05, "dense_output": True}
     return t_end, systems["cholesky"].simulate((0.0, t_end), parameters={"gap": gap}, **tight)
@@ -31,12 +32,12 @@ def exactly(systems, gap):
 def row(systems, gap, rtol):
     """Return (nfev, largest error at the accepted steps, bounded part) of each system."""
     t_end, exact = exactly(systems, gap)
-    found = {}
+    results = {}
     for name, system in systems.items():
         sol = system.simulate((0.0, t_end), parameters={"gap": gap}, rtol=rtol, atol=rtol)
         error = np.abs(sol.x - exact.sol(sol.t)[:2]).max()
-        found[name] = (sol.nfev, error, sol.n_bounded / sol.nsteps) if sol.success else None
-    return found
+        results[name] = (sol.nfev, error, sol.n_bounded / sol.nsteps) if sol.success else None
+    return results
 
 
 def choices():
@@ -45,10 +46,10 @@ def choices():
     return named | {"extrapolate": em.build(MODEL, close_eigenvalues="extrapolate")}
 
 
-def cell(found, base):
-    if found is None:
+def cell(result, base):
+    if result is None:
         return "       stopped        "
-    nfev, error, bounded = found
+    nfev, error, bounded = result
     return f"{nfev / base[0]:6.2f} {error / base[1]:9.2g} {bounded:5.0%}"
 
 
@@ -59,9 +60,9 @@ def main():
     print(f"{'rtol':>6} {'gap':>6} {'lagrange':>8} {'error':>8}   " + "   ".join(f"{name:^22}" for name in others))
     for rtol in TOLERANCES:
         for gap in GAPS:
-            found = row(systems, gap, rtol)
-            base = found["lagrange"]
-            cells = "   ".join(cell(found[name], base) for name in others)
+            results = row(systems, gap, rtol)
+            base = results["lagrange"]
+            cells = "   ".join(cell(results[name], base) for name in others)
             print(f"{rtol:6.0e} {gap:6.0e} {base[0]:8d} {base[1]:8.1e}   {cells}", flush=True)
 
 

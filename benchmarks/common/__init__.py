@@ -1,1 +1,1 @@
-"""Parts that several benchmarks share."""
+"""Functions shared by several benchmarks."""

@@ -1,6 +1,6 @@
-"""Motion without a generator: SymPy, one `lambdify(cse=True)`, one KKT solve a call.
+"""Lagrange's equations without code generation: SymPy, `lambdify(cse=True)`, and one KKT solve in each call.
 
-Derived here from T, V and the constraints alone; nothing of eigenmotion's derivation is used.
+They are derived here from T, V and the constraints, independently of eigenmotion's derivation.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ RightHandSide = Callable[[float, np.ndarray, np.ndarray], np.ndarray]
 
 
 def classical(model: Model) -> RightHandSide:
-    """Return f(t, y, p) of Lagrange's equations (11) with (8), y = (x, xdot), for models without Q and phi."""
+    """Return the right-hand side f(t, y, p) of Lagrange's equations (11) with (8), y = (x, xdot); without Q and phi."""
     x = list(model.coordinates)
     v = [q.diff(t) for q in x]
     a = [q.diff(t, 2) for q in x]

@@ -1,7 +1,7 @@
-/* How long steps of a fixed-step method take, without Python: METHOD STEPS
+/* Timing of steps of a fixed-step method, without Python. Arguments: METHOD STEPS
  *
- * Prints the most right-hand sides of one step of 1 ms, and microseconds: the median, the 99.9th percentile, the most. The
- * motion begins anew every ten seconds, so that there is one all the time. */
+ * Prints the largest number of right-hand sides of one step of 1 ms, and microseconds of a step: median, 99.9th
+ * percentile, maximum. The motion restarts from its initial state every ten seconds, so that it does not die out. */
 #include <stdio.h>
 #include <time.h>
 
@@ -9,14 +9,14 @@
 
 extern const em_model MODEL;
 
-enum { LARGEST = 1024, ANEW = 10000 };
+enum { LARGEST = 1024, RESTART = 10000 };
 
 static int compare(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/* Microseconds. */
+/* Microseconds since an earlier time. */
 static double since(const struct timespec *then) {
     struct timespec now;
     timespec_get(&now, TIME_UTC);
@@ -42,12 +42,12 @@ int main(int argc, char **argv) {
     if (start == NULL || took == NULL || s->run.fault.status) return 4;
     em_stepper_save(s, start);
     for (long k = 0; k < steps; ++k) {
-        if (k % ANEW == 0) em_stepper_restore(s, start);
+        if (k % RESTART == 0) em_stepper_restore(s, start);
         const long before = s->run.n_rhs;
         timespec_get(&begin, TIME_UTC);
-        if (em_stepper_advance(s, 1e-3 * (double)(k % ANEW + 1), NULL)) return 5;
+        if (em_stepper_advance(s, 1e-3 * (double)(k % RESTART + 1), NULL)) return 5;
         took[k] = since(&begin);
-        if (k % ANEW && s->run.n_rhs - before > most) most = s->run.n_rhs - before;
+        if (k % RESTART && s->run.n_rhs - before > most) most = s->run.n_rhs - before;
     }
     qsort(took, (size_t)steps, sizeof *took, compare);
     printf("%ld %.4f %.4f %.4f\n", most, took[steps / 2], took[steps - steps / 1000], took[steps - 1]);

@@ -1,4 +1,4 @@
-"""Of generated C in a folder: the time of one right-hand side from what is compiled already, and its operations."""
+"""Time and operation count of one right-hand side of generated C in a folder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c
 
 
 def timer(name: str, work: Path) -> Callable[[int], float]:
-    """Link the timer with the library of NAME.c in a folder; return calls -> nanoseconds a call."""
+    """Link the timer with the compiled library of NAME.c in a folder; return calls -> nanoseconds per call."""
     tools = toolchain()
     command = (*tools.command, *STANDARD, *tools.optimised, f"-DMODEL={name}_model", f"-I{INCLUDE}")
     run((*command, str(TIMER), f"{name}{EXTENSION_SUFFIX}", f"-Wl,-rpath,{work}", "-o", "timer"), work)
@@ -25,14 +25,14 @@ def timer(name: str, work: Path) -> Callable[[int], float]:
 
 
 def operations(name: str, work: Path) -> int:
-    """Compile NAME.c of a folder with a number that counts; return the operations of one right-hand side, loops too.
+    """Compile NAME.c with a counting number type; return the operations that one right-hand side executes.
 
     Raises
     ------
     BuildError
-        There is no C++ compiler, or the code is C that no C++ compiler takes.
+        There is no C++ compiler, or the C code is not valid C++.
     """
     model = (f'-DSOURCE="{name}.c"', f"-DMODEL={name}_model", f"-I{INCLUDE}", "-I.")
-    not_there = ("-no-pie", "-Wl,--unresolved-symbols=ignore-all")  # what no right-hand side calls
-    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), *not_there, "-o", "counter"), work)
+    unresolved = ("-no-pie", "-Wl,--unresolved-symbols=ignore-all")  # functions that no right-hand side calls
+    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), *unresolved, "-o", "counter"), work)
     return sum(map(int, run((str(work / "counter"),)).split()))

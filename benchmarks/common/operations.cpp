@@ -1,5 +1,5 @@
-// Additions, multiplications, divisions and function calls of one right-hand side as they are executed: the generated
-// C, loops included, compiled with a number that counts. SOURCE: the file; MODEL: its em_model.
+// Counter of additions, multiplications, divisions and function calls that one right-hand side executes, in loops too:
+// compiles the generated C with a counting number type. SOURCE: the file; MODEL: its em_model.
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
@@ -43,8 +43,8 @@ static inline bool isinf(Counted a) { return std::isinf(a.v); }
 static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, exponent); }
 static inline Counted frexp(Counted a, int *exponent) { return std::frexp(a.v, exponent); }
 
-#define EM_LANES 1 // one by one: a vector of numbers that count is none
-#define EM_UNIT (EM_MODEL | EM_RHS) // the others are not linked (counted.py)
+#define EM_LANES 1 // no vectors: the counting type cannot be an element of one
+#define EM_UNIT (EM_MODEL | EM_RHS) // other units are not linked (counted.py)
 #define restrict __restrict__
 #define double Counted
 #include SOURCE

@@ -1,4 +1,4 @@
-"""Generated C, or C by hand, as a plain program without Python: to time what takes nanoseconds."""
+"""Programs of generated C without Python, to measure times of nanoseconds."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ HERE = Path(__file__).parent
 
 
 def right_hand_side(model: Model, formulation: str, folder: Path, *flags: str) -> Callable[[int], float]:
-    """Compile the model with the timer; return calls -> nanoseconds a call."""
+    """Compile the model with the timer; return calls -> nanoseconds per call."""
     work = generated(model, folder / formulation, formulation=formulation)
     program = compiled(work, model.name, (f"{model.name}.c",), "right_hand_side.c", *flags)
-    return lambda calls: float(_said(program, calls))
+    return lambda calls: float(_output(program, calls))
 
 
 def generated(model: Model, work: Path, **options: str) -> Path:
@@ -30,14 +30,14 @@ def generated(model: Model, work: Path, **options: str) -> Path:
 
 
 def compiled(work: Path, name: str, sources: Iterable[str], main: str, *flags: str) -> Path:
-    """Compile a program of this folder with the model of that name; return the program."""
+    """Compile a main program of this folder with the model of that name; return the executable."""
     tools = toolchain()
     flags = (*STANDARD, *tools.optimised, f"-DMODEL={name}_model", *flags, f"-I{INCLUDE}")
     run((*tools.command, *flags, *sources, str(HERE / main), "-lm", "-o", "program"), work)
     return work / "program"
 
 
-def _said(program: Path, *arguments: object) -> str:
+def _output(program: Path, *arguments: object) -> str:
     return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
 
 
@@ -49,10 +49,10 @@ class Runner:
 
     @classmethod
     def of_model(cls, model: Model, work: Path, **options: str) -> Runner:
-        """Compile what is generated for a model."""
+        """Generate and compile a model."""
         generated(model, work, **options)
         return cls(compiled(work, model.name, (f"{model.name}.c",), "run.c"))
 
     def nanoseconds(self, runs: int, t_end: float, tolerance: float, *parameters: float) -> float:
-        """Return the time a run takes that keeps nothing but its end."""
-        return float(_said(self.program, runs, t_end, tolerance, *parameters))
+        """Return the nanoseconds of a run that records only its end."""
+        return float(_output(self.program, runs, t_end, tolerance, *parameters))

@@ -1,5 +1,5 @@
-/* Nanoseconds of one right-hand side of a generated model, called by its table as any caller would:
- * each call depends on the one before, so that none is left out. */
+/* Timing of one right-hand side of a generated model, in nanoseconds, called through its em_model as by any caller.
+ * Each call depends on the one before, so that the compiler cannot remove any. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

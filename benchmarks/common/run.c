@@ -1,7 +1,8 @@
-/* Runs of a model without Python: RUNS T_END TOLERANCE PARAMETERS...
+/* Runs of a model without Python. Arguments: RUNS T_END TOLERANCE PARAMETERS...
  *
- * RUNS = 0: one run, printed: right-hand sides, steps, of which not the published equations, status; then t, x of each
- * accepted step. Otherwise nanoseconds a run, of so many that keep nothing but their end. */
+ * RUNS = 0: makes one run and prints the numbers of right-hand sides, of steps, and of steps not by the published
+ * equations, and the status; then t, x of each accepted step. Otherwise prints the nanoseconds of a run, as the mean of
+ * RUNS runs that record only their end. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,12 +43,12 @@ int main(int argc, char **argv) {
     for (int k = 0; k < LARGEST; ++k) atol_k[k] = tolerance;
     if (model->prepare(parameters, c, &fault)) return 3;
     if (model->state(0.0, model->initial_x, model->initial_v, c, y, &fault)) return 3;
-    const em_run asked = {.t_start = 0.0, .t_end = t_end, .y_start = y, .prepared = c, .method = EM_DOP853,
-                          .rtol = tolerance, .atol = atol_k, .max_step = INFINITY, .max_steps = 1000000,
-                          .stabilise = 1, .t_eval = runs ? &t_end : NULL, .n_t_eval = runs ? 1 : 0};
+    const em_run task = {.t_start = 0.0, .t_end = t_end, .y_start = y, .prepared = c, .method = EM_DOP853,
+                         .rtol = tolerance, .atol = atol_k, .max_step = INFINITY, .max_steps = 1000000,
+                         .stabilise = 1, .t_eval = runs ? &t_end : NULL, .n_t_eval = runs ? 1 : 0};
     timespec_get(&start, TIME_UTC);
     for (long k = 0; k < (runs ? runs : 1); ++k) {
-        em_run run = asked;
+        em_run run = task;
         model->simulate(&run);
         if (!runs) print(&run, model->n);
         model->release(&run);

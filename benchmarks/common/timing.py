@@ -1,4 +1,4 @@
-"""Interleaved timing: what is compared runs in turns, so that whatever else the machine does hits all alike."""
+"""Interleaved timing: the compared actions alternate, so that the other load of the machine affects all equally."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 def interleaved(
     actions: Mapping[str, Callable[[], object]], rounds: int, clock: Callable[[], float] = time.perf_counter
 ) -> dict[str, np.ndarray]:
-    """Return the seconds of each action in each round (rounds,), after one round that does not count.
+    """Return the seconds of each action in each round (rounds,), after a warm-up round.
 
-    Where others use the machine, time.thread_time for a clock leaves out what they take.
+    If the machine is shared with others, use time.thread_time as the clock: it counts only this thread's time.
     """
     for action in actions.values():
         action()
@@ -27,12 +27,12 @@ def interleaved(
 
 
 def ratio(numerator: np.ndarray, denominator: np.ndarray) -> str:
-    """Return the median of the ratios round by round, and their quartiles."""
+    """Return the median and quartiles of the ratios of each round, as text."""
     low, median, high = np.percentile(numerator / denominator, [25, 50, 75])
     return f"{median:.3g} [{low:.3g}, {high:.3g}]"
 
 
 def spread(seconds: np.ndarray, unit: float, digits: int = 3) -> str:
-    """Return the median and the quartiles, in a unit of so many seconds."""
+    """Return the median and quartiles as text, in a unit given in seconds."""
     low, median, high = np.percentile(seconds / unit, [25, 50, 75])
     return f"{median:.{digits}g} [{low:.{digits}g}, {high:.{digits}g}]"
