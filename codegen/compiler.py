@@ -73,7 +73,7 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
         "", f"State ({made.formulation})", *layout,
         "", "Blocks of the mass matrix", *blocks,
         "", "Operations of the model-specific straight-line part", *(f"  {line}" for line in made.costs),
-        "", "Lanes: states side by side in one vector, for steps by nodes", *(f"  {line}" for line in _lanes(made)),
+        "", "Lanes: right-hand sides of several states in one vector", *(f"  {line}" for line in _lanes(made)),
         *_time_events(made),
         "", "Left out", *(f"  {line}" for line in made.left_out or ("nothing",)),
     ])  # fmt: skip
@@ -81,9 +81,9 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
 
 def _lanes(made: Program) -> tuple[str, ...]:
     if made.normals:
-        return ("none: friction is in proportion to norms of multipliers, which are solved for state by state",)
+        return ("none: friction is proportional to norms of multipliers, which are solved for one state at a time",)
     if not made.on_lanes:
-        return ('none: what close_eigenvalues="extrapolate" remembers of a run belongs to one state',)
+        return ('none: close_eigenvalues="extrapolate" needs the memory of a run, which belongs to one state',)
     rest = f"lane by lane: {', '.join(made.lane_by_lane)}" if made.lane_by_lane else "nothing goes lane by lane"
     return ("the whole right-hand side", rest)
 
@@ -95,7 +95,7 @@ def _time_events(made: Program) -> tuple[str, ...]:
         lines += ["", "Time events: steps end where a condition on time alone changes, t =",
                   *(f"  {at}" for at in time_events.named)]  # fmt: skip
     if time_events.unsolved:
-        lines += ["", "Conditions on time alone that steps may pass over, since they are not solved for it",
+        lines += ["", "Conditions on time alone that steps may pass over, because they cannot be solved for time",
                   *(f"  {condition}" for condition in time_events.unsolved)]  # fmt: skip
     return tuple(lines)
 

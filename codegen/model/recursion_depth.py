@@ -22,7 +22,7 @@ def with_room(source: Any, action: Callable[[], Result]) -> Result:
 
     Parameters
     ----------
-    given
+    source
         Expressions, in tuples, lists, mappings or records.
     """
     depth = _depth(source)
