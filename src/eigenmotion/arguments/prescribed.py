@@ -1,4 +1,4 @@
-"""Prescribed motions: inputs in constraints, which runs are given as signals with continuous velocities."""
+"""Inputs in constraints: signals with continuous velocities, which prescribe a motion."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -21,7 +21,7 @@ _DERIVATIVES = ("value", "velocity", "acceleration", "third derivative")
 
 
 def with_prescribed(c: CompiledModel, parameters: Any, inputs: Any, several: bool = False) -> tuple[Any, Any]:
-    """Return parameters and inputs, with signals of prescribed motions among the parameters, as tables.
+    """Return parameters and inputs, where signals that prescribe motions have become tables among the parameters.
 
     Parameters
     ----------
@@ -40,12 +40,12 @@ def with_prescribed(c: CompiledModel, parameters: Any, inputs: Any, several: boo
     if not given:
         return parameters, inputs
     rest = {key: value for key, value in inputs.items() if key not in given}
-    motions = {name: _numbers(c, name, value, several) for name, value in by_spelling(given, "input").items()}
-    return _among(c, parameters, motions), rest
+    motions = {name: _addresses(c, name, value, several) for name, value in by_spelling(given, "input").items()}
+    return _with_motions(c, parameters, motions), rest
 
 
-def _among(c: CompiledModel, parameters: Any, motions: Mapping[str, Any]) -> Any:
-    """Return parameters, by name or in order, with motions."""
+def _with_motions(c: CompiledModel, parameters: Any, motions: Mapping[str, Any]) -> Any:
+    """Add motions to parameters, which are given by name or in order."""
     if parameters is None:
         return motions
     if is_named(parameters):
@@ -53,12 +53,12 @@ def _among(c: CompiledModel, parameters: Any, motions: Mapping[str, Any]) -> Any
     order = parameters.parameters if isinstance(parameters, Prepared) else parameters
     columns = np.moveaxis(np.asarray(with_tables(c, order), dtype=np.float64), -1, 0)
     if len(columns) != len(c.parameters):
-        return overlay(parameters, c.parameters, c.parameter_defaults, "parameter")  # which refuses it
+        return overlay(parameters, c.parameters, c.parameter_defaults, "parameter")  # raises: wrong length
     return dict(zip(c.parameters, columns, strict=True)) | dict(motions)
 
 
-def _numbers(c: CompiledModel, name: str, value: Any, several: bool) -> Any:
-    """Return the addresses of tables: of one signal, or of one for each member."""
+def _addresses(c: CompiledModel, name: str, value: Any, several: bool) -> Any:
+    """Return the address of the table of one signal, or an array of addresses for the members of an ensemble."""
     if several and isinstance(value, list | np.ndarray):
         return np.array([_address(c, name, one) for one in value])
     return _address(c, name, value)
