@@ -208,7 +208,7 @@ def test_the_page_needs_nothing_else(folder):
     assert "url(http" not in page
     assert "do not couple" in page  # what was left out
     assert "None" not in page
-    assert "measured once, on lagrange" in page
+    assert "measured once, with lagrange" in page
     assert "the model's own" in page.replace("&#39;", "'")
     assert "nan" not in re.sub(r"<svg.*?</svg>", "", page, flags=re.DOTALL).lower().split()
     for sentence in recommendation_words(page):
