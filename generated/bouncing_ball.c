@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:6b3a190f38edf48420c3610aefc2e7186f9e7eb225a3d3ec5cf54bb6a50c7d8f */
+/* body sha256:851b3047f1e9bfa10393f2d689741b554939c67787a6fba461cac5178c5e30b4 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -234,7 +234,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[6] = x_;
@@ -651,14 +652,18 @@ static const em_dynamics dynamics = {
     .watch_modes = em_watch_modes,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&bouncing_ball_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&bouncing_ball_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&bouncing_ball_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&bouncing_ball_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&bouncing_ball_model); }
 
 const em_model bouncing_ball_model = {

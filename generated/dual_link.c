@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:8dd81c93002cc9cf1d07f718f066a36bbd55db1b95b9b1b2f801bec403a6523a */
+/* body sha256:0b63cfb662bfc6e685f1f6cdf9f88a97cbdd1d5a0e19dc4f99c8d98a6f0621e2 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -658,7 +658,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double theta3 = x[2];
     const double l1 = c[3];
@@ -1279,15 +1280,20 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:20b7aeec678a6f091a327e2aef4944afbdd8dc6c5fa0821102b2bce9cd4a1b0e */
+/* body sha256:a70bad48090dbc965955c70961d6ef19d30f7b0b1e597f1cea07a5494dd596ba */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -496,7 +496,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double b = c[1];
     const double q2 = x[1];
@@ -1198,15 +1199,20 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&four_bar_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&four_bar_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&four_bar_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&four_bar_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&four_bar_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&four_bar_model, run, mode); }
 
 const em_model four_bar_model = {

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:b394ea8c03a8d4f6c2a8c504092d39ddf98395a609a54e44bbed7aedb36ead85 */
+/* body sha256:d42d5f6821ba05e03843221d11bfea5175e0ea59744e58747ba5da840e991252 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -206,7 +206,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double l = c[1];
     const double theta = x[0];
@@ -473,15 +474,20 @@ static const em_dynamics dynamics = {
     .acceleration = em_acceleration,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&pendulum_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&pendulum_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&pendulum_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&pendulum_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&pendulum_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&pendulum_model, run, mode); }
 
 const em_model pendulum_model = {

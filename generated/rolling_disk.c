@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:e8687a46fcd407c882c21aa3d936eeb0b2b8e863e041a62714666897ec747545 */
+/* body sha256:58987b4ae998d2837b36ced6cd6be1eba4d428332f3168d0e23d944ae6d4d03d */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -682,7 +682,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double x_ = x[0];
     p[0] = x_;
@@ -1246,15 +1247,20 @@ static const em_dynamics dynamics = {
     .worst_factors = em_worst_factors_of,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&rolling_disk_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&rolling_disk_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&rolling_disk_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&rolling_disk_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&rolling_disk_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&rolling_disk_model, run, mode); }
 
 const em_model rolling_disk_model = {

@@ -39,13 +39,14 @@ class Mechanics:
     A : (m, n); b : (m,) (8)
     phi : (h,) the holonomic constraints
     outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
-    drawing : the shapes, in x, t and parameters
+    drawing : the shapes, in x, t, parameters and first-order states
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
     impacts, resets : the actions of events
     P : (m + r, n); the force of the multipliers, and of r norms rho of multipliers, is -P^T (lambda, rho). P is A (and
     zeros), minus the derivatives of forces with respect to (lambda, rho), as for friction
     norms : (r,) the rows whose multipliers' norm is each rho
     levels : `level` and `at_rest` of each switch of the model
+    reaction_rates : (index, expression) of the rates of first-order states that depend on multipliers; Q is 0 there
     n_states : number of first-order states; these are the last entries of v, and nothing depends on their x
     """
 
@@ -76,6 +77,7 @@ class Mechanics:
     P: sympy.ImmutableDenseMatrix
     norms: tuple[tuple[int, ...], ...]
     levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+    reaction_rates: tuple[tuple[int, sympy.Expr], ...]
     n_states: int
 
     @property
@@ -168,6 +170,7 @@ class _Derivation:
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
             drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(actions.impacts()),
             resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()), n_states=len(model.states),
+            reaction_rates=tuple((k, self.to_sympy(rate)) for k, rate in actions.reaction_rates),
         )  # fmt: skip
 
     def shape(self, source: Shape) -> Shape:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import chain
 
 import sympy
@@ -52,10 +53,24 @@ class EventActions:
     ) -> None:
         self.model, self.graph, self.names, self.node, self.to_sympy = model, graph, names, node, to_sympy
 
+    @cached_property
+    def reaction_rates(self) -> tuple[tuple[int, Node], ...]:
+        """The rates of first-order states that depend on multipliers: index among the forces, and rate.
+
+        No force depends on such a rate, so it is evaluated after the multipliers, and need not be linear in them.
+        """
+        names, first = [symbol.name for symbol in self.names.multipliers], self.model.n - len(self.model.states)
+        rates = [(k, self.node(self.model.forces[k])) for k in range(first, self.model.n)]
+        return tuple((k, rate) for k, rate in rates if any(self.graph.depends(rate, name) for name in names))
+
     def forces(self) -> tuple[list[Node], sympy.ImmutableDenseMatrix]:
         """Return Q (n) at zero multipliers, and the transpose (m + r, n) of dQ/d(multipliers, norms of multipliers)."""
         names = [symbol.name for symbol in (*self.names.multipliers, *self.names.norms.values())]
-        Q = [self.node(force.xreplace(self.names.norms)) for force in self.model.forces]
+        apart = {k for k, _ in self.reaction_rates}
+        Q = [
+            self.graph.zero if k in apart else self.node(force.xreplace(self.names.norms))
+            for k, force in enumerate(self.model.forces)
+        ]
         by = [gradient(self.graph, force, names) for force in Q]
         for x, row in zip(self.model.coordinates, by, strict=True):
             if any(self.graph.depends(entry, name) for entry in row for name in names):

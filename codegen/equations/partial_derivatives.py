@@ -53,6 +53,8 @@ class Partials:
                       graph.negative(terms.bias[k]))
             for k in range(n)
         ]  # fmt: skip
+        for (k, _), rate in zip(terms.mechanics.reaction_rates, terms.reaction_rates, strict=True):
+            balance[k] = graph.add(balance[k], graph.negative(rate))
         return *balance, *(graph.add(terms.dot(terms.A[row], a), terms.gamma[row]) for row in range(m))
 
     @cached_property

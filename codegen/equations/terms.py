@@ -59,6 +59,8 @@ class Terms:
         lambdas = mechanics.multipliers
         self.norms = self._nodes(sympy.sqrt(sympy.Add(*(lambdas[k] ** 2 for k in rows))) for rows in mechanics.norms)
         """(r,) norms of multipliers"""
+        self.reaction_rates = self._nodes(rate for _, rate in mechanics.reaction_rates)
+        """rates of first-order states that depend on multipliers"""
         self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
         self.phi = self._nodes(mechanics.phi)
         self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))
@@ -149,7 +151,8 @@ class Terms:
         mechanics, node = self.mechanics, self.node
         acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
                 *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
-        return [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
+        rows = [entry for row in (*self.A, *self.P) for entry in row]
+        return [self.T, self.V, *self.Q, *self.reaction_rates, *self.b, *self.phi, *rows,
                 *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
 
     # -- pieces --------------------------------------------------------------------------------------------------

@@ -95,6 +95,8 @@ class Kernels:
 
     impacts : N, dphi/dt and the restitution of each; resets : x and v after each
     levels : the bounds that contacts and frictions are compared with; pushes : P, by which multipliers act as forces
+    rates_in_rhs, reaction_rates : of states that depend on multipliers, in a right-hand side and at x, v; None: no such
+    reaction_rate_partials : their derivatives with respect to multipliers
     published, triangular : right-hand sides in modes 0 and 1; settled : the treatment of an accepted state
     asks_the_root : whether `settled` shares the kernels of the triangular root, which compute the lower triangle of M
     mass_matrix : None if settled.masses computes all of M; factored : M + A^T W A, None if M itself is factored
@@ -120,6 +122,9 @@ class Kernels:
     resets: Kernel
     levels: Kernel
     pushes: Kernel
+    rates_in_rhs: Kernel | None
+    reaction_rates: Kernel
+    reaction_rate_partials: Kernel
     published: Stages
     triangular: Stages
     settled: Stages

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import sympy
 
+from ..calculus.derivatives import gradient
 from ..calculus.inverse import LARGEST, inverse
 from ..choices import Choices
 from ..equations.specialise import Scene
@@ -66,7 +68,7 @@ class _Writing:
         partials = partial_kernels(self.terms, symbols) if whole else None  # last, so that no other kernel changes
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
-                       prepared=prepared,
+                       prepared=prepared, **self.of_reactions(),
                        asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
 
     @property
@@ -279,6 +281,22 @@ class _Writing:
     def pushes(self) -> Kernel:
         return self.moving("pushes", "P", self.mechanics.P.tolist() if self.mechanics.pushes else [])
 
+    def of_reactions(self) -> dict[str, Any]:
+        """Write the rates of first-order states that depend on multipliers, and their derivatives by these."""
+        rates = self.terms.reaction_rates
+        names = [symbol.name for symbol in self.mechanics.multipliers] if rates else []
+        by = [entry for rate in rates for entry in gradient(self.terms.graph, rate, names)]
+        entries = [Entry(Array("rate", f"[{len(rates)}]"), (f"[{k}]",), rate) for k, rate in enumerate(rates)]
+        actual = {"x": "y", "v": "y + N"} if self.choices.carries_v else OF_STATE
+        given = ("t", "x", "v", "lambda", "c", "u")
+        return {
+            "rates_in_rhs": self.write(Draft("rates_in_rhs", entries, actual=actual, on_lanes=True))[0]
+            if rates
+            else None,
+            "reaction_rates": self.one("reaction_rates", entries, *given, "rate"),
+            "reaction_rate_partials": self.one("reaction_rate_partials", self.column("by", by, ""), *given, "by"),
+        }
+
     def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
         """Write a function of rows of expressions, which may contain anything but accelerations and multipliers."""
         entries = self.column(array, (self.terms.node(entry) for row in rows for entry in row))
@@ -295,7 +313,7 @@ class _Writing:
         for k, number in enumerate(numbers):
             places.setdefault(number, []).append(f"[{k}]")
         entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
-        return self.one("draw", entries, "t", "x", "c", "p")
+        return self.one("draw", entries, "t", "x", "v", "c", "p")
 
     def prepared(self) -> Kernel:
         """Write M of the fixed blocks, then the constants that the other kernels need."""

@@ -71,6 +71,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         outputs=tuple(name for name, _ in mechanics.outputs),
         events=_events(scene, defaults), n_impacts=len(mechanics.impacts), pushes=mechanics.pushes, rows=defaults.rows,
         normals=tuple(tuple(int(row in rows) for row in range(scene.m)) for rows in mechanics.norms),
+        reaction_rates=tuple(k for k, _ in mechanics.reaction_rates),
         resets=tuple(int(reset.quasi) for reset in mechanics.resets), switches=_switches(scene, defaults),
         shapes=_shapes(scene), dimension=next((shape.dimension for shape in mechanics.drawing), 0),
         quasi_velocities=tuple(name for name, _ in mechanics.quasi_velocities), initial_y=tuple(map(repr, defaults.y)),

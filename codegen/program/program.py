@@ -190,6 +190,7 @@ class Program:
     rows : names of the constraint rows, () if none has one
     pushes : whether forces contain multipliers, so that the multipliers act by P instead of A
     normals : for each norm of multipliers in forces, 1 or 0 for each row: whether it is part of the norm
+    reaction_rates : coordinates of the first-order states whose rates depend on multipliers
     n_impacts, resets, switches : the actions of events; for each reset, whether it is in quasi-velocities
     shapes, dimension : of the drawing; 2 or 3, 0 if there is none
     n_prepared : length of the prepared parameters, which include the constants that kernels share
@@ -236,6 +237,7 @@ class Program:
     rows: tuple[str, ...]
     pushes: bool
     normals: tuple[tuple[int, ...], ...]
+    reaction_rates: tuple[int, ...]
     switches: tuple[SwitchView, ...]
     shapes: tuple[ShapeView, ...]
     dimension: int

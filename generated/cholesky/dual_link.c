@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:59c89a7e6cba9169fd5db419175d4fecd037199a2da70f06aaa5d0d70601429c */
+/* body sha256:c3a852be0cbb4d4226a6e019acd77a43746617cd3286902a0d9bddf1d4fe5d74 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -458,7 +458,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double theta3 = x[2];
     const double l1 = c[3];
@@ -1047,15 +1048,20 @@ static const em_dynamics dynamics = {
     .reach = em_newton_from_afar,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

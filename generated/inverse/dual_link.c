@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:c700f062e0557e01d15dc408cd797388393b72db6a8c87d742a19ae2ab43e09a */
+/* body sha256:9a33333ca992798794875365b2e4497ec124b78bb1ba1bab21d2ff0d38be5a63 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -415,7 +415,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double theta3 = x[2];
     const double l1 = c[3];
@@ -1018,15 +1019,20 @@ static const em_dynamics dynamics = {
     .reach = em_newton_from_afar,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:ed02ba17c0fdbf38998ede4a75cf1d58dc6a1035fc3cc644202b7ef8876fb0ce */
+/* body sha256:a981baa4c9ae671d3fcbfbacbae09f1d13d9345ae14018e740ef496dc9d91b74 */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -400,7 +400,8 @@ EM_EXPORT void observe(double t, const double *restrict x, const double *restric
 }
 
 /* p: the numbers of the drawing, shape by shape */
-EM_EXPORT void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_EXPORT void draw(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict p)
 {
     const double theta3 = x[2];
     const double l1 = c[3];
@@ -990,15 +991,20 @@ static const em_dynamics dynamics = {
     .reach = em_newton_from_afar,
 };
 
-/* Functions of the stepper with this model as an argument. */
+/* Functions of the stepper with this model as an argument. A run: */
 static int simulate(em_run *run) { return em_simulate(&dual_link_model, run); }
+/* the state within a run: */
 static int interpolate(const em_run *run, size_t step, double t, double *y)
 {
     return em_interpolate(&dual_link_model, run, step, t, y);
 }
+/* the memory of a run: */
 static void release(em_run *run) { em_release(&dual_link_model, run); }
+/* a run that advances on request: */
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
+/* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
 const em_model dual_link_model = {

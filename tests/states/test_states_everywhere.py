@@ -200,7 +200,6 @@ y, FUEL = dynamicsymbols("y"), dynamicsymbols("fuel", positive=True)
     ({"kinetic_energy": i * theta.diff() ** 2}, "kinetic_energy contains the state 'i'.*forces"),
     ({"holonomic_constraints": [theta - i]}, "holonomic_constraints.*state 'i'"),
     ({"nonholonomic_constraints": [theta.diff() - i]}, "nonholonomic_constraints.*state 'i'"),
-    ({"drawing": [em.draw.Line((0, 0), (i, 0))]}, "drawing.*state 'i'"),
     ({"states": {i: i.diff() + 1, e: 0}}, "i'"),
     ({"initial": {y: 1.0}}, "'y'|y\\(t\\)"),
     ({"inputs": {i: 0.0, ref: 1.0}}, "named twice"),
@@ -214,3 +213,21 @@ def test_a_model_without_states_has_the_text_that_it_had():
     plain = servo(states={}, forces={}, initial={}, outputs={})
     assert "states" not in plain.canonical()
     assert "states" in servo().canonical()
+
+
+def test_a_drawing_shows_a_state():
+    """A gauge of a filtered speed: at the rows, between them, and through dense output."""
+    gauge = dynamicsymbols("gauge")
+    model = em.Model(
+        name="gauge", coordinates=[theta], kinetic_energy=theta.diff() ** 2 / 2, potential_energy=2 * theta**2,
+        states={gauge: 3 * (theta.diff() - gauge)}, initial={theta: 1.0}, drawing=[em.draw.Line((theta, 0), (gauge, 1))],
+    )  # fmt: skip
+    times = np.linspace(0.1, 1.9, 7)
+    for dense in (False, True):
+        found = em.build(model).simulate((0, 2), rtol=1e-9, atol=1e-12, dense_output=dense, max_step=0.02)
+        at_rows = found.drawing.numbers
+        np.testing.assert_allclose(at_rows[:, 2], found.states["gauge"], rtol=0, atol=1e-15)
+        between = found.drawn(times).numbers
+        exact = em.build(model).simulate((0, 2), rtol=1e-11, atol=1e-13, t_eval=times)
+        np.testing.assert_allclose(between[:, 0], exact.x[0], rtol=0, atol=1e-6)
+        np.testing.assert_allclose(between[:, 2], exact.states["gauge"], rtol=0, atol=1e-4 if not dense else 1e-8)

@@ -44,7 +44,7 @@ def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]
         ("kinetic_energy", model.kinetic_energy, velocities),
         ("potential_energy", model.potential_energy, frozenset({"states"})),
         *((f"forces[{name_of(x)}]", Q, in_forces) for x, Q in zip(model.coordinates, model.forces, strict=True)),
-        *((f"states[{name_of(z)}]", rate, in_forces) for z, rate in model.states),
+        *((f"states[{name_of(z)}]", rate, anything | {"multipliers"}) for z, rate in model.states),
         *((f"holonomic_constraints[{k}]", phi, frozenset()) for k, phi in enumerate(model.holonomic_constraints)),
         *((f"nonholonomic_constraints[{k}]", row, velocities) for k, row in enumerate(model.nonholonomic_constraints)),
         *((f"quasi_velocities[{name_of(y)}]", row, frozenset({"rates"})) for y, row in model.quasi_velocities),
@@ -56,7 +56,7 @@ def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]
           for name, event in model.events if event.impact),
         *((f"the restitution of events[{name}]", event.impact[1], anything)
           for name, event in model.events if event.impact),
-        *((f"drawing[{k}] ({shape.kind})", number, frozenset[str]())
+        *((f"drawing[{k}] ({shape.kind})", number, frozenset({"states"}))
           for k, shape in enumerate(model.drawing) for number in shape.numbers),
     ]  # fmt: skip
 
@@ -100,10 +100,11 @@ def _remedy_for_velocity(what: str) -> str:
 
 
 def _remedy_for_state(what: str) -> str:
-    if what.startswith("drawing"):
-        return "A drawing is made of coordinates."
     if what.startswith("kinetic"):
-        return "Masses are of coordinates and parameters: what a state does to the motion belongs to forces."
+        return (
+            "Its effect on the motion belongs to forces. Make a mass that changes a coordinate, whose rate is a "
+            "nonholonomic constraint."
+        )
     return "Let it act through forces."
 
 

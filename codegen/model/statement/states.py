@@ -55,7 +55,7 @@ def as_mechanism(model: Mechanism) -> Mechanism:
         "initial": tuple((key if quasi else rates.get(key, key), value) for key, value in model.initial),
     }
     accelerations = {z.diff(t): rate.diff(t) for z, rate in rates.items()}
-    for name in ("potential_energy", "forces", "outputs", "events", "contacts"):
+    for name in ("potential_energy", "forces", "outputs", "events", "contacts", "drawing"):
         made[name] = substituted(substituted(made[name], accelerations), rates)
     return Mechanism(**made)
 

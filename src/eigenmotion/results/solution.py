@@ -239,8 +239,11 @@ class Solution(dict[str, Any]):
                 "a copy of a Solution from another process has the drawing of its own rows only: `drawing`"
             )
         require_drawing(self["drawing"], rows.model.name)
-        x = rows.between(t) if self["sol"] is None else self["sol"](t)[: rows.model.n].T
-        return require_drawing(rows.drawn(t, np.ascontiguousarray(x)), rows.model.name)
+        if self["sol"] is None:
+            return require_drawing(rows.drawn(t, *rows.between(t)), rows.model.name)
+        y = np.ascontiguousarray(self["sol"](t).T)
+        x, v = np.ascontiguousarray(y[:, : rows.model.n]), rows.model.velocity_rows(t, y, rows.task.prepared)
+        return require_drawing(rows.drawn(t, x, v), rows.model.name)
 
     def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
         """Return the run as a matplotlib animation; needs the extra `plot`.

@@ -126,27 +126,29 @@ class Trajectory:
     @cached_property
     def drawing(self) -> Drawing | None:
         """The drawing of the mechanism at every row; None if the model has no drawing."""
-        return self.drawn(self.t, self.x)
+        return self.drawn(self.t, self.x, self.v)
 
-    def drawn(self, t: Vector, x: Vector) -> Drawing | None:
-        """The drawing of the mechanism at t (k,), x (k, n); None if the model has no drawing."""
+    def drawn(self, t: Vector, x: Vector, v: Vector) -> Drawing | None:
+        """The drawing of the mechanism at t (k,), x (k, n), v (k, n); None if the model has no drawing."""
         if not self.model.shapes:
             return None
-        numbers = self.model.drawn_rows(t, x, self.task.prepared)
+        numbers = self.model.drawn_rows(t, x, v, self.task.prepared)
         return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
 
-    def between(self, t: Vector) -> Vector:
-        """x (k, n) at t (k,) between the rows, accurate enough for pictures: cubic Hermite interpolation."""
+    def between(self, t: Vector) -> tuple[Vector, Vector]:
+        """x, v (k, n) at t (k,) between the rows, accurate enough for pictures: cubic Hermite interpolation."""
         sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
         jumps = np.flatnonzero(np.diff(self.t) == 0) + 1  # an event action has a row before and a row after it
         segments = [rows for rows in np.split(np.arange(len(self.t)), jumps) if len(rows) > 1]
-        x, last = np.repeat(self.x[:1], len(t), axis=0), np.full(len(t), -1)
+        x, v = (np.repeat(columns[:1], len(t), axis=0) for columns in (self.x, self.v))
+        last = np.full(len(t), -1)
         for number, rows in enumerate(segments):
             last[sign * t >= sign * self.t[rows[0]]] = number
         for number, rows in enumerate(segments):
             cubics = scipy.interpolate.CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
-            x[last == number] = cubics(sign * t[last == number])
-        return x
+            at = sign * t[last == number]
+            x[last == number], v[last == number] = cubics(at), sign * cubics(at, 1)
+        return x, v
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:

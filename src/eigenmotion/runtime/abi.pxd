@@ -213,7 +213,7 @@ cdef extern from "eigenmotion.h" nogil:
         int (*publish)(const void *, double *, em_fault *) noexcept nogil
         size_t (*saved)() noexcept nogil
         void (*close)(void *) noexcept nogil
-        void (*draw)(double, const double *, const double *, double *) noexcept nogil
+        void (*draw)(double, const double *, const double *, const double *, double *) noexcept nogil
         int n_arguments
         int (*motion_derivatives)(double, const double *, const double *, const double *, const double *, int,
                                   double *, double *, double *, double *, em_fault *) noexcept nogil

@@ -163,13 +163,14 @@ cdef class CompiledModel(PointModel):
                 self.model.event(T.data[i], q.row(i), w.row(i), c.c, s.row(i), g.row(i))
         return g.array
 
-    def drawn_rows(self, t, x, Prepared c not None):
+    def drawn_rows(self, t, x, v, Prepared c not None):
         """The coordinates and sizes of the drawing as (k, n_drawn)."""
         cdef Py_ssize_t i, k = len(t)
-        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), p = zeros((k, self.n_drawn))
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers p = zeros((k, self.n_drawn))
         with nogil:
             for i in range(k if self.n_drawn > 0 else 0):
-                self.model.draw(T.data[i], q.row(i), c.c, p.row(i))
+                self.model.draw(T.data[i], q.row(i), w.row(i), c.c, p.row(i))
         return p.array
 
     def output_rows(self, t, x, v, u, Prepared c not None, int least_norm):

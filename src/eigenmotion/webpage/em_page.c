@@ -89,7 +89,7 @@ static void fill_row(double t, const double *y, int least_norm, double *row) {
     residuals(t, x, v, rest + 1, rest + 2);
     if (model->m > 0 && model->acceleration(t, x, v, page.prepared, page.inputs, least_norm, page.a, lambda, &fault))
         for (int k = 0; k < model->m; ++k) lambda[k] = NAN;
-    if (page.n_drawn > 0) model->draw(t, x, page.prepared, lambda + model->m);
+    if (page.n_drawn > 0) model->draw(t, x, v, page.prepared, lambda + model->m);
 }
 
 /* page.prepared <- the constants of the segment of a row, if the row is its first. Returns the index of the next segment. */

@@ -76,7 +76,7 @@ def _evaluate_one(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p
         *c.pfaffian(t, x, prepared), c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0],
         c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
-        c.drawn_rows(time, position, prepared)[0],
+        c.drawn_rows(time, position, moving, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u, least_norm), c.velocity_rows(time, y, prepared)[0],
         np.array(least_norm),

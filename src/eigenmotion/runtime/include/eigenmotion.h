@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 28 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 29 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -171,7 +171,7 @@ typedef struct em_model {
 
     int n_shapes, dimension; /* of the drawing: 0 if there is none; numbers per position */
     const em_shape *shapes;  /* (n_shapes) */
-    void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
+    void (*draw)(double t, const double *x, const double *v, const double *c, double *p); /* all numbers of the shapes */
 
     /* Exact derivatives, row-major, with respect to the arguments (n_arguments): x, v, inputs, parameters, time. c
      * is held fixed except for the parameters themselves. Derivatives of xddot and lambda: da (n, n_arguments), dlambda

@@ -16,6 +16,9 @@
 typedef struct em_factors {
     em_root root;
     double L[EM_SOME_ROWS * EM_SOME_ROWS], r[EM_SOME_ROWS];
+#ifdef EM_REACTION_RATES
+    double rates_by_lambda[EM_REACTION_RATES * N_ROWS];
+#endif
     int rows;
 } em_factors;
 
@@ -94,6 +97,9 @@ EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
         for (int row = 0; row < N_ROWS; ++row)
             em_add_row(columns, -EM_REACTIONS(&f->root)[row * N + k], lambda + row * columns, a + k * columns);
     em_backward_rows(N, columns, f->root.L, f->root.r, a);
+#ifdef EM_REACTION_RATES
+    em_add_changes_of_rates(columns, f->rates_by_lambda, lambda, a);
+#endif
 }
 
 EM_NOINLINE EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
@@ -120,7 +126,11 @@ EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by
 EM_NOINLINE int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                          em_factors *f, double *a, double *lambda, em_fault *fault) {
     if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
-    return em_acceleration_of(&f->root, t, x, v, c, u, f->rows, a, lambda, fault);
+    if (em_acceleration_of(&f->root, t, x, v, c, u, f->rows, a, lambda, fault)) return -1;
+#ifdef EM_REACTION_RATES
+    reaction_rate_partials(t, x, v, lambda, c, u, f->rates_by_lambda);
+#endif
+    return 0;
 }
 
 /* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */

@@ -71,6 +71,9 @@ EM_NOINLINE int em_delta(em_root *root, double *lambda, const double *terms, int
     return em_solve_delta(EM_SOME_ROWS, root->Delta, lambda, flags, fault);
 }
 
+#ifdef EM_REACTION_RATES
+#include "dynamics/em_reaction_rates.h"
+#endif
 #ifdef EM_PUSHES
 #include "constraints/em_row_forces.h"
 #define EM_REACTIONS(root) (root)->Q
@@ -112,6 +115,9 @@ EM_NOINLINE int em_acceleration_of(em_root *root, double t, const double *x, con
         for (int k = 0; k < N; ++k) a[k] -= EM_REACTIONS(root)[row * N + k] * gamma[row];
     }
     em_backward(N, root->L, root->r, a);
+#ifdef EM_REACTION_RATES
+    em_add_reaction_rates(t, x, v, lambda, c, u, a);
+#endif
 #ifdef EM_CONES
     if (least_norm && least_norm < EM_FIRST_KEPT) em_share_multipliers(t, x, v, c, u, root->Delta, lambda);
 #endif

@@ -42,13 +42,17 @@ void energy(double t, const double *x, const double *v, const double *c, double 
 void observe(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
              const double *u, double *out);
 void quasi(double t, const double *x, const double *v, const double *c, double *y);
-void draw(double t, const double *x, const double *c, double *p);
+void draw(double t, const double *x, const double *v, const double *c, double *p);
 void impacts(double t, const double *x, const double *v, const double *c, const double *u, double *impact_data);
 void resets(double t, const double *x, const double *v, const double *c, const double *u, double *after);
 void levels(double t, const double *x, const double *v, const double *c, const double *u, double *level);
 #ifdef EM_NORMALS
 extern const unsigned char normals[N_NORMALS][N_ROWS];
 #endif
+void reaction_rates(double t, const double *x, const double *v, const double *lambda, const double *c, const double *u,
+                    double *rate);
+void reaction_rate_partials(double t, const double *x, const double *v, const double *lambda, const double *c,
+                            const double *u, double *by);
 void pushes(double t, const double *x, const double *v, const double *c, const double *u, double *P);
 
 /* --- of EM_DERIVATIVES --- */
