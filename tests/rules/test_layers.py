@@ -147,6 +147,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "presentation",
         "compiled",
+        "simulation",
         "analysis.state",
         "analysis.linear",
     ),

@@ -2,6 +2,7 @@
 
 from functools import cache
 
+import mpmath
 import numpy as np
 import sympy
 from scipy.integrate import solve_ivp
@@ -109,6 +110,25 @@ class OneCoordinate:
         q = np.sin(self.closed(q1))
         a, b, c = self.a, self.b, self.c
         return 9.81 * (a * a / 2 * q[0] + b * (a * q[0] + b / 2 * q[1]) + c * c / 2 * q[2])
+
+    def stiffness(self, q1: float) -> float:
+        """The second derivative of the potential energy, by mpmath with 40 digits."""
+        guess = self.closed(q1)
+        a, b, c, d = self.a, self.b, self.c, self.d
+
+        def gaps(angle, q2, q3):
+            return (a * mpmath.cos(angle) + b * mpmath.cos(q2) - c * mpmath.cos(q3) - d,
+                    a * mpmath.sin(angle) + b * mpmath.sin(q2) - c * mpmath.sin(q3))  # fmt: skip
+
+        def potential(angle):
+            q2, q3 = mpmath.findroot(lambda *others: gaps(angle, *others), tuple(guess[1:]))
+            heights = a * mpmath.sin(angle), mpmath.sin(q2), mpmath.sin(q3)
+            return mpmath.mpf("9.81") * (
+                a / 2 * heights[0] + b * (heights[0] + b / 2 * heights[1]) + c * c / 2 * heights[2]
+            )
+
+        with mpmath.workdps(40):
+            return float(mpmath.diff(potential, mpmath.mpf(q1), 2))
 
     def rate(self, t: float, y: np.ndarray) -> list[float]:
         """Of (q1, q1', current, integral)."""

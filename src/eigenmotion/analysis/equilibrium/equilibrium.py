@@ -22,6 +22,7 @@ from ..state.active_contacts import mode_of, mode_text
 from ..state.contact_bounds import is_within, sticking, with_most_contacts
 from ..state.contact_mode import check_not_inside
 from ..state.operating_point import OperatingPoint
+from .along_motion import along_motion
 from .contact_equilibrium import solve_with_modes
 from .equilibrium_equations import Balance
 
@@ -126,6 +127,9 @@ def _solve(balance: Balance) -> tuple[Balance, Vector]:
     solution = balance.solve(start)
     if not balance.satisfied(solution, start) and balance.of_coordinates_alone:
         solution = balance.solve(balance.follow_to_rest(start))
+    elif not balance.satisfied(solution, start) and balance.of_states:
+        ends = map(balance.solve, along_motion(balance))
+        solution = next((end for end in ends if balance.satisfied(end, start)), solution)
     return balance, solution
 
 

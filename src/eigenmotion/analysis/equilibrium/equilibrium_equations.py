@@ -48,6 +48,13 @@ class Balance:
         n = self.system.compiled.n
         return set(self.free) == set(range(n)) and not self.given[n : 2 * n].any()
 
+    @property
+    def of_states(self) -> bool:
+        """Whether the unknowns are all coordinates and all first-order states of a system that has some, at rest."""
+        c, n = self.system.compiled, self.system.n
+        unknowns = (*range(n), *range(c.n + n, 2 * c.n))
+        return bool(c.n_states) and self.free == unknowns and not self.given[c.n : c.n + n].any()
+
     def arguments(self, q: Vector) -> Vector:
         z = self.given.copy()
         z[list(self.free)] = q
