@@ -60,6 +60,7 @@ class _Writing:
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
+        reactions = self.of_reactions()
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
         symbols = Symbols(self.places, self.layout.first_constant)
@@ -68,7 +69,7 @@ class _Writing:
         partials = partial_kernels(self.terms, symbols) if whole else None  # last, so that no other kernel changes
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
-                       prepared=prepared, **self.of_reactions(),
+                       prepared=prepared, **reactions,
                        asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
 
     @property

@@ -122,10 +122,8 @@ class OneCoordinate:
 
         def potential(angle):
             q2, q3 = mpmath.findroot(lambda *others: gaps(angle, *others), tuple(guess[1:]))
-            heights = a * mpmath.sin(angle), mpmath.sin(q2), mpmath.sin(q3)
-            return mpmath.mpf("9.81") * (
-                a / 2 * heights[0] + b * (heights[0] + b / 2 * heights[1]) + c * c / 2 * heights[2]
-            )
+            pin, above, rocker = a * mpmath.sin(angle), b * mpmath.sin(q2), c * mpmath.sin(q3)
+            return mpmath.mpf("9.81") * (a / 2 * pin + b * (pin + above / 2) + c / 2 * rocker)
 
         with mpmath.workdps(40):
             return float(mpmath.diff(potential, mpmath.mpf(q1), 2))

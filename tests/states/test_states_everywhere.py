@@ -220,7 +220,8 @@ def test_a_drawing_shows_a_state():
     gauge = dynamicsymbols("gauge")
     model = em.Model(
         name="gauge", coordinates=[theta], kinetic_energy=theta.diff() ** 2 / 2, potential_energy=2 * theta**2,
-        states={gauge: 3 * (theta.diff() - gauge)}, initial={theta: 1.0}, drawing=[em.draw.Line((theta, 0), (gauge, 1))],
+        states={gauge: 3 * (theta.diff() - gauge)}, initial={theta: 1.0},
+        drawing=[em.draw.Line((theta, 0), (gauge, 1))],
     )  # fmt: skip
     times = np.linspace(0.1, 1.9, 7)
     for dense in (False, True):
