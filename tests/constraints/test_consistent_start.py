@@ -135,3 +135,17 @@ def test_a_run_of_no_length_gives_the_first_row_of_any_run(formulation):
     np.testing.assert_array_equal(found.y, first.y[:, :1])
     assert (found.t.tolist(), found.nfev) == ([0.5], 0)
     assert abs(found.position_residual).max() < 1e-14
+
+
+def test_a_projected_velocity_is_consistent_to_its_own_rounding():
+    """v0 is a million times the velocity that is left of it: the rounding of v0 is no rounding of that."""
+    row = X.diff() / 3 + sqrt(2) * Y.diff() / 7
+    model = plane("inclined", kinetic_energy=X.diff() ** 2 + 3 * Y.diff() ** 2, nonholonomic_constraints=[row])
+    system = system_for(model, "inverse")
+    A, _ = system.pfaffian([0.0, 0.0])
+    normal = np.linalg.solve(system.mass_matrix([0.0, 0.0]), A[0])
+    for seed in range(50):
+        v0 = normal + 1e-7 * np.random.default_rng(seed).normal(size=2)
+        found = system.project_initial_state([0.0, 0.0], v0)
+        assert abs(A[0] @ found.v) <= 4 * np.finfo(float).eps * np.abs(A[0]) @ np.abs(found.v)
+        system.linearize(found.x, found.v)

@@ -96,13 +96,15 @@ class Projection:
             if not length(M, nearer - x0) < length(M, x - x0):
                 break
             x = nearer
-        x, v = self._reached(x, v0)
+        x, v = self._reached(*self._reached(x, v0))  # twice: v0 may have been much larger than v, and so its rounding
         dx, dv = x - x0, v - v0
         moved = {"dx": dx, "dv": dv, "distance": length(M, dx), "velocity_distance": length(self._mass(x), dv)}
         return ConsistentState(x, v, **moved)
 
     def _checked(self, nearest: ConsistentState) -> ConsistentState:
         names = self.model.coordinates
+        if not np.isfinite(nearest.distance + nearest.velocity_distance):
+            self.model.check_table_arguments(self.t, nearest.x - nearest.dx, nearest.v - nearest.dv, self.prepared)
         if not np.isfinite(nearest).all():
             k = int(np.argmin(np.isfinite(nearest).all(axis=0)))
             raise ModelError(f"{self.model.name}: what is nearest to x0, v0 on the constraints is not finite at "
