@@ -40,8 +40,8 @@ cdef class PointModel:
     cdef int need_method(self, int method) except -1
     cdef int need_members(self) except -1
     cdef int check_tables(self, const double *parameters) except -1
-    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers values) except -1
-    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers values) except -1
+    cdef int check_arguments(self, double t, Numbers x, Numbers v, Prepared c, const double *u) except -1
+    cdef int check_arguments_at(self, double t, Numbers y, Prepared c, const double *u) except -1
     cdef read_names(self)
     cdef read_defaults(self)
     cdef failure(self, em_fault *fault)

@@ -175,25 +175,29 @@ cdef class PointModel:
                                       StopReason.VALUE_REFUSED)
         return 0
 
-    cdef int refuse_outside_at(self, double t, Numbers y, Prepared c, const double *u, Numbers values) except -1:
-        """As `refuse_outside`, at a state y."""
+    cdef int check_arguments_at(self, double t, Numbers y, Prepared c, const double *u) except -1:
+        """As `check_arguments`, at a state y."""
         cdef em_fault fault
         cdef Numbers v = zeros((self.n,))
-        if self.model.velocity(t, y.data, c.c, v.data, &fault) == 0:
-            self.refuse_outside(t, y, v, c, u, values)
+        if self.model.n_tables > 0 and self.model.velocity(t, y.data, c.c, v.data, &fault) == 0:
+            self.check_arguments(t, y, v, c, u)
         return 0
 
-    cdef int refuse_outside(self, double t, Numbers x, Numbers v, Prepared c, const double *u, Numbers values) except -1:
-        """Raise if computed values are not finite because a table was evaluated outside its range."""
+    cdef int check_arguments(self, double t, Numbers x, Numbers v, Prepared c, const double *u) except -1:
+        """Raise if a table is evaluated outside its range."""
         cdef em_fault fault
         cdef Numbers at
-        if self.model.n_tables == 0 or np.isfinite(values.array).all():
+        if self.model.n_tables == 0:
             return 0
         at = zeros((self.model.n_table_uses,))
         self.model.table_arguments(t, x.data, v.data, c.c, u, at.data)
         if em_outside_tables(self.model, c.c, at.data, &fault):
             raise self.failure(&fault)
         return 0
+
+    def check_table_arguments(self, double t, x, v, Prepared c not None):
+        """Raise an EvaluationError if a table is evaluated outside its range at x, v."""
+        self.check_arguments(t, floats(x, (self.n,), "x"), floats(v, (self.n,), "v"), c, self.model.input_defaults)
 
     def check_tables_of(self, rows):
         """Check the table parameters in rows (K, n_parameters), as `prepare` does."""
@@ -240,9 +244,10 @@ cdef class PointModel:
                 raise ValueError(f"out must be a writable array of floating point numbers of shape {shape}")
             dy = zeros(shape)
         if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
+            self.check_arguments_at(t, state, c, signals)
             raise self.failure(&fault)
         if self.model.n_tables > 0 and not np.isfinite(dy.array).all():
-            self.refuse_outside_at(t, state, c, signals, dy)
+            self.check_arguments_at(t, state, c, signals)
         if out is None or out is dy.array:
             return dy.array
         out[...] = dy.array
@@ -253,6 +258,7 @@ cdef class PointModel:
         cdef em_fault fault
         cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), y = zeros((self.n_state,))
         if self.model.state(t, q.data, w.data, c.c, y.data, &fault) != 0:
+            self.check_arguments(t, q, w, c, self.model.input_defaults)
             raise self.failure(&fault)
         return y.array
 
@@ -341,8 +347,10 @@ cdef class PointModel:
         cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
         if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
+            self.check_arguments(t, q, w, c, s.data)
             raise self.failure(&fault)
-        self.refuse_outside(t, q, w, c, s.data, a)
+        if self.model.n_tables > 0 and not np.isfinite(a.array).all():
+            self.check_arguments(t, q, w, c, s.data)
         return a.array, multipliers.array
 
     def project(self, double t, x, v, Prepared c not None, int least_norm):
@@ -351,6 +359,7 @@ cdef class PointModel:
         cdef Numbers q = floats(np.array(x, dtype=np.float64), (self.n,), "x")
         cdef Numbers w = floats(np.array(v, dtype=np.float64), (self.n,), "v")
         if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
+            self.check_table_arguments(t, x, v, c)
             raise self.failure(&fault)
         return q.array, w.array
 

@@ -99,6 +99,7 @@ def _start(
     if not refusal:
         return y
     model.check_start(x)  # raises if a value contradicts its declaration
+    _check_tables(model, prepared, t, x, v)
     if refusal == _Refusal.WITHOUT_INERTIA:
         words = _of_masses(model, model.factored_matrix(t, x, prepared), at)
     elif refusal == _Refusal.WITHIN_CONTACT:
@@ -108,6 +109,13 @@ def _start(
     else:
         words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, t, x, v)}"
     raise ModelError(f"{model.name}: {words}")
+
+
+def _check_tables(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
+    try:
+        model.check_table_arguments(t, x, v, prepared)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
 
 
 _OFF = {

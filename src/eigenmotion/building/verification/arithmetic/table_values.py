@@ -84,7 +84,8 @@ def _polynomial(pieces: Pieces, orders: Sequence[int], at: Sequence[Part]) -> tu
         total, size = total + term, size + np.abs(term)
     moved = [bool(order) & (x != original) for order, x, original in zip(orders, within, at, strict=True)]
     flat = np.any(moved, axis=0) if pieces.outside == "hold" else False
-    return np.where(flat, 0.0, total), np.where(flat, 0.0, _TERMS * EPS * size)
+    refused = np.any(np.isnan(within), axis=0)  # of NaN the power 0 is 1
+    return np.where(refused, np.nan, np.where(flat, 0.0, total)), np.where(flat, 0.0, _TERMS * EPS * size)
 
 
 def _looked_up(axis: Axis, x: Part, outside: str) -> Part:

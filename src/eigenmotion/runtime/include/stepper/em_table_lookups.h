@@ -29,15 +29,20 @@ EM_COLD_PATH EM_UNUSED static int em_outside_table(em_run_state *w, double t, co
     return em_outside_tables(w->model, w->run->prepared, at, &w->reason);
 }
 
-/* Whether the run is at the end of a table: within rounding, or within `slack` times the change of the argument to its
- * value `ahead`, which must not be closer to the inside. */
+/* Whether an argument is at one end of the range of its table: within rounding, or within `slack` times its change to
+ * `ahead`, which must not be closer to the inside. */
+static int em_at_end_of_range(em_run_state *w, const em_table_use *use, int side, double at, double ahead, double slack) {
+    const double beyond = em_table_excess(w->model, w->run->prepared, use, side, at);
+    const double later = em_table_excess(w->model, w->run->prepared, use, side, ahead);
+    return beyond >= -(EM_END_OF_TABLE * fabs(at) + slack * fabs(later - beyond)) && later >= beyond;
+}
+
+/* Whether the run is at the end of a table and about to leave it by this end. */
 static int em_at_end_of_table(em_run_state *w, const double *at, const double *ahead, double slack) {
     for (int k = 0; k < w->model->n_table_uses; ++k) {
         const em_table_use *const use = &w->model->table_uses[k];
-        const double beyond = em_table_excess(w->model, w->run->prepared, use, at[k]);
-        const double later = em_table_excess(w->model, w->run->prepared, use, ahead[k]);
-        const double rounding = EM_END_OF_TABLE * fabs(at[k]) + slack * fabs(later - beyond);
-        if (!(beyond >= -rounding && later >= beyond)) continue;
+        if (!em_at_end_of_range(w, use, -1, at[k], ahead[k], slack) && !em_at_end_of_range(w, use, 1, at[k], ahead[k], slack))
+            continue;
         return em_fail(&w->reason, EM_OUTSIDE_TABLE, use->table, -1, at[k]), 1;
     }
     return 0;
