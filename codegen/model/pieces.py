@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise, product
 
@@ -53,6 +53,9 @@ class Pieces:
     axes: tuple[Axis, ...]
     coefficients: tuple[float, ...]
     outside: str
+    _joins: dict[int, tuple[tuple[float, int], ...]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def of_piece(self, places: Sequence[int]) -> tuple[float, ...]:
         """Return the coefficients of one piece."""
@@ -79,6 +82,12 @@ class Pieces:
 
     def joins(self, axis: int) -> tuple[tuple[float, int], ...]:
         """Return (knot, order) along an axis where a derivative up to MOST_JUMPING jumps; order is the lowest such."""
+        if axis not in self._joins:  # many numbers are compared for these few
+            self._joins[axis] = self._compared(axis)
+        return self._joins[axis]
+
+    def _compared(self, axis: int) -> tuple[tuple[float, int], ...]:
+        """Return what `joins` does, from the coefficients."""
         along = self.axes[axis]
         pairs = [(k, k - 1, k) for k in range(1, along.count)]
         if self.outside == "periodic":

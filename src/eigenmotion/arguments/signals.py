@@ -53,6 +53,7 @@ class Signal:
     values: Any = None
     kind: Literal["hold", "linear", "cubic", "spline"] = "linear"
     _fitted: list[Any] = field(init=False, repr=False, default_factory=list)  # the spline, computed at the first call
+    _tables: list[Table] = field(init=False, repr=False, default_factory=list)  # made where one is needed
 
     def __post_init__(self) -> None:
         if self.values is None:
@@ -75,15 +76,15 @@ class Signal:
 
     def _read_interpolant(self) -> None:
         """Take the knots of an interpolant, and the values there, for samples."""
-        if isinstance(self.times, list | tuple | np.ndarray) or not callable(self.times):
-            raise ModelError(
-                f"Signal({shown(self.times)}) has no values. Give Signal(times, values), or an interpolant."
-            )
-        table = Table(self.times, outside="hold", name="signal")
+        given = self.times
+        if isinstance(given, list | tuple | np.ndarray | Table) or not callable(given):
+            raise ModelError(f"Signal({shown(given)}) has no values. Give Signal(times, values), or an interpolant.")
+        table = Table(given, name="signal")
         if table.arguments != 1:
-            raise ModelError(f"a signal is a function of the time, and {shown(self.times)} is one of two arguments")
+            raise ModelError(f"a signal is a function of the time, and {shown(given)} is one of two arguments")
+        self._fitted.append(given)
+        self._tables.append(table)
         knots = np.array(table.pieces.axes[0].knots)
-        self._fitted[:] = self.times, table
         for name, value in (("values", [table.pieces.value((0,), (at,)) for at in knots]), ("times", knots),
                             ("kind", "spline")):  # fmt: skip
             object.__setattr__(self, name, value)
@@ -104,9 +105,17 @@ class Signal:
         if self.kind not in _SMOOTH:
             return None
         if not self._fitted:  # SciPy takes a while to import
-            made = import_module("scipy.interpolate").CubicSpline(self.times, self.values)
-            self._fitted[:] = made, Table(made, outside="hold", name="signal")
+            self._fitted.append(import_module("scipy.interpolate").CubicSpline(self.times, self.values))
         return self._fitted[0]
+
+    @property
+    def table(self) -> Table:
+        """The signal as a table of the time, made once. One of kind "hold" jumps, and has none."""
+        if not self._tables:
+            curve = (self.times, self.values) if self.interpolant is None else self.interpolant
+            self._tables.append(Table(curve, name="signal"))
+        made: Table = self._tables[0]
+        return made
 
     @property
     def compiled(self) -> Compiled:
@@ -119,13 +128,7 @@ class Signal:
         """
         if self.kind not in _SMOOTH:
             return _KINDS[self.kind], self.times, self.values
-        return _KINDS[self.kind], self.times, cubics(self._table)
-
-    @property
-    def _table(self) -> Table:
-        assert self.interpolant is not None
-        table: Table = self._fitted[1]
-        return table
+        return _KINDS[self.kind], self.times, cubics(self.table)
 
     @property
     def kinks(self) -> Vector:
@@ -140,8 +143,7 @@ def cubics(table: Table) -> Vector:
     if axis.order > _CUBIC and coefficients[:, _CUBIC:].any():
         raise ModelError(f"a signal of degree {axis.order - 1} is not taken as an input: cubics are. Write it into the "
                          "model: em.Table(interpolant)(t), which takes any degree.")  # fmt: skip
-    inside = axis.knots[1:-1]
-    if rough := [at for at, order in table.pieces.joins(0) if order < 2 and at in inside]:
+    if rough := [at for at, order in table.pieces.joins(0) if order < 2]:
         raise ModelError(f"an interpolant that jumps, or whose rate does, at t = {rough[0]:g} is no input. "
                          "Give samples, of kind 'hold' or 'linear', or a table: em.Table(interpolant)(t).")  # fmt: skip
     made = np.zeros((axis.count, _CUBIC))

@@ -1,7 +1,6 @@
 """Tables as arguments of a run, which replace the model's own: by name, among the parameters."""
 
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -57,14 +56,23 @@ def _outside(c: CompiledModel, name: str) -> str:
     return c.outside_of(name)
 
 
-@lru_cache(maxsize=64)
+_ADDRESSES: dict[str, float] = {}
+"""The addresses of tables in use by their digests; the data at an address stays (runtime/tables.py)."""
+
+
 def address_of(table: Table) -> float:
     """Return the address by which compiled code knows a table."""
-    return table_address(table.pieces.numbers())
+    if table.digest not in _ADDRESSES:
+        _ADDRESSES[table.digest] = table_address(table.pieces.numbers())
+    return _ADDRESSES[table.digest]
 
 
 def refuse_tables(c: CompiledModel, names: Mapping[str, object] | tuple[str, ...], what: str) -> None:
     """Raise ModelError if a name is that of a table, which cannot be varied as a number can."""
     for name in names:
+        if name in c.prescribed:
+            raise ModelError(
+                f"{what} names {name!r}, an input that prescribes a motion, which is a curve and no number."
+            )
         if name in c.tables:
             raise ModelError(f"{what} names {name!r}, which is a table and no number. Name numbers.")

@@ -12,6 +12,7 @@ from ..arguments.differentiation import Differentiated, differentiated
 from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.prescribed import covering
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..compiled.compiled_system import CompiledSystem
@@ -122,6 +123,7 @@ def simulate_ensemble(
         choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm,
         _differentiated(system, sensitivities, v0),
     )  # fmt: skip
+    inputs = covering(system.compiled, inputs, start, end, several=True)
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
     _check_constant(system, common, members)

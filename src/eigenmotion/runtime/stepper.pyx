@@ -127,6 +127,8 @@ cdef class Steps:
         place = self.places.get(name)
         if place is None:
             place = self.places.get(str(name).removesuffix("(t)"))
+        if place is None and str(name).removesuffix("(t)") in self.model.prescribed:
+            raise ValueError(f"input {name!r} prescribes a motion, which cannot jump: give it when the stepper opens")
         if place is None:
             raise ValueError(f"unknown input {name!r}; known: {', '.join(self.places) or 'none'}")
         return place

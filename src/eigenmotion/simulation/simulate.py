@@ -12,7 +12,7 @@ from ..arguments.differentiation import differentiated
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.named_values import Vector, unknown
 from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
-from ..arguments.prescribed import check_covered
+from ..arguments.prescribed import covering
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..compiled.compiled_system import CompiledSystem
 from ..results.multiplier_uniqueness import with_shared
@@ -186,7 +186,7 @@ def _checked(
     start, end = options.span(t_span)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
-    check_covered(system.compiled, inputs, start, end)
+    inputs = covering(system.compiled, inputs, start, end)
     prepared, inputs = _prepared(system, parameters, inputs)
     signals = _inputs(system, inputs, start, end)
     y = _begin(system, prepared, start, x0, v0, argument, relative, absolute)
