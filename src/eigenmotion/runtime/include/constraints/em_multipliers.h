@@ -5,6 +5,7 @@
 #include "mass/em_root_rates.h"
 #ifndef EM_ON_LANES
 #include "constraints/em_rank.h"
+#include "numeric/em_complete_pivoting.h"
 #endif
 
 /* B (m, n) <- A L^-T */
@@ -141,53 +142,21 @@ EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
 #endif
 
 #ifndef EM_ON_LANES
-EM_NOINLINE void em_swap_rows(int m, double *Delta, double *rhs, double *unit, int k, int row) {
-    for (int j = 0; j < m; ++j) {
-        const double kept = Delta[k * m + j];
-        Delta[k * m + j] = Delta[row * m + j], Delta[row * m + j] = kept;
-    }
-    const double right = rhs[k], length = unit[k];
-    rhs[k] = rhs[row], rhs[row] = right, unit[k] = unit[row], unit[row] = length;
-}
-
 /* rhs (m) <- Delta^-1 right with complete pivoting, of the rows that are kept. 0, or -1 and *fault. */
 EM_NOINLINE int em_solve_pushed_pivoted(int m, double *Delta, const double *right, double *rhs, int flags, em_fault *fault) {
-    double unit[m], y[m];
-    int column[m];
     em_fill_inactive_rows(m, Delta);
     for (int i = 0; i < m; ++i) {
         const int kept = flags < EM_FIRST_KEPT || (flags & EM_FIRST_KEPT << i);
         for (int j = 0; j < m && !kept; ++j) Delta[i * m + j] = Delta[j * m + i] = i == j;
         rhs[i] = kept ? right[i] : 0.0;
-        unit[i] = 0.0, column[i] = i;
     }
-    for (int i = 0; i < m; ++i)
-        for (int j = 0; j < m; ++j) unit[i] = fmax(unit[i], fabs(Delta[i * m + j]));
-    for (int k = 0; k < m; ++k) {
-        int row = k, best = k;
-        for (int i = k; i < m; ++i)
-            for (int j = k; j < m; ++j)
-                if (fabs(Delta[i * m + j]) * unit[row] > fabs(Delta[row * m + best]) * unit[i]) row = i, best = j;
-        if (!(fabs(Delta[row * m + best]) > EM_SINGULAR_PIVOT * unit[row])) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
-        em_swap_rows(m, Delta, rhs, unit, k, row);
-        for (int i = 0; i < m; ++i) {
-            const double kept = Delta[i * m + k];
-            Delta[i * m + k] = Delta[i * m + best], Delta[i * m + best] = kept;
-        }
-        const int place = column[k];
-        column[k] = column[best], column[best] = place;
-        for (int i = k + 1; i < m; ++i) {
-            const double part = Delta[i * m + k] / Delta[k * m + k];
-            for (int j = k; j < m; ++j) Delta[i * m + j] -= part * Delta[k * m + j];
-            rhs[i] -= part * rhs[k];
-        }
+    for (int i = 0; i < m; ++i) {
+        double unit = 0.0;
+        for (int j = 0; j < m; ++j) unit = fmax(unit, fabs(Delta[i * m + j]));
+        for (int j = 0; j < m && unit > 0.0; ++j) Delta[i * m + j] /= unit;
+        if (unit > 0.0) rhs[i] /= unit;
     }
-    for (int k = m - 1; k >= 0; --k) {
-        y[k] = rhs[k];
-        for (int j = k + 1; j < m; ++j) y[k] -= Delta[k * m + j] * y[j];
-        y[k] /= Delta[k * m + k];
-    }
-    for (int k = 0; k < m; ++k) rhs[column[k]] = y[k];
+    if (em_solve_completely(m, Delta, rhs, EM_SINGULAR_PIVOT, NULL)) return em_fail(fault, EM_CONTACTS_CLASH, -1, EM_JAMMED, NAN);
     return 0;
 }
 #endif

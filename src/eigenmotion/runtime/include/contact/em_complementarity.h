@@ -22,6 +22,12 @@
 
 #include "numeric/em_complete_pivoting.h"
 
+#ifndef EM_MIXED_ROWS
+#define EM_MIXED_ROWS EM_IMPACT_ROWS
+#endif
+
+#define EM_MODE_RANK 1e-11 /* of rows of length one: the pivot below which the rows of a mode count as dependent */
+
 #define EM_MODE_EXACT (64.0 * DBL_EPSILON) /* the part of its terms by which rounding may violate a condition, */
 #define EM_MODE_VERIFIED 1e-10 /* and the allowed violation if no mode is better */
 
@@ -139,7 +145,7 @@ EM_NOINLINE int em_forces_linearised(em_mixed *s, int *sign_of_all) {
                 A[i * count + j] += sign * s->coefficient[f] * s->gradient[f * k + rows[j]] * s->G[rows[i] * k + f];
         }
     }
-    if (em_solve_mode(count, A, x, sign_of_all)) return -1;
+    if (em_solve_completely(count, A, x, EM_MODE_RANK, sign_of_all)) return -1;
     for (int i = 0; i < count; ++i) s->p[rows[i]] = x[i];
     for (int f = 0; f < k; ++f) {
         const double sign = em_limit_sign(s, f);

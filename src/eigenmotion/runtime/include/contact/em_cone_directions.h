@@ -47,7 +47,7 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
     }
     for (int c = 0; c < count; ++c) step[c] = -off[c];
     int sign;
-    return em_solve_mode(count, A, step, &sign);
+    return em_solve_completely(count, A, step, EM_MODE_RANK, &sign);
 }
 
 /* Newton's iteration from these angles. Returns whether it converged. */

@@ -34,7 +34,7 @@ EM_NOINLINE int em_solve_impact_along(const em_all_rows *r, const em_impact *b, 
                 for (int k = 0; k < N; ++k) A[i * count + l] += scale * b->B[rows[i] * N + k] * Q[rows[l] * N + k] * b->s.unit[rows[l]];
             }
         }
-        if (em_solve_mode(count, A, y, NULL)) return -1;
+        if (em_solve_completely(count, A, y, EM_MODE_RANK, NULL)) return -1;
         for (int i = 0; i < count; ++i)
             for (int k = 0; k < N; ++k) F[k * columns + j] -= Q[rows[i] * N + k] * b->s.unit[rows[i]] * y[i];
     }

@@ -1,20 +1,14 @@
-/* em_complete_pivoting.h: elimination with complete pivoting, for the linear system of an active set. */
+/* em_complete_pivoting.h: elimination with complete pivoting, for linear systems that may be indefinite and singular. */
 #ifndef EM_COMPLETE_PIVOTING_H
 #define EM_COMPLETE_PIVOTING_H
 
 #include "numeric/em_linear.h"
 
-#ifndef EM_MIXED_ROWS
-#define EM_MIXED_ROWS EM_IMPACT_ROWS
-#endif
-
-#define EM_MODE_RANK 1e-11     /* of rows of length one: the pivot below which a mode's rows count as dependent */
-
-/* x (count) <- A^-1 x by elimination with complete pivoting. 0, or -1: the rows are dependent. *sign, unless NULL:
- * the sign of the determinant. */
-EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
-    int column[EM_MIXED_ROWS], turns = 0;
-    double y[EM_MIXED_ROWS] = {0.0};
+/* x (count) <- A^-1 x by elimination with complete pivoting. 0, or -1: a pivot is at most `least`, so that the rows are
+ * dependent. *sign, unless NULL: the sign of the determinant. */
+EM_NOINLINE int em_solve_completely(int count, double *A, double *x, double least, int *sign) {
+    int column[count > 0 ? count : 1], turns = 0;
+    double y[count > 0 ? count : 1];
     for (int k = 0; k < count; ++k) column[k] = k;
     for (int k = 0; k < count; ++k) {
         int row = k, best = k;
@@ -22,7 +16,7 @@ EM_NOINLINE int em_solve_mode(int count, double *A, double *x, int *sign) {
             for (int j = k; j < count; ++j)
                 if (fabs(A[i * count + j]) > fabs(A[row * count + best])) row = i, best = j;
         const double pivot = A[row * count + best];
-        if (!(fabs(pivot) > EM_MODE_RANK)) return -1;
+        if (!(fabs(pivot) > least)) return -1;
         turns += (row != k) + (best != k) + (pivot < 0.0);
         for (int j = 0; j < count; ++j) {
             const double kept = A[k * count + j];
