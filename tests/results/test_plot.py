@@ -82,6 +82,14 @@ def test_axes_name_the_unit_that_is_known():
     assert first.get_ylabel() == "coordinates"
 
 
+@pytest.mark.parametrize("name", ["pendulum", "sphere"])
+def test_the_mechanism_claims_no_unit(name):
+    """A model may be in millimetres."""
+    figure = coordinates(system_of(name), system_of(name).simulate((0, 0.1)))
+    labels = {axes.get_title(): (axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes}
+    assert labels["$t$ = 0.1 s"] == ("$x$", "$y$")
+
+
 @pytest.mark.parametrize("span", [(0, 0), (0, -2)])
 def test_odd_spans_are_drawn(span):
     figure = coordinates(system_of("pendulum"), system_of("pendulum").simulate(span, dense_output=True))

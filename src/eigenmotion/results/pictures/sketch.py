@@ -72,12 +72,12 @@ def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
     low, high = drawing.box
     if drawing.dimension == len("xy"):
         axes = figure.add_subplot(place, aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        axes.set(xlabel="$x$ [m]", ylabel="$y$ [m]")
+        axes.set(xlabel="$x$", ylabel="$y$")
         axes.spines[["top", "right"]].set_visible(False)
         return axes
     axes = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    axes.set(xlabel="$x$ [m]", ylabel="$y$ [m]", zlabel="$z$ [m]")
+    axes.set(xlabel="$x$", ylabel="$y$", zlabel="$z$")
     axes.set_box_aspect(high - low)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.pane.set_facecolor("0.97")
