@@ -15,7 +15,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, ModelError, load_model, multiplier, t
 
-from ..support.models_table import ACTING, EVERY, MODELS, SCENARIOS
+from ..support.models_table import ACTING, EVERY, MODELS, SCENARIOS, WITH_TESTS_OF_THEIR_OWN
 
 theta, r = dynamicsymbols("theta r")
 y1, y2, u = dynamicsymbols("y1 y2 u")
@@ -238,7 +238,7 @@ def test_canonical_text_does_not_depend_on_the_hash_seed():
 
 def test_every_model_file_is_in_the_table():
     files = {file.stem for file in MODELS.glob("*.py")} - {"__init__"}
-    assert files == {scenario.file for scenario in SCENARIOS} | set(ACTING)
+    assert files == {scenario.file for scenario in SCENARIOS} | {*ACTING, *WITH_TESTS_OF_THEIR_OWN}
 
 
 @EVERY
