@@ -11,6 +11,7 @@ from eigenmotion.codegen.equations.terms import Terms
 from eigenmotion.codegen.graph.convert import FromSympy
 from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.store import Kind
+from eigenmotion.codegen.model.statement.states import as_mechanism
 from eigenmotion.codegen.schedule.operations import Cost, operands_of
 from eigenmotion.codegen.schedule.schedule import schedule
 from hypothesis import given, settings
@@ -24,10 +25,11 @@ from ..support.generation import MODELS, NAMES, model_of
 SYMBOLS = x, y, z, p, q = symbols("x y z p q", positive=True)
 VALUES = {"x": 0.71, "y": 1.13, "z": 1.62, "p": 0.87, "q": 1.41}
 CALLS = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "pow": math.pow, "max": max, "<": float.__lt__,
-         "select": lambda condition, yes, no: yes if condition else no, "log": math.log, "tan": math.tan}  # fmt: skip
+         "select": lambda condition, yes, no: yes if condition else no, "log": math.log, "tan": math.tan,
+         "min": min, "abs": abs}  # fmt: skip
 
 
-def run(plan, values: Mapping[str, float], constants: Mapping[int, float]) -> dict[int, float]:
+def run(plan, values: Mapping[str, float], constants: Mapping[int, float], calls=CALLS) -> dict[int, float]:
     """Carry out operations in their order; an operand that is not there yet is a KeyError."""
     done: dict[int, float] = {}
     for value, (kind, operands) in plan.operations.items():
@@ -44,7 +46,7 @@ def run(plan, values: Mapping[str, float], constants: Mapping[int, float]) -> di
         elif kind in ("inverse", "sqrt"):
             done[value] = 1 / done[operands[0]] if kind == "inverse" else math.sqrt(done[operands[0]])
         else:
-            done[value] = CALLS[operands[0]](*(done[operand] for operand in operands[1:]))
+            done[value] = calls[operands[0]](*(done[operand] for operand in operands[1:]))
     return done
 
 
@@ -153,21 +155,32 @@ def test_pairs_shared_by_sums_up_to_a_factor_are_taken_out():
 @pytest.mark.parametrize("name", NAMES)
 def test_the_terms_of_every_model_keep_their_values(name):
     """The force, Mdot, M of a model: by way of the operations chosen, against the graph evaluated node by node."""
-    terms = Terms(specialise(derive(model_of(name))))
+    model = as_mechanism(model_of(name))
+    terms = Terms(specialise(derive(model)))
+    calls = CALLS | calls_of(model_of(name).tables)
     roots = [*terms.motion.force, *terms.bias, *(e for row in terms.motion.Mdot for e in row), *terms.gamma]
     roots += [e for row in terms.M for e in row]
     roots = list(map(terms.expanded, roots))
     m = terms.mechanics
     names = [s.name for s in (*m.x, *m.v, *m.parameters, *m.inputs)]
     values = {name: 0.4 + 0.13 * (k % 9) for k, name in enumerate([*names, "t"])}
-    direct = node_by_node(terms.graph, roots, values)
+    direct = node_by_node(terms.graph, roots, values, calls)
     plan = schedule(terms.graph, roots, hoist=False)
-    found = run(plan, values, {})
+    found = run(plan, values, {}, calls)
     for root in roots:
         assert math.isclose(found[plan.roots[root]], direct[root][0], rel_tol=1e-11, abs_tol=1e-12 * direct[root][1])
 
 
-def node_by_node(graph, roots, values):
+def calls_of(tables):
+    """Return the name of each table, and of its derivatives, -> their values; the first operand is the handle."""
+    return {
+        f"{table.name}[{order}]": lambda _, at, table=table, order=order: float(table.pieces.value((order,), [at]))
+        for table in tables
+        for order in range(4)
+    }
+
+
+def node_by_node(graph, roots, values, calls):
     """Return node -> (value, sum of the absolute terms behind it)."""
     known: dict[int, tuple[float, float]] = {}
     for node in graph.reachable(roots):
@@ -186,7 +199,7 @@ def node_by_node(graph, roots, values):
             sizes = [b**power if power > 0 else abs(a) ** power * max(1, b / abs(a)) for (a, b), power in powers]
             known[node] = number, math.prod(sizes)
         else:
-            number = CALLS[operands[0]](*(known[child][0] for child in operands[1:]))
+            number = calls[operands[0]](*(known[child][0] for child in operands[1:]))
             known[node] = number, abs(number)
     return known
 
