@@ -65,12 +65,18 @@ def test_rows_of_twelve_numbers_on_the_stack():
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("name", NAMES)
 def test_runs_are_those_of_code_that_is_hardly_optimised(name, compiler):
-    same_run(em.build(MODELS / f"{name}.py", compiler=compiler, flags=""), system_of(name), 0.5)
+    quick = em.build(MODELS / f"{name}.py", compiler=compiler, flags="")
+    same_run(quick, system_of(name), 0.5, TOLERANCES.get(name, 1e-10))
 
 
-def same_run(quick: em.System, plain: em.System, t_end: float) -> em.Solution:
+TOLERANCES = {"quick_return_shaper": 1e-13}
+"""For models whose forces have kinks within steps (a guide whose load changes its side). Rounding changes the steps
+there, so two runs differ by their errors, which have to be below the limit of the comparison."""
+
+
+def same_run(quick: em.System, plain: em.System, t_end: float, tolerance: float = 1e-10) -> em.Solution:
     """Return the run of the former, which is that of the latter."""
-    runs = [system.simulate((0.0, t_end), rtol=1e-10, atol=1e-10) for system in (quick, plain)]
+    runs = [system.simulate((0.0, t_end), rtol=tolerance, atol=tolerance) for system in (quick, plain)]
     assert all(run.success for run in runs), runs[0].message
     scale = 1.0 + np.abs(runs[1].x[:, -1]).max()
     assert np.abs(runs[0].x[:, -1] - runs[1].x[:, -1]).max() < 1e-10 * scale
