@@ -65,10 +65,10 @@ model = Model(
     contacts={"cam": Contact(y - lift(phi), restitution=e, rest=Rational(1, 1000))},
     outputs={
         "gap": y - lift(phi),
-        "pressing": -multiplier(0),
+        "pressing": -multiplier("cam"),
         "torque": torque,
         "motor_power": torque * phi.diff(),
-        "load_torque": -multiplier(0) * lift(phi).diff(phi),
+        "load_torque": -multiplier("cam") * lift(phi).diff(phi),
     },
     parameters={m: 0.3, k: 5000.0, F0: 40.0, g: 9.81, J: 0.02, c: 0.5, w: 140.0, e: 0.3, base: BASE, roller: ROLLER},
     initial={phi.diff(): 140.0},

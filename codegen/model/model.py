@@ -36,7 +36,7 @@ def multiplier(row: int | str, place: int | None = None) -> sympy.Expr:
     ----------
     row
         0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model. Or the name of
-        constraints, where the model has a mapping of constraints.
+        constraints, where the model has a mapping of constraints. Or the name of a `Contact`: its force is -multiplier.
     place
         Index among the rows of that name, counted from 0. None if the name has a single row.
 
@@ -204,7 +204,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
     fields = with_prescribed_inputs(fields)
-    known = normals_of(fields).known
+    known = normals_of(fields).by_name
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
     fields["states"] = tuple((z, numbered(rate, f"states[{name_of(z)}]", known)) for z, rate in fields["states"])
     fields["outputs"] = tuple(

@@ -204,8 +204,9 @@ def test_multipliers_are_named_behind_contacts_too():
         name="named", coordinates=[x, y], kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2, parameters={m: 1.0},
         holonomic_constraints={"guide": y}, nonholonomic_constraints={"drive": x.diff() - 1},
         contacts={"wall": Contact(x + 5)},
-        outputs={"guide": multiplier("guide"), "drive": multiplier("drive", 0)})  # fmt: skip
-    assert model.outputs == (("guide", multiplier(0)), ("drive", multiplier(2)))
+        outputs={"guide": multiplier("guide"), "drive": multiplier("drive", 0), "wall": multiplier("wall")})  # fmt: skip
+    assert model.outputs == (("guide", multiplier(0)), ("drive", multiplier(2)), ("wall", multiplier(1)))
+    assert replace(model, outputs={"wall": multiplier("wall")}).outputs == (("wall", multiplier(1)),)
     assert model.row_names == ("guide", "", "drive")
 
 
@@ -224,7 +225,7 @@ def test_messages_speak_of_rows_by_name():
     (lambda: shaft(normal=()), "normal of a friction is ()"),
     (lambda: shaft(outputs={"N": multiplier("bearing")}), "which are 2 rows. Say which"),
     (lambda: shaft(outputs={"N": multiplier("bearing", 2)}), "row 2. It has 2, counted from 0"),
-    (lambda: shaft(outputs={"N": multiplier("other", 2)}), "No constraint has that name"),
+    (lambda: shaft(outputs={"N": multiplier("other", 2)}), "No constraint or contact has that name"),
     (lambda: shaft(holonomic_constraints={"rub": [x, y]}), "a name that is taken"),
     (lambda: shaft(holonomic_constraints={"bearing": []}), "has no row"),
     (lambda: shaft(holonomic_constraints={3: x}), "a Python identifier"),

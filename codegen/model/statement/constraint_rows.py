@@ -86,7 +86,7 @@ def _row(multiplier: sympy.Expr, what: str, numbers: Mapping[str, tuple[int, ...
     name, place = str(multiplier.args[0]), int(multiplier.args[1])
     rows = numbers.get(name)
     if rows is None:
-        raise ModelError(f"{what} contains the multiplier of {name!r}. No constraint has that name.")
+        raise ModelError(f"{what} contains the multiplier of {name!r}. No constraint or contact has that name.")
     if place < 0 and len(rows) > 1:
         raise ModelError(f"{what} contains the multiplier of {name!r}, which are {len(rows)} rows. Say which of them.")
     if place >= len(rows):
@@ -128,6 +128,7 @@ class Normals:
         h = first + len(self.contacts)
         self.rows = range(h + several)
         self.known = numbers_of(names, h)
+        self.by_name = self.known | {name: (row,) for name, row in self.contacts.items()}
 
     def of(self, name: str, normal: Normal) -> tuple[str | None, tuple[int, ...]]:
         """Return the contact whose multiplier is the normal force of a friction, or else the rows whose norm it is.
