@@ -11,7 +11,7 @@
 Coordinate: x [m] of the mass, from where the spring is relaxed. State: z [m], mean deflection of the bristles between
 mass and belt. With v = vb - x', the speed of the belt relative to the mass [m/s],
 
-    z' = v - s0 |v| z / g(v),    g(v) = Fc + (Fs - Fc) exp(-(v / vs)^2),    F = s0 z + s1 z' + s2 v   [N]
+    z' = v - s0 abs(v) z / g(v),    g(v) = Fc + (Fs - Fc) exp(-(v / vs)^2),    F = s0 z + s1 z' + s2 v   [N]
 
 The mass sticks until the spring pulls with about Fs, and then slips back. The bristles are stiff: use `radau9`.
 

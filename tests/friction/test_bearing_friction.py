@@ -204,7 +204,8 @@ def test_multipliers_are_named_behind_contacts_too():
         name="named", coordinates=[x, y], kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2) / 2, parameters={m: 1.0},
         holonomic_constraints={"guide": y}, nonholonomic_constraints={"drive": x.diff() - 1},
         contacts={"wall": Contact(x + 5)},
-        outputs={"guide": multiplier("guide"), "drive": multiplier("drive", 0), "wall": multiplier("wall")})  # fmt: skip
+        outputs={"guide": multiplier("guide"), "drive": multiplier("drive", 0), "wall": multiplier("wall")},
+    )  # fmt: skip
     assert model.outputs == (("guide", multiplier(0)), ("drive", multiplier(2)), ("wall", multiplier(1)))
     assert replace(model, outputs={"wall": multiplier("wall")}).outputs == (("wall", multiplier(1)),)
     assert model.row_names == ("guide", "", "drive")
