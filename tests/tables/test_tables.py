@@ -321,3 +321,21 @@ def test_a_table_may_stand_in_every_term() -> None:
     run = system.simulate((0.0, 3.0), rtol=1e-9, atol=1e-10)
     assert run.success
     assert np.ptp(run.energy) < 1e-7
+
+
+def test_joins_are_passed_however_late_it_is() -> None:
+    """Late times are farther apart than the interval behind a join; the energy is that of the lines' integral."""
+    points, values = np.array([-1.0, -0.5, 0.0, 0.3, 1.0]), np.array([0.0, 1.0, -1.0, 2.0, 0.0])
+    load = Table((points, values), outside="periodic", name="load")
+    work = si.make_interp_spline(points, values, k=1).antiderivative()
+
+    def energy(x: np.ndarray, v: np.ndarray) -> np.ndarray:
+        turns, place = np.divmod(x + 1.0, 2.0)
+        return v**2 / 2 - turns * work(1.0) - work(place - 1.0)
+
+    system = em.build(Model(name="passing", coordinates=[R], kinetic_energy=R.diff() ** 2 / 2, forces={R: load(R)}))
+    for start in (0.0, 1e2, 1e4):
+        for speed in np.linspace(2.0, 5.0, 7):
+            run = system.simulate((start, start + 20), v0={"r": speed}, rtol=1e-9, atol=1e-9)
+            assert run.success, run.message
+            assert energy(run.x[0], run.v[0]) == pytest.approx(energy(run.x[0, 0], run.v[0, 0]), abs=1e-7)

@@ -97,9 +97,9 @@ static int em_step_forward(em_run_state *w) {
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (failed) obstacle = w->reason;
-        else if (w->error_norm < 1.0 && !(rough && em_passes_join(w, &search))) break;
+        else if (w->error_norm < 1.0 && !(rough && fabs(w->h) > 2.0 * least && em_passes_join(w, &search))) break;
         if (failed && em_leaves_table(w, 0.0)) return em_end_with(w, w->reason);
-        if (!failed && w->error_norm < 1.0) size = search.size;
+        if (!failed && w->error_norm < 1.0) size = em_max(search.size, least);
         ++run->n_rejected;
     }
     /* The error of a step that was cut at the end of an interval or at the target time says little about the next size:

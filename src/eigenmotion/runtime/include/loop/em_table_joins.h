@@ -3,7 +3,8 @@
  * A join is rough if the force or its slope jumps there: the derivative that jumps is at most one higher than the
  * highest derivative of the table in the equations. A step that would pass a rough join ends just beyond it, so that
  * the next step begins on its other side. If the argument depends on time only, the step is shortened beforehand.
- * Otherwise it is repeated with a size from the method of false position (Illinois). */
+ * Otherwise it is repeated with a size from the method of false position (Illinois), but no size below the least: the
+ * spacing of times may be coarser than the interval behind a join. */
 #ifndef EM_TABLE_JOINS_H
 #define EM_TABLE_JOINS_H
 
