@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.equations.derive import derive
+from eigenmotion.codegen.model.statement.states import as_mechanism
 from sympy import Heaviside, Max, Rational, cos, diff, exp, sin, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -32,7 +33,7 @@ def derived(mechanics, name, point):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_terms_of_every_model(name):
-    given, random = model_of(name), np.random.default_rng(5)
+    given, random = as_mechanism(model_of(name)), np.random.default_rng(5)
     direct, mechanics = Direct(given), derive(given)
     for _ in range(3):
         x = np.array(given.initial_x) + random.uniform(-0.4, 0.4, given.n)
@@ -44,7 +45,7 @@ def test_terms_of_every_model(name):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_terms_are_free_of_velocities(name):
-    mechanics = derive(model_of(name))
+    mechanics = derive(as_mechanism(model_of(name)))
     terms = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.b, *mechanics.phi]
     assert not set().union(*(term.free_symbols for term in terms)) & set(mechanics.v)
     assert mechanics.M.is_symmetric()
