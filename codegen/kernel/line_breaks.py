@@ -28,6 +28,20 @@ def wrapped(statement: str) -> str:
     return _broken(statement, "    ", WIDTH)
 
 
+def fitted(line: str, inside: str = "    ") -> str:
+    """Break a line at the top level that is too long at spaces; further lines begin with `inside`."""
+    return _broken(line, inside, WHOLE) if len(line) > WHOLE else line
+
+
+def literal(text: str, indent: int) -> str:
+    """Return an escaped text as a C string literal, or in parentheses as several in lines of their own."""
+    if len(text) + indent + len('"",') <= WHOLE:
+        return f'"{text}"'
+    parts = textwrap.wrap(text, WIDTH - indent, drop_whitespace=False, break_long_words=False, break_on_hyphens=False)
+    lines = f"\n{' ' * indent} ".join(f'"{part}"' for part in parts)
+    return f"({lines})"
+
+
 def _whole(text: str) -> str:
     """Return a text that is not broken, because its spaces are replaced by NUL."""
     return text.replace(" ", "\0")

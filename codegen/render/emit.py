@@ -10,7 +10,7 @@ from importlib.resources import files
 
 import jinja2
 
-from ..kernel.line_breaks import WHOLE, folded
+from ..kernel.line_breaks import WHOLE, fitted, folded, literal
 from ..program.program import Program
 from .template_cache import Bytecode
 
@@ -103,6 +103,8 @@ def environment() -> jinja2.Environment:
     made.filters["commented"] = commented
     made.filters["strings"] = strings
     made.filters["listed"] = listed
+    made.filters["fitted"] = fitted
+    made.filters["literal"] = literal
     return made
 
 

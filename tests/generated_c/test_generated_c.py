@@ -63,6 +63,15 @@ def test_the_sources_hold_nothing_of_python():
     assert max(map(len, text["dual_link.c"].splitlines())) <= 180
 
 
+def test_long_lines_are_broken_and_read_the_same():
+    """Of a mechanism with 14 coordinates and 8 frictions: no line is too long, and its texts come back whole."""
+    model = model_of("quick_return_shaper")
+    assert max(map(len, c_text_of(model, "eigenfactor").splitlines()[3:])) <= 120  # below the stamp
+    left_out = compiler.program(model, Choices("eigenfactor")).left_out
+    assert max(map(len, left_out)) > 120
+    assert system_for(model, "eigenfactor").left_out == left_out
+
+
 def test_every_function_says_what_it_is(systems):
     """No function of generated code without a comment above it."""
     text = c_text_of(model_of("dual_link"), "eigenfactor")

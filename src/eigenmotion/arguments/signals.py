@@ -53,6 +53,7 @@ class Signal:
     values: Any = None
     kind: Literal["hold", "linear", "cubic", "spline"] = "linear"
     _fitted: list[Any] = field(init=False, repr=False, default_factory=list)  # the spline, computed at the first call
+    _cubics: list[Vector] = field(init=False, repr=False, default_factory=list)  # its coefficients, likewise
     _tables: list[Table] = field(init=False, repr=False, default_factory=list)  # made where one is needed
 
     def __post_init__(self) -> None:
@@ -128,7 +129,9 @@ class Signal:
         """
         if self.kind not in _SMOOTH:
             return _KINDS[self.kind], self.times, self.values
-        return _KINDS[self.kind], self.times, cubics(self.table)
+        if not self._cubics:
+            self._cubics.append(self.interpolant.c.T.ravel() if self.kind == "cubic" else cubics(self.table))
+        return _KINDS[self.kind], self.times, self._cubics[0]
 
     @property
     def kinks(self) -> Vector:
