@@ -211,6 +211,23 @@ def test_flags_that_a_compiler_does_not_know_are_left_out(tmp_path):
     assert toolchain("cc").optimised == OPTIMISED
 
 
+def test_a_compiler_is_asked_about_itself_once_until_it_is_another(tmp_path):
+    script, log = tmp_path / "counting-cc", tmp_path / "log"
+
+    def write(more: str) -> None:
+        script.write_text(f'#!/bin/sh\necho >> {log}\nexec cc {more} "$@"\n')
+        script.chmod(0o755)
+
+    write("")
+    first = toolchain(str(script)).identity
+    asked = len(log.read_text())
+    assert asked > 0
+    assert toolchain(str(script)).identity == first
+    assert len(log.read_text()) == asked
+    write("-DANOTHER")
+    assert toolchain(str(script)).identity != first
+
+
 @pytest.mark.parametrize("what", ["compiler", "flags"])
 @pytest.mark.parametrize("given", ["'", 3, "a\0b"])
 def test_what_is_no_command_is_named(what, given):

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import sysconfig
 from dataclasses import dataclass, field
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -63,7 +63,8 @@ class Toolchain:
     @cached_property
     def optimised(self) -> tuple[str, ...]:
         """The flags of OPTIMISED that the compiler accepts in a test run."""
-        return OPTIMISED if self._accepts(*OPTIMISED) else tuple(flag for flag in OPTIMISED if self._accepts(flag))
+        accepts = partial(_accepts, self.command, _stamp(self.command[0]))
+        return OPTIMISED if accepts(*OPTIMISED) else tuple(flag for flag in OPTIMISED if accepts(flag))
 
     @cached_property
     def identity(self) -> str:
@@ -71,7 +72,7 @@ class Toolchain:
 
         The predefined macros of the compiler depend on all three.
         """
-        macros = self._run(*self.optimised, *self.flags, *_MACROS)
+        macros = self._ask(*self.optimised, *self.flags, *_MACROS)
         flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *HURRIED, *LINK, *map(str, UNITS.items()), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
@@ -79,14 +80,14 @@ class Toolchain:
     def lanes(self) -> int:
         """Doubles in a vector of the processor, as in em_real.h; 1: it has no vectors."""
         header = str(INCLUDE / "numeric/em_real.h")
-        macros = self._run(*self.optimised, *self.flags, "-dM", "-E", "-x", "c", header)
+        macros = self._ask(*self.optimised, *self.flags, "-dM", "-E", "-x", "c", header)
         return next(int(line.split()[2]) for line in macros.splitlines() if line.startswith("#define EM_LANES "))
 
     @property
     def described(self) -> dict[str, str]:
         """The version of the compiler, and its flags."""
         try:
-            name = self._run("--version").splitlines()[0]
+            name = self._ask("--version").splitlines()[0]
         except (BuildError, IndexError):
             name = Path(self.command[0]).name
         return {"compiler": name, "flags": " ".join((*self.optimised, *self.flags))}
@@ -119,16 +120,36 @@ class Toolchain:
         """Link object files to the library NAME."""
         self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
 
-    def _accepts(self, *flags: str) -> bool:
-        """Return whether the compiler accepts flags without a warning; True if it cannot be started."""
-        try:
-            self._run("-Werror", *flags, *_MACROS)
-        except BuildError as error:
-            return error.__cause__ is not None
-        return True
+    def _ask(self, *arguments: str) -> str:
+        """Run the compiler for what it says about itself: once in a process, as long as it is the same file."""
+        return _answer((*self.command, *arguments), _stamp(self.command[0]))
 
     def _run(self, *arguments: str, folder: Path | None = None) -> str:
         return run((*self.command, *arguments), folder)
+
+
+def _stamp(program: str) -> tuple[int, ...]:
+    """Return numbers that are others after a program was replaced; none if it is not there."""
+    try:
+        status = os.stat(program)  # noqa: PTH116, of what a link leads to
+    except OSError:
+        return ()
+    return status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns
+
+
+@cache
+def _answer(command: tuple[str, ...], stamp: tuple[int, ...]) -> str:  # noqa: ARG001, part of the key
+    return run(command)
+
+
+@cache
+def _accepts(command: tuple[str, ...], stamp: tuple[int, ...], *flags: str) -> bool:  # noqa: ARG001
+    """Return whether a compiler accepts flags without a warning; True if it cannot be started."""
+    try:
+        run((*command, "-Werror", *flags, *_MACROS))
+    except BuildError as error:
+        return error.__cause__ is not None
+    return True
 
 
 def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchain:
