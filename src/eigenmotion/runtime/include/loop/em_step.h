@@ -85,7 +85,7 @@ static int em_step_forward(em_run_state *w) {
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
     em_join_search search = {0};
     const int rough = !w->scheme.fixed && em_has_rough_tables(w);
-    double size = rough ? em_size_to_join(w, proposed) : proposed;
+    double size = rough ? em_first_size_to_join(w, &search, proposed, least) : proposed;
     const int shortened = size < proposed;
     for (int rejected = 0;; ++rejected) {
         if (size < least) return em_underflow(w, size, obstacle);
@@ -96,15 +96,21 @@ static int em_step_forward(em_run_state *w) {
         if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_CONTINUE;
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
-        if (failed) obstacle = w->reason;
-        else if (w->error_norm < 1.0 && !(rough && fabs(w->h) > 2.0 * least && em_passes_join(w, &search))) break;
-        if (failed && em_leaves_table(w, 0.0)) return em_end_with(w, w->reason);
-        if (!failed && w->error_norm < 1.0) size = em_max(search.size, least);
+        if (!failed && w->error_norm < 1.0) {
+            if (!rough || !em_passes_join(w, &search, least)) break;
+            size = search.size;
+        } else if (!failed && rough) {
+            size = em_size_before_join(w, &search, size, least);
+        } else if (failed) {
+            obstacle = w->reason;
+            if (em_leaves_table(w, 0.0)) return em_end_with(w, w->reason);
+        }
         ++run->n_rejected;
     }
     /* The error of a step that was cut at the end of an interval or at the target time says little about the next size:
      * the earlier proposal is kept. */
-    const int ends = w->t_new == w->pieces_end || w->t_new == w->t_goal || shortened || search.aims > 0;
+    w->seeks_join = search.aims > 0 || search.tangent;
+    const int ends = w->t_new == w->pieces_end || w->t_new == w->t_goal || shortened || w->seeks_join;
     const int cut = ends && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
     return EM_CONTINUE;

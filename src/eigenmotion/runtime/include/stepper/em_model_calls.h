@@ -123,7 +123,7 @@ EM_NOINLINE int em_any_stage_rate(em_run_state *w, double t, const double *y, do
 
 /* Whether the rates at a state are simply the model's right-hand side there, as in most steps. */
 EM_INLINE int em_is_plain(const em_run_state *w) {
-    return w->n_inputs == 0 && w->model->n_time_events == 0 && !w->near && (w->mode != EM_MOTION || em_carries_motion(w->model));
+    return w->n_inputs == 0 && !w->between && !w->near && (w->mode != EM_MOTION || em_carries_motion(w->model));
 }
 
 EM_INLINE int em_stage_rate(em_run_state *w, int plain, double t, const double *y, double *dy) {

@@ -115,6 +115,8 @@ struct em_run_state {
     double h_next;                             /* step size that the controller proposes, positive */
     double pieces_end;                         /* the end of the current smooth interval, which no step passes */
     double inside[2];                          /* times between which the model is evaluated: between time events */
+    int between;                               /* whether there are time events */
+    int seeks_join;                            /* whether the last step was searched for a join of a table's pieces */
     int crosses;                               /* whether w->t is a time event that the state has not yet crossed;
                                                   -1: there is none */
     double error_norm;                         /* of the current step, which is accepted below 1 */

@@ -1,7 +1,8 @@
 /* em_time_events.h: time events: times at which conditions on time alone change.
  *
  * A time event is three numbers: at, period, terms. It happens at the times at + k period, k an integer; period 0
- * means once; eps terms is the rounding of `at`. If `at` is not finite there is none. Steps end at time events.
+ * means once; eps terms is the rounding of `at`, EM_EXACT_TIME in place of `terms` says that `at` is exact. If `at` is
+ * not finite there is none. Steps end at time events.
  * Within a step the model is evaluated no closer to either end than rounding may move a condition there, so that
  * each side of a jump is seen from that side alone. Time events that are closer to each other than that are one. */
 #ifndef EM_TIME_EVENTS_H
@@ -13,10 +14,12 @@
 #include "numeric/em_real.h"
 
 #define EM_TIME_EVENT_ROUNDINGS (8.0 * DBL_EPSILON)
+#define EM_EXACT_TIME (-1.0)
 
 /* The rounding of a time event near t: its condition may change this far from its time. */
 EM_UNUSED static double em_time_event_slack(const double *b, double t) {
     const double size = fabs(t) + fabs(b[0]);
+    if (b[2] == EM_EXACT_TIME) return DBL_EPSILON * fabs(t) + DBL_MIN / DBL_EPSILON;
     return EM_TIME_EVENT_ROUNDINGS * (b[2] > size && b[2] < INFINITY ? b[2] : size) + DBL_MIN / DBL_EPSILON; /* at t = 0 too */
 }
 
