@@ -37,10 +37,7 @@ def pages(tmp_path_factory):
         file = folder / f"{name}{'_three' if space else ''}.html"
         if not file.exists():
             source = (MODELS / f"{name}.py").read_text(encoding="utf-8")
-            with pytest.MonkeyPatch.context() as patch:
-                if name != "dual_link":  # which is as users have it
-                    patch.setattr(wasm, "_FLAGS", tuple("-O0" if flag == "-O2" else flag for flag in wasm._FLAGS))
-                text = page(request(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL), space)
+            text = page(request(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL), space)
             file.write_text(text, encoding="utf-8")
         return file
 

@@ -9,7 +9,7 @@ from eigenmotion.models import pendulum
 sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 from common.plain import compiled, generated
 
-HURRIED = "-O1"
+HURRIED = "-O0"
 
 
 @pytest.mark.parametrize("main", ["run.c", "right_hand_side.c", "control.c"])

@@ -59,6 +59,6 @@ def test_the_work_of_the_belt_is_energy_and_heat():
     assert run.energy[-1] - run.energy[0] == pytest.approx(work - heat, abs=1e-8 * work)
 
 
-def test_page_and_picture(scene, monkeypatch, hurried):
+def test_page_and_picture(scene, hurried):
     check_picture("lugre_oscillator", scene.parent, "--method", "radau9")
-    check_page("lugre_oscillator", scene.parent, monkeypatch)
+    check_page("lugre_oscillator", scene.parent)

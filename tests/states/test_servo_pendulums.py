@@ -124,6 +124,6 @@ def test_eigenvalues_of_the_closed_loop():
     assert right.real.max() < -2.0
 
 
-def test_page_and_picture(scene, monkeypatch, hurried):
+def test_page_and_picture(scene, hurried):
     check_picture("servo_pendulums", scene.parent, "--t-end", "1")
-    check_page("servo_pendulums", scene.parent, monkeypatch)
+    check_page("servo_pendulums", scene.parent)

@@ -25,13 +25,12 @@ def check_picture(name: str, folder: Path, *options: str) -> None:
         assert len(np.unique((8 * half).round().reshape(-1, 3), axis=0)) > 10
 
 
-def check_page(name: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def check_page(name: str, folder: Path) -> None:
     """`eigenmotion page models/NAME.py` writes one file that loads nothing."""
     try:
         wasm.wasm_compiler()
     except BuildError as error:
         pytest.skip(str(error))
-    monkeypatch.setattr(wasm, "_FLAGS", tuple("-O0" if flag == "-O2" else flag for flag in wasm._FLAGS))
     file = folder / f"{name}.html"
     assert main(["page", str(MODELS / f"{name}.py"), "-o", str(file)]) == 0
     text = file.read_text(encoding="utf-8")

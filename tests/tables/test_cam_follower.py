@@ -157,6 +157,6 @@ def test_other_profiles_need_no_compiling():
     assert found.x[1] == pytest.approx(halved(found.x[0] % (2 * np.pi)), abs=1e-12)
 
 
-def test_page_and_picture(scene, monkeypatch, hurried):
+def test_page_and_picture(scene, hurried):
     check_picture("cam_follower", scene.parent, "--t-end", "0.1")
-    check_page("cam_follower", scene.parent, monkeypatch)
+    check_page("cam_follower", scene.parent)

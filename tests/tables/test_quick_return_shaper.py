@@ -215,6 +215,6 @@ def test_the_return_is_quicker_than_the_cut():
     assert forward / back == pytest.approx((np.pi + swing) / (np.pi - swing), rel=1e-4)
 
 
-def test_page_and_picture(scene, monkeypatch, hurried):
+def test_page_and_picture(scene, hurried):
     check_picture("quick_return_shaper", scene.parent, "--t-end", "1")
-    check_page("quick_return_shaper", scene.parent, monkeypatch)
+    check_page("quick_return_shaper", scene.parent)

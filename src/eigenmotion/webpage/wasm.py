@@ -12,10 +12,12 @@ from ..building.build import cached_sources
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError, CompilerNotFoundError
 from ..building.request import Request
-from ..building.toolchain import INCLUDE, ZIG, run, zig_is_there
+from ..building.toolchain import INCLUDE, STEPPER, ZIG, headers, run, zig_is_there
 from ..codegen.render.emit import Sources
 
 _FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w")
+_UNITS = "-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES"
+"""The model's C file without the stepper, which is compiled once for all pages."""
 _HARNESS = Path(__file__).parent / "em_page.c"
 _TRIED = "#include <math.h>\n#include <stdlib.h>\nint main(void) { return malloc(1) == 0; }\n"
 
@@ -38,8 +40,7 @@ def module(requested: Request) -> bytes:
     """
     tools, sources = wasm_compiler(), cached_sources(requested)
     texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
-    headers = [path.read_bytes() for path in sorted(INCLUDE.rglob("*.h"))]
-    name = key(tools.identity, *_FLAGS, _HARNESS.read_bytes(), *texts, *headers)
+    name = key(tools.identity, *_FLAGS, _UNITS, _HARNESS.read_bytes(), *texts, headers())
     folder = entry("pages", name, lambda folder: _compile(sources, tools, folder))
     with guarded():
         return (folder / f"{sources.name}.wasm").read_bytes()
@@ -52,9 +53,19 @@ def _compile(sources: Sources, tools: WasmCompiler, folder: Path) -> None:
         work = Path(place)
         for file in sources.files:
             (work / file.name).write_text(file.text, encoding="utf-8")
-        options = (*_FLAGS, f"-DEM_PAGE_MODEL={name}_model", f"-I{INCLUDE}", "-I.")
-        run((*tools.command, *options, f"{name}.c", str(_HARNESS), "-o", f"{name}.wasm"), work)
+        options = (*_FLAGS, _UNITS, f"-DEM_PAGE_MODEL={name}_model", f"-I{INCLUDE}", "-I.")
+        run((*tools.command, *options, f"{name}.c", str(_HARNESS), _stepper(tools), "-o", f"{name}.wasm"), work)
         shutil.copyfile(work / f"{name}.wasm", folder / f"{name}.wasm")
+
+
+def _stepper(tools: WasmCompiler) -> str:
+    """Return the path of the stepper's object, which all pages share."""
+
+    def fill(folder: Path) -> None:
+        source = str(INCLUDE / f"{STEPPER}.c")
+        run((*tools.command, *_FLAGS, f"-I{INCLUDE}", "-c", source, "-o", f"{STEPPER}.o"), folder)
+
+    return str(entry("steppers", key(headers(), tools.identity, *_FLAGS), fill) / f"{STEPPER}.o")
 
 
 @cache
