@@ -6,6 +6,7 @@ VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 RUNTIME := src/eigenmotion/runtime
+COMPILED := $(addprefix src/eigenmotion/,runtime arguments compiled)
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 # What a reader learns from stands in generated/: the paper's mechanism in every formulation, a linkage, a rolling body, a
 # contact, a pendulum. Of all models it holds the sums
@@ -107,17 +108,17 @@ bench: $(READY)
 
 clean:
 	rm -rf $(VENV) build dist docs/made docs/gallery .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
-	rm -f generated/*.so src/eigenmotion/runtime/*.c src/eigenmotion/runtime/*.d src/eigenmotion/runtime/*.so
+	rm -f generated/*.so $(foreach ending,c d so,$(COMPILED:=/*.$(ending)))
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
-# The environment, remade when what it is made from changes; where that is a source or a header of the runtime (setup.py has
+# The environment, remade when what it is made from changes; where that is a source or a header of an extension module (setup.py has
 # the compiler list these), only modules that it is part of
 MADE_FROM := pyproject.toml setup.py constraints.txt
 INSTALL   := -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'
--include $(wildcard $(RUNTIME)/*.d)
-$(READY): $(MADE_FROM) $(wildcard $(RUNTIME)/*.pyx $(RUNTIME)/*.pxd)
+-include $(wildcard $(COMPILED:=/*.d))
+$(READY): $(MADE_FROM) $(wildcard $(COMPILED:=/*.pyx) $(COMPILED:=/*.pxd))
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	for module in $(RUNTIME)/*.so; do [ -e "$${module%%.*}.pyx" ] || rm -f "$$module"; done # of modules that are no more
+	for module in $(COMPILED:=/*.so); do [ -e "$${module%%.*}.pyx" ] || rm -f "$$module"; done # of modules that are no more
 	$(BIN)/python $(if $(filter $(MADE_FROM),$?),$(INSTALL),setup.py --quiet build_ext --inplace)
 	$(BIN)/python -m compileall -q src codegen # where PYTHONDONTWRITEBYTECODE is set nothing else would keep it
 	env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -c "from eigenmotion.codegen.render import emit; emit.compile_templates()"

@@ -1,4 +1,4 @@
-"""Extension modules of the runtime; each is built anew when a header changes that it includes.
+"""Extension modules; each is built anew when a header changes that it includes.
 
 The compiler lists these headers in NAME.d beside NAME.pyx, for make as for setuptools.
 """
@@ -8,15 +8,15 @@ from pathlib import Path
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-RUNTIME = Path("src/eigenmotion/runtime")
-INCLUDE = RUNTIME / "include"
+SOURCES = Path("src")
+INCLUDE = SOURCES / "eigenmotion" / "runtime" / "include"
 SUMS = {"steppers", "variations"}
 """Modules that integrate themselves, and do not only call models."""
 
 
 class Build(build_ext):
     def build_extension(self, ext: Extension) -> None:
-        kept = RUNTIME / f"{ext.name.rpartition('.')[2]}.d"
+        kept = (SOURCES / ext.name.replace(".", "/")).with_suffix(".d")
         fresh = kept.with_suffix(".d.new")
         ext.depends = _listed(kept)
         self.force = not all(Path(header).exists() for header in ext.depends)
@@ -41,7 +41,8 @@ def _keep(fresh: Path, kept: Path) -> None:
 
 def extension(path: Path) -> Extension:
     level = "-O3" if path.stem in SUMS else "-O2"
-    return Extension(f"eigenmotion.runtime.{path.stem}", [str(path)], [str(INCLUDE)], extra_compile_args=[level])
+    name = ".".join(path.relative_to(SOURCES).with_suffix("").parts)
+    return Extension(name, [str(path)], [str(INCLUDE)], extra_compile_args=[level])
 
 
-setup(ext_modules=[extension(path) for path in sorted(RUNTIME.glob("*.pyx"))], cmdclass={"build_ext": Build})
+setup(ext_modules=[extension(path) for path in sorted(SOURCES.rglob("*.pyx"))], cmdclass={"build_ext": Build})

@@ -151,6 +151,8 @@ def number(given: Any, what: str) -> float:
 
 def truth(given: Any, what: str) -> bool:
     """Return True or False; 1 and 0 are accepted too."""
+    if given is True or given is False:
+        return given
     is_numpy = getattr(getattr(given, "dtype", None), "kind", "") == "b" and not getattr(given, "ndim", 0)
     if not ((isinstance(given, int) and given in (0, 1)) or is_numpy):
         raise ModelError(f"{what} is {shown(given)}; give True or False.")

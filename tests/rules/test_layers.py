@@ -25,7 +25,7 @@ def modules() -> dict[str, Path]:
     """Name of each module of ours -> its file."""
     found: dict[str, Path] = {}
     for package, folder in PACKAGES.items():
-        for file in [*folder.rglob("*.py"), *folder.rglob("*.pyi")]:
+        for file in (file for ending in ("py", "pyi", "pyx") for file in folder.rglob(f"*.{ending}")):
             parts = file.relative_to(folder).with_suffix("").parts
             found.setdefault(".".join([package, *(part for part in parts if part != "__init__")]), file)
     return found
@@ -34,13 +34,21 @@ def modules() -> dict[str, Path]:
 def imports(module: str, file: Path) -> Iterator[str]:
     """Absolute names of what a file imports, anywhere in it, and for a type checker alone, too."""
     package = module if file.stem == "__init__" else module.rpartition(".")[0]
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    text = file.read_text(encoding="utf-8") if file.suffix != ".pyx" else ""
+    for node in ast.walk(ast.parse(text + compiled_imports(file))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             source = importlib.util.resolve_name("." * node.level + (node.module or ""), package)
             yield source
             yield from (f"{source}.{alias.name}" for alias in node.names)
+
+
+def compiled_imports(file: Path) -> str:
+    """The imports at the top of an extension module and its declarations, as Python."""
+    texts = [one.read_text(encoding="utf-8") for one in map(file.with_suffix, (".pyx", ".pxd")) if one.exists()]
+    lines = re.findall(r"^(?:from \.|import ).*", "\n".join(texts).replace(" cimport ", " import "), re.MULTILINE)
+    return "\n".join(["", *lines, ""])
 
 
 MODULES = modules()
@@ -339,13 +347,6 @@ def test_runtime_imports_nothing_of_ours(module):
 RUNTIME = PACKAGES["eigenmotion"] / "runtime"
 
 
-def test_runtime_extensions_import_nothing_of_ours_but_each_other():
-    for file in [*RUNTIME.glob("*.pyx"), *RUNTIME.glob("*.pxd")]:
-        named = [line.split()[1] for line in file.read_text(encoding="utf-8").splitlines()
-                 if line.startswith(("from ", "import ", "cimport "))]  # fmt: skip
-        assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
-
-
 def imported(module: str) -> set[str]:
     """The modules of ours that one imports, packages only where no module of theirs is meant."""
     named = [name for name in imports(module, MODULES[module]) if name in MODULES]
@@ -447,11 +448,10 @@ def test_every_header_says_first_what_it_is():
 
 
 def named(file: Path) -> set[str]:
-    """Headers of ours that a file of the runtime names, itself or in the declarations it imports."""
+    """Headers of ours that an extension module names, itself or in the declarations it imports."""
     text = file.read_text(encoding="utf-8")
-    beside = {
-        RUNTIME / f"{name}.pxd" for name in (file.stem, *re.findall(r"^from \.(\w+) cimport", text, re.MULTILINE))
-    }
+    declared = re.findall(r"^from (?:\.|\.\.runtime\.)(\w+) cimport", text, re.MULTILINE)
+    beside = {file.with_suffix(".pxd"), *(RUNTIME / f"{name}.pxd" for name in declared)}
     first = re.findall(r'extern from "([\w/]+\.h)"', text)
     return set(first).union(*(named(other) for other in beside - {file} if other.exists()))
 
@@ -461,9 +461,9 @@ def headers(file: Path) -> set[str]:
     return set().union(*(included(name, RUNTIME / "include") for name in named(file)))
 
 
-def test_the_runtime_is_built_anew_when_a_header_of_it_changes():
+def test_an_extension_is_built_anew_when_a_header_of_it_changes():
     """The compiler listed headers beside each extension (setup.py): ours, but for what an #ifdef leaves out."""
-    for file in RUNTIME.glob("*.pyx"):
+    for file in PACKAGES["eigenmotion"].rglob("*.pyx"):
         listed = file.with_suffix(".d").read_text(encoding="utf-8").partition("\n")[0].split()[1:]
         names = {str(Path(path).relative_to(RUNTIME.relative_to(ROOT) / "include")) for path in listed}
         assert named(file) <= names <= headers(file), file.name

@@ -6,9 +6,9 @@ from types import FunctionType
 from typing import Any
 
 from ..codegen.model.normalise import ModelError, shown
-from .members import Column
 from .sampled import Controlled, Controller
 from .shared_state import REMEDY, names, owner, shared
+from .tasks import Column
 
 
 class OwnControllers:

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
-from ..arguments.options import TO_DERIVE
+from ..arguments.tasks import TO_DERIVE, EnsembleTask, Members
 from ..codegen.model.normalise import ModelError
 from ..results.batch_arrays import REASONS, BatchArrays
 from ..runtime import EvaluationError, StopReason

@@ -4,11 +4,10 @@ import logging
 
 import numpy as np
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
 from ..arguments.named_values import Vector
-from ..arguments.options import Task
 from ..arguments.shared_state import Watch
+from ..arguments.tasks import EnsembleTask, Members, Task
 from ..codegen.model.normalise import ModelError
 from ..results.batch_arrays import BatchArrays
 from ..results.solution import Solution

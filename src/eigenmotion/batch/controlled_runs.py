@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ..arguments.named_values import Vector
-from ..arguments.options import Task
 from ..arguments.sampled import Controlled
 from ..arguments.signals import Signal
+from ..arguments.tasks import Task
 from ..runtime import IncrementalRun, IncrementalRuns, StopReason
 from ..runtime.ensemble import Stop
 from ..simulation.sampled_inputs import ControllerRecord, Schedule, open_controllers, with_recorded_inputs

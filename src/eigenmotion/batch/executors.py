@@ -13,8 +13,8 @@ from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future,
 from dataclasses import replace
 from functools import lru_cache
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
+from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError, shown
 from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.members import Column, Members
 from ..arguments.named_values import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
 from ..arguments.own_controllers import OwnControllers
 from ..arguments.prescribed import with_prescribed
@@ -13,6 +12,7 @@ from ..arguments.sampled import Controlled, by_input
 from ..arguments.signals import Inputs, as_signal, check_samples
 from ..arguments.states import refuse_states, split_states
 from ..arguments.tables import with_tables
+from ..arguments.tasks import Column, Members
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
 from ..runtime import CompiledModel, EvaluationError, Prepared

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..arguments.members import EnsembleTask
+from ..arguments.tasks import EnsembleTask
 from ..results.batch_arrays import REASONS, BatchArrays
 from ..results.solution import Solution
 from ..results.trajectory import Segment

@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import METHODS
 from ..arguments.named_values import Vector
-from ..arguments.options import TO_DERIVE, Task
+from ..arguments.tasks import TO_DERIVE, EnsembleTask, Members, Task
 from ..codegen.model.normalise import ModelError
 from ..results.batch_arrays import REASONS, BatchArrays
 from ..results.sensitivity import Sensitivity

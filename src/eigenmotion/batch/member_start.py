@@ -1,7 +1,6 @@
 """Task of one member of an ensemble."""
 
-from ..arguments.members import EnsembleTask, Members
-from ..arguments.options import Task
+from ..arguments.tasks import EnsembleTask, Members, Task
 from ..codegen.model.normalise import ModelError
 from ..simulation.initial_state.consistency import start_state
 

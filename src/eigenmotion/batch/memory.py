@@ -3,8 +3,8 @@
 import logging
 import os
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.sampled import Controlled
+from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError
 
 _LITTLE = 10**7  # [byte] no check below

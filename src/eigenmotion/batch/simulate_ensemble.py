@@ -9,11 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.differentiation import Differentiated, differentiated
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.methods import AUTO, METHODS, Method, method_of
-from ..arguments.options import DEPENDENT, choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.options import (
+    DEPENDENT,
+    STABILISATIONS,
+    choice,
+    is_system,
+    least_norm_of,
+    rows_at,
+    span,
+    step_limits,
+    tolerances,
+)
 from ..arguments.prescribed import covering
 from ..arguments.signals import Inputs, Signal
+from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..compiled.compiled_system import CompiledSystem
 from ..cores import cores
@@ -23,7 +33,7 @@ from ..simulation.initial_state.consistency import check_direction
 from ..simulation.method_selection import automatic_of_many
 from ..simulation.sampled_inputs import check_forwards
 from ..simulation.sensitivity.sensitivities import through_no_controller
-from ..simulation.simulate import NAMES, STABILISATIONS, refused
+from ..simulation.simulate import NAMES, refused
 from . import memory
 from .executors import in_executor
 from .gather import gather

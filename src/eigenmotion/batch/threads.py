@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 
-from ..arguments.members import EnsembleTask, Members
+from ..arguments.tasks import EnsembleTask, Members
 from ..results.batch_arrays import BatchArrays, Collection
 from ..runtime.ensemble import Stop
 from .chunk import run_chunk

@@ -10,16 +10,16 @@ from ..arguments.named_values import Vector, is_named, overlay, vector
 from ..arguments.options import SHARED_FROM_START, least_norm_of
 from ..arguments.prescribed import with_prescribed
 from ..arguments.signals import Inputs, bind, check_samples
-from ..arguments.states import split_states, whole_v, whole_x
+from ..arguments.states import split_states, whole_x
 from ..arguments.tables import with_tables
 from ..codegen.model.normalise import ModelError, number, real
 from ..presentation.notebook import table
-from ..runtime import CompiledModel, EvaluationError, Prepared, plain
+from ..runtime import CompiledModel, EvaluationError, Prepared
 from ..runtime.variations import motion_derivatives
+from . import at_state
 from .description import Description
 from .eigenfactor_derivatives import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .projection import ConsistentState, Projection
-from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, Any] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
@@ -94,23 +94,21 @@ class CompiledSystem(Description):
         states, or have them behind the coordinates.
         """
         x, v = self.begin(x0, v0, t, parameters)
-        return x[: self.n], v[: self.n]
+        return x[: self.n].copy(), v[: self.n].copy()
 
     def begin(
         self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
     ) -> tuple[Vector, Vector]:
-        """Return x, v (n + p,) of compiled functions; as `start`, with states in v and their integrals in x."""
-        c, t = self._compiled, number(t, "t")
-        if x0 is None and v0 is None and c.initial_y is None:
-            return c.initial_x.copy(), c.initial_v.copy()
-        x0, z = split_states(c, x0)
-        x = whole_x(c, x0)
-        v = initial_rates(c, self.prepare(parameters), t, x, v0)
-        return x, whole_v(c, v, z) if c.n_states else v
+        """Return x, v (n + p,) of compiled functions, as `start`, with states in v and their integrals in x.
+
+        Arrays are not copied.
+        """
+        return at_state.begin(self, self._compiled, self._defaults, x0, v0, t, parameters)
 
     def prepare_both(self, parameters: Parameters, inputs: Any) -> tuple[Prepared, Any]:
         """Return the constants of parameters and of those inputs that prescribe motions, and the other inputs."""
-        parameters, inputs = with_prescribed(self._compiled, parameters, inputs)
+        if self._compiled.prescribed:
+            parameters, inputs = with_prescribed(self._compiled, parameters, inputs)
         return self.prepare(parameters), inputs
 
     def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
@@ -166,10 +164,7 @@ class CompiledSystem(Description):
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
-        if (result := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
-            return result
-        n = self.n
-        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))[:n, :n]
+        return at_state.mass_matrix(self, self._compiled, self._defaults, x, t, parameters)
 
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
@@ -219,14 +214,7 @@ class CompiledSystem(Description):
             M is singular, or constraint rows depend on each other: at this state only, or anywhere with "refuse".
         """
         least_norm = least_norm_of(dependent_constraints)
-        result = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
-        if result is not None:
-            return result
-        (c, inputs), t = self.prepare_both(parameters, inputs), number(t, "t")
-        position, rates = self.begin(x, v, t, c)
-        least_norm = self._compiled.shares(t, position, c, least_norm)
-        a, multipliers = self._compiled.acceleration(t, position, rates, c, self.signals(inputs, t), least_norm)
-        return a[: self.n], multipliers
+        return at_state.acceleration(self, self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
 
     def project_initial_state(
         self,
@@ -255,21 +243,13 @@ class CompiledSystem(Description):
 
     def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T + V [J]."""
-        T2, T1, T0, V = self._energies(x, v, t, parameters)
+        T2, T1, T0, V = at_state.energies(self, self._compiled, self._defaults, x, v, t, parameters)
         return T2 + T1 + T0 + V
 
     def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T2 - T0 + V [J], conserved if nothing depends on time and no force does work."""
-        T2, _, T0, V = self._energies(x, v, t, parameters)
+        T2, _, T0, V = at_state.energies(self, self._compiled, self._defaults, x, v, t, parameters)
         return T2 - T0 + V
-
-    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> tuple[float, ...]:
-        result = plain.energies(self._compiled, self._defaults, x, v, t, parameters)
-        if result is not None:
-            return result
-        c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.begin(x, v, t, c)
-        return tuple(self._compiled.energy_rows(np.array([t]), x[None], v[None], c)[0].tolist())
 
     def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
         """Return t and y (n_state,) as numbers. Infinity and NaN, which solvers try, are allowed."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.named_values import Vector, by_spelling, is_named, overlay, rate_name, unknown
-from ..arguments.states import refuse_states, whole_v
+from ..arguments.states import refuse_states, split_states, whole_v, whole_x
 from ..codegen.model import ModelError
 from ..codegen.model.check.elimination import is_singular
 from ..runtime import CompiledModel, Prepared
@@ -43,6 +43,20 @@ def _terms(model: CompiledModel, c: Prepared, t: float, x: Vector, P: Vector) ->
     """Return about |P_ij| + sum_k |x_k dP_ij / dx_k| (n, n), to which the rounding of P and x is proportional."""
     moved = [transformation(model, c, t, place) for place in x * (1.0 + _NEARBY * np.eye(model.n))]
     return np.asarray(np.abs(P) + sum(np.abs(at - P) for at in moved) / _NEARBY)
+
+
+def converted_start(
+    model: CompiledModel,
+    c: Prepared,
+    t: float,
+    x0: Mapping[Any, float] | ArrayLike | None,
+    v0: Mapping[Any, float] | ArrayLike | None,
+) -> tuple[Vector, Vector]:
+    """Return new x, v (n + p,) of compiled functions: x0 and v0 over the model's `initial`, with states in v."""
+    x0, z = split_states(model, x0)
+    x = whole_x(model, x0)
+    v = initial_rates(model, c, t, x, v0)
+    return x, whole_v(model, v, z) if model.n_states else v
 
 
 def initial_rates(

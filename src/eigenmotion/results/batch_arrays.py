@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
 from ..arguments.signals import Inputs
 from ..arguments.states import names_of_states
+from ..arguments.tasks import EnsembleTask, Members
 from ..runtime import COUNTS, CompiledModel, StopReason
 from .trajectory import Segment
 

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import EnsembleTask, Members
 from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
+from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness

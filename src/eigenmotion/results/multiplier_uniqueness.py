@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ..arguments.options import Task
+from ..arguments.tasks import Task
 from ..runtime import CompiledModel
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.named_values import Vector, vector
-from ..arguments.options import Task
+from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError
 from ..presentation.figures import has_matplotlib
 from ..presentation.notebook import image, table

@@ -8,8 +8,8 @@ import numpy as np
 import scipy
 
 from ..arguments.named_values import Vector
-from ..arguments.options import Task
 from ..arguments.states import names_of_states
+from ..arguments.tasks import Task
 from ..runtime import CompiledModel, Prepared
 from .pictures.moving_shapes import Drawing
 

@@ -1,6 +1,5 @@
 """The compiled runtime: generated models as Python objects, and the C headers they are compiled with."""
 
-from . import plain as plain
 from . import variations as variations
 from .incremental_run import IncrementalRun as IncrementalRun
 from .incremental_run import IncrementalRuns as IncrementalRuns

@@ -46,7 +46,7 @@ cdef int poll(void *argument) noexcept with gil:
 cdef class Chunk:
     """Runs of some members of an ensemble, with their results.
 
-    task, members : `EnsembleTask` and `Members` of eigenmotion.arguments.members
+    task, members : `EnsembleTask` and `Members` of eigenmotion.arguments.tasks
     y : (count, n_rows, n_state), published meaning; NaN at rows that a run did not reach
     t_end, status, first, second, size : (count,) when and how each run ended, as in `em_fault`
     counts : (count, 7), as in `COUNTS`

@@ -5,10 +5,9 @@ Rows at which a function has no value are NaN.
 """
 
 from libc.math cimport INFINITY, fabs, isnan
-from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault
+from .abi cimport em_fault
 from .arrays cimport Numbers, blank, floats, zeros
 from .assumptions cimport em_check_declared
 from .point cimport PointModel, Prepared
@@ -80,31 +79,6 @@ cdef class CompiledModel(PointModel):
             for i in range(k):
                 self.model.energy(T.data[i], q.row(i), w.row(i), c.c, e.row(i))
         return e.array
-
-    def redundant(self, double t, x, Prepared c not None):
-        """Redundant constraint rows near x.
-
-        Returns the number of rows that hold in every mode and depend on others, and the rows whose multipliers are not unique.
-        """
-        cdef Numbers q = floats(x, (self.n,), "x")
-        cdef int *rows
-        cdef int depend
-        if self.m == 0 or self.model.redundant == NULL:
-            return 0, ()
-        rows = <int *> calloc(self.m, sizeof(int))
-        if rows == NULL:
-            raise MemoryError
-        try:
-            depend = self.model.redundant(t, q.data, c.c, rows)
-            return depend, tuple([k for k in range(self.m) if rows[k]])
-        finally:
-            free(rows)
-
-    def shares(self, double t, x, Prepared c not None, int option):
-        """The treatment of dependent rows (em_dependent); EM_SHARED_FROM_START is resolved as if x were the start."""
-        if option != EM_SHARED_FROM_START or self.m == 0 or self.has_cones: # some modes of cones share forces
-            return option
-        return EM_SHARED if self.redundant(t, x, c)[0] else EM_REFUSED
 
     def acceleration_rows(self, t, x, v, u, Prepared c not None, int least_norm):
         """a (k, n), lambda (k, m)."""

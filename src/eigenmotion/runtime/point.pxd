@@ -26,7 +26,7 @@ cdef class PointModel:
     # Omega is extrapolated (32), which not every start allows
     cdef readonly bint extrapolates
     cdef tuple vector, square  # shapes (n,), (n, n)
-    cdef Numbers everywhere    # cache of plain.pyx: the last array that repeats one number
+    cdef Numbers everywhere    # cache of options.pyx: the last array that repeats one number
     # function that returns the System of this model in any process; None for a model made from a capsule alone
     cdef public object recipe
     # function that compiles a part by name and returns a CompiledModel with its functions (building/lazy_units.py);
@@ -40,6 +40,9 @@ cdef class PointModel:
     cdef int need_method(self, int method) except -1
     cdef int need_members(self) except -1
     cdef int check_tables(self, const double *parameters) except -1
+    cdef tuple acceleration_at(self, double t, Numbers x, Numbers v, Prepared c, const double *u, int least_norm)
+    cdef int redundant_at(self, double t, const double *x, Prepared c, int *rows) except -1
+    cdef int treatment(self, double t, const double *x, Prepared c, int option) except -1
     cdef int check_arguments(self, double t, Numbers x, Numbers v, Prepared c, const double *u) except -1
     cdef int check_arguments_at(self, double t, Numbers y, Prepared c, const double *u) except -1
     cdef read_names(self)

@@ -9,7 +9,7 @@ from libc.math cimport INFINITY
 from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy
 
-from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, em_fault, em_model
+from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault, em_model
 from .arrays cimport Numbers, constants, floats, is_float_output, texts, zeros
 from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start
 
@@ -265,8 +265,11 @@ cdef class PointModel:
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
         """em_refusal, y (n_state), the coordinate without inertia, the residuals of constraint rows (em_start_check.h)."""
         cdef int at
-        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), y = zeros((self.n_state,))
-        cdef Numbers absolute = floats(atol, (self.n,), "atol"), off = zeros((self.m,))
+        cdef Numbers q = floats(x, self.vector, "x"), w = floats(v, self.vector, "v"), y = zeros((self.n_state,)), off
+        cdef Numbers absolute = floats(atol, self.vector, "atol")
+        if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, NULL, NULL) == 0:
+            return 0, y.array, -1, None
+        off, y = zeros((self.m,)), zeros((self.n_state,))
         refusal = em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, &at, off.data)
         return refusal, y.array, at, off.array
 
@@ -343,15 +346,64 @@ cdef class PointModel:
 
     def acceleration(self, double t, x, v, Prepared c not None, u, int least_norm):
         """a, lambda."""
-        cdef em_fault fault
         cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), s = floats(u, (self.n_inputs,), "inputs")
-        cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
-        if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
-            self.check_arguments(t, q, w, c, s.data)
+        a, multipliers = self.acceleration_at(t, q, w, c, s.data, least_norm)
+        return (<Numbers> a).array, (<Numbers> multipliers).array
+
+    cdef tuple acceleration_at(self, double t, Numbers x, Numbers v, Prepared c, const double *u, int least_norm):
+        """As `acceleration`, of Numbers."""
+        cdef em_fault fault
+        cdef Numbers a = zeros(self.vector), multipliers = zeros((self.m,))
+        if self.model.acceleration(t, x.data, v.data, c.c, u, least_norm, a.data, multipliers.data, &fault) != 0:
+            self.check_arguments(t, x, v, c, u)
             raise self.failure(&fault)
         if self.model.n_tables > 0 and not np.isfinite(a.array).all():
-            self.check_arguments(t, q, w, c, s.data)
-        return a.array, multipliers.array
+            self.check_arguments(t, x, v, c, u)
+        return a, multipliers
+
+    cdef int redundant_at(self, double t, const double *x, Prepared c, int *rows) except -1:
+        """The number of constraint rows that hold in every mode and depend on others near x; rows (m) <- 1: its multiplier
+        is not unique."""
+        if self.m == 0 or self.model.redundant == NULL:
+            return 0
+        return self.model.redundant(t, x, c.c, rows)
+
+    def redundant(self, double t, x, Prepared c not None):
+        """Redundant constraint rows near x.
+
+        Returns the number of rows that hold in every mode and depend on others, and the rows whose multipliers are not unique.
+        """
+        cdef Numbers q
+        cdef int depend
+        cdef int *rows
+        if self.m == 0:
+            return 0, ()
+        q, rows = floats(x, (self.n,), "x"), <int *> calloc(self.m, sizeof(int))
+        if rows == NULL:
+            raise MemoryError
+        try:
+            depend = self.redundant_at(t, q.data, c, rows)
+            return depend, tuple([k for k in range(self.m) if rows[k]])
+        finally:
+            free(rows)
+
+    cdef int treatment(self, double t, const double *x, Prepared c, int option) except -1:
+        """The treatment of dependent rows (em_dependent); EM_SHARED_FROM_START is resolved as if x were the start."""
+        cdef int depend
+        cdef int *rows
+        if option != EM_SHARED_FROM_START or self.m == 0 or self.has_cones:  # some modes of cones share forces
+            return option
+        rows = <int *> malloc(self.m * sizeof(int))
+        if rows == NULL:
+            raise MemoryError
+        depend = self.redundant_at(t, x, c, rows)
+        free(rows)
+        return EM_SHARED if depend else EM_REFUSED
+
+    def shares(self, double t, x, Prepared c not None, int option):
+        """As `treatment`."""
+        cdef Numbers q = floats(x, (self.n,), "x")
+        return self.treatment(t, q.data, c, option)
 
     def project(self, double t, x, v, Prepared c not None, int least_norm):
         """x, v: the nearest consistent state in the mass metric."""

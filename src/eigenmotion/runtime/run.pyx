@@ -40,7 +40,7 @@ cdef class Run:
     Parameters
     ----------
     task
-        An `eigenmotion.arguments.options.Task`.
+        An `eigenmotion.arguments.tasks.Task`.
     method
         em_method; see `eigenmotion.arguments.methods`.
 

@@ -39,7 +39,7 @@ cdef class Steps:
     Parameters
     ----------
     task
-        An `eigenmotion.arguments.options.Task`, of which the start, inputs, tolerances and step limits are used.
+        An `eigenmotion.arguments.tasks.Task`, of which the start, inputs, tolerances and step limits are used.
     method
         em_method; for methods of fixed step, the step is the task's first step.
     """

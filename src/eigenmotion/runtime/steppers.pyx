@@ -42,7 +42,7 @@ cdef class ManySteps:
     Parameters
     ----------
     task
-        An `eigenmotion.arguments.members.EnsembleTask`, which all members share.
+        An `eigenmotion.arguments.tasks.EnsembleTask`, which all members share.
     count, workers
         K; the largest number of threads that call `go` at the same time.
     """

@@ -3,7 +3,7 @@
 from contextlib import suppress
 
 from ..arguments.methods import Method
-from ..arguments.options import Task
+from ..arguments.tasks import Task
 from ..results.solution import DenseOutput, Solution
 from ..runtime import Run, StopReason
 from .sampled_inputs import ControlledRun

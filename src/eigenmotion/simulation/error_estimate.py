@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ..arguments.methods import Method, checker_of
 from ..arguments.named_values import Vector
-from ..arguments.options import Task
+from ..arguments.tasks import Task
 from ..codegen.model import ModelError
 from ..results.solution import Solution
 from ..runtime import CompiledModel

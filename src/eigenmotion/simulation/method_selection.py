@@ -9,7 +9,7 @@ from math import inf, sqrt
 import numpy as np
 
 from ..arguments.methods import METHODS, Method
-from ..arguments.options import Task
+from ..arguments.tasks import Task
 from ..runtime import CompiledModel, EvaluationError
 
 _LEAST_LANES = 4

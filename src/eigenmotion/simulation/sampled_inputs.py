@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ..arguments.named_values import Vector
-from ..arguments.options import Task
 from ..arguments.sampled import Controlled, Controller, Sampled
 from ..arguments.signals import Inputs, Signal
+from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError
 from ..runtime import IncrementalRun
 

@@ -7,17 +7,32 @@ from typing import Any, Never
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import options
 from ..arguments.differentiation import differentiated
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.named_values import Vector, unknown
-from ..arguments.options import SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
+from ..arguments.options import (
+    DEPENDENT,
+    SCIPY_OPTIONS,
+    SHARED_FROM_START,
+    STABILISATIONS,
+    OptionError,
+    choice,
+    is_system,
+    least_norm_of,
+    no_system,
+    rows_at,
+    span,
+    step_limits,
+    tolerances,
+)
 from ..arguments.prescribed import covering
+from ..arguments.signals import Inputs
+from ..arguments.tasks import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..compiled.compiled_system import CompiledSystem
 from ..results.multiplier_uniqueness import with_shared
 from ..results.solution import DenseOutput, Solution
-from ..runtime import CompiledModel, EvaluationError, Prepared, plain
+from ..runtime import CompiledModel, EvaluationError, Prepared
 from .compiled_run import run_compiled
 from .error_estimate import with_error_estimate
 from .initial_state.consistency import check_direction, start_state
@@ -27,7 +42,6 @@ from .sampled_inputs import check_forwards
 from .sensitivity.sensitivities import directions, sensitivity
 
 NAMES = {name: name for name in (*METHODS, AUTO)}
-STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "start", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
@@ -129,21 +143,25 @@ def simulate(
     if positional or misspelt or not isinstance(compiled, CompiledModel):
         raise refused("simulate", system, positional, misspelt, _OPTIONS)
     named = method if type(method) is str and method in METHODS else method_of(method, NAMES)
-    task = None if not (inputs is None and start is None) else plain.task(
-        Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
-        first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
+    task, shared = _task(
+        system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
+        max_steps, stabilisation, dependent_constraints,
     )  # fmt: skip
-    if task is None:
-        task = _checked(
-            system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
-            max_steps, stabilisation, dependent_constraints,
-        )  # fmt: skip
-    return _run(task, named, v0, estimate_error, sensitivities)
+    return _run(task, named, shared, v0, estimate_error, sensitivities)
 
 
-def _run(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem, sensitivities: Any) -> Solution:
-    """Run a task by the method of that name, with the requested error estimate and sensitivities."""
-    task, shared = _shared(task) if task.least_norm else (task, ())
+def _run(
+    task: Task,
+    named: str,
+    shared: tuple[int, ...],
+    v0: Any,
+    estimate_error: bool | CompiledSystem,
+    sensitivities: Any,
+) -> Solution:
+    """Run a task by the method of that name, with the requested error estimate and sensitivities.
+
+    shared : the constraint rows whose multipliers are not unique
+    """
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, estimate_error)
@@ -169,33 +187,35 @@ def _run(task: Task, named: str, v0: Any, estimate_error: bool | CompiledSystem,
     return solution
 
 
-def _shared(task: Task) -> tuple[Task, tuple[int, ...]]:
-    """Return the task with its treatment of dependent rows, and the rows whose multipliers are not unique."""
-    depend, rows = task.model.redundant(task.t_start, task.y[: task.model.n], task.prepared)
-    if not depend and task.least_norm == options.SHARED_FROM_START and not task.model.has_cones:
-        task = task._replace(least_norm=options.DEPENDENT["refuse"])
-    return task, rows
-
-
-def _checked(
+def _task(
     system: CompiledSystem, t_span: Any, x0: Any, v0: Any, argument: Any, parameters: Any, inputs: Any, rtol: Any,
     atol: Any, t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
     dependent_constraints: Any,
-) -> Task:  # fmt: skip
-    """Return the task from all arguments; an invalid one raises an error with its name."""
-    start, end = options.span(t_span)
-    relative, absolute = options.tolerances(system.compiled, rtol, atol)
-    first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
-    inputs = covering(system.compiled, inputs, start, end)
-    prepared, inputs = _prepared(system, parameters, inputs)
-    signals = _inputs(system, inputs, start, end)
+) -> tuple[Task, tuple[int, ...]]:  # fmt: skip
+    """Return the task, and the rows whose multipliers are not unique; errors name an invalid argument."""
+    model = system.compiled
+    start, end = span(t_span)
+    relative, absolute = tolerances(model, rtol, atol)
+    limits = step_limits(first_step, max_step, max_steps, abs(end - start))
+    prepared, signals = _inputs(system, parameters, inputs, start, end)
     y = _begin(system, prepared, start, x0, v0, argument, relative, absolute)
-    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
-    return Task(
-        system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
-        truth(dense_output, "dense_output"), first, longest, most, stabilise,
-        options.least_norm_of(dependent_constraints),
+    stabilise, times = choice(stabilisation, STABILISATIONS, "stabilisation"), rows_at(t_eval, start, end)
+    dense, least_norm = truth(dense_output, "dense_output"), least_norm_of(dependent_constraints)
+    least_norm, shared = _shared(model, prepared, start, y, least_norm) if least_norm and model.m else (least_norm, ())
+    fields = (
+        model, prepared, signals, start, end, y, relative, absolute, times, dense, *limits, stabilise, least_norm
     )  # fmt: skip
+    return tuple.__new__(Task, fields), shared  # faster than Task(*fields)
+
+
+def _shared(
+    model: CompiledModel, prepared: Prepared, t: float, y: Vector, least_norm: int
+) -> tuple[int, tuple[int, ...]]:
+    """Return the treatment of dependent rows in a run from y, and the rows whose multipliers are not unique."""
+    depend, rows = model.redundant(t, y[: model.n], prepared)
+    if not depend and least_norm == SHARED_FROM_START and not model.has_cones:
+        least_norm = DEPENDENT["refuse"]
+    return least_norm, rows
 
 
 def _begin(
@@ -256,16 +276,18 @@ def _check_sampled(task: Task, estimate_error: Any) -> None:
         )
 
 
-def _prepared(system: CompiledSystem, parameters: Any, inputs: Any) -> tuple[Prepared, Any]:
+def _inputs(
+    system: CompiledSystem, parameters: Any, inputs: Mapping[Any, Any] | None, start: float, end: float
+) -> tuple[Prepared, Inputs]:
+    """Return the constants of the parameters and of prescribed motions, and the other inputs, which cover the span."""
     try:
-        return system.prepare_both(parameters, inputs)
+        if inputs is not None:
+            inputs = covering(system.compiled, inputs, start, end)
+        prepared, inputs = system.prepare_both(parameters, inputs)
     except EvaluationError as error:
         raise ModelError(str(error)) from error
-
-
-def _inputs(system: CompiledSystem, argument: Mapping[Any, Any] | None, start: float, end: float) -> Any:
-    bound = system.bind(argument)
-    if (gap := bound.uncovered(start, end)) is not None:
+    bound = system.bind(inputs)
+    if inputs is not None and (gap := bound.uncovered(start, end)) is not None:
         name = tuple(system.inputs)[gap[0]]
         raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
-    return bound
+    return prepared, bound

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 from ..arguments import options
 from ..arguments.methods import FIXED, STEPPED, method_of
 from ..arguments.named_values import Vector, unknown
-from ..arguments.options import OptionError, Task, choice
+from ..arguments.options import STABILISATIONS, OptionError, choice
+from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError, number, real
 from ..compiled.compiled_system import CompiledSystem
 from ..runtime import Steps
@@ -171,7 +172,7 @@ def stepper(
     begin, y = _start(system, prepared, t, x0, v0, start, relative, absolute)
     task = Task(
         system.compiled, prepared, system.bind(inputs), begin, np.inf, y, relative, absolute, None, False, first,
-        longest, most, choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
+        longest, most, choice(stabilisation, STABILISATIONS, "stabilisation"),
         options.least_norm_of(dependent_constraints),
     )  # fmt: skip
     if task.inputs.sampled:

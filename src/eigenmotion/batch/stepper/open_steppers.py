@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import options
-from ...arguments.members import EnsembleTask
 from ...arguments.named_values import Vector, is_named, unknown
 from ...arguments.options import OptionError
+from ...arguments.tasks import EnsembleTask
 from ...codegen.model.normalise import ModelError, number, shown
 from ...compiled.compiled_system import CompiledSystem
 from ...cores import cores
@@ -84,7 +84,7 @@ def steppers(
     common = EnsembleTask(
         system.compiled, METHOD_NUMBERS[named], named, False, begin, np.inf, relative, absolute, np.empty(0), False,
         fixed_step(named, step), longest, most,
-        options.choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
+        options.choice(stabilisation, options.STABILISATIONS, "stabilisation"),
         options.least_norm_of(dependent_constraints),
     )  # fmt: skip
     return Steppers(common, total, _threads(workers), starts)

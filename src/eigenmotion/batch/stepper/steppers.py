@@ -10,9 +10,9 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...arguments.members import EnsembleTask
 from ...arguments.named_values import Vector
 from ...arguments.states import names_of_states, split_states
+from ...arguments.tasks import EnsembleTask
 from ...codegen.model.normalise import ModelError, number
 from ...runtime import EvaluationError, ManySteps, StopReason
 from ...simulation.initial_state.consistency import start_state

@@ -30,7 +30,9 @@ def start_state(
     EvaluationError
         A coordinate has a value that contradicts its declaration.
     """
-    y = _start(model, prepared, t, x, v, rtol, atol)
+    refusal, y, at, off = model.start(t, x, v, prepared, rtol, atol)
+    if refusal:
+        raise _refused(model, prepared, (t, x, v), (rtol, atol), (refusal, at, off))
     if model.extrapolates:
         _check_turning(model, prepared, t, x)
     return y
@@ -54,7 +56,10 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
 
 def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
     """Raise ModelError, as `start_state`, for a state that violates the constraints by more than rounding errors."""
-    _start(model, prepared, t, x, v, 0.0, np.zeros(model.n))
+    exactly = (0.0, np.zeros(model.n))
+    refusal, _, at, off = model.start(t, x, v, prepared, *exactly)
+    if refusal:
+        raise _refused(model, prepared, (t, x, v), exactly, (refusal, at, off))
 
 
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
@@ -91,24 +96,26 @@ class _Refusal(IntEnum):
     WITHOUT_STATE = 6
 
 
-def _start(
-    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
-) -> Vector:
-    """Return y (n_state,), or raise as `start_state`."""
-    refusal, y, at, off = model.start(t, x, v, prepared, rtol, atol)
-    if not refusal:
-        return y
-    model.check_start(x)  # raises if a value contradicts its declaration
-    _check_tables(model, prepared, t, x, v)
+def _refused(
+    model: CompiledModel,
+    prepared: Prepared,
+    place: tuple[float, Vector, Vector],
+    tolerances: tuple[float, Vector],
+    why: tuple[int, int, Vector],
+) -> ModelError:
+    """Return the error of a start at t, x, v that was refused with rtol, atol; `why` as `CompiledModel.start`."""
+    refusal, at, off = why
+    model.check_start(place[1])  # raises if a value contradicts its declaration
+    _check_tables(model, prepared, *place)
     if refusal == _Refusal.WITHOUT_INERTIA:
-        words = _of_masses(model, model.factored_matrix(t, x, prepared), at)
+        words = _of_masses(model, model.factored_matrix(*place[:2], prepared), at)
     elif refusal == _Refusal.WITHIN_CONTACT:
-        words = _of_contact(model, *(model.inside(t, x, v, prepared, rtol, atol) or ("", np.nan)))
+        words = _of_contact(model, *(model.inside(*place, prepared, *tolerances) or ("", np.nan)))
     elif refusal == _Refusal.WITHOUT_STATE:
-        words = _of_state(model, prepared, t, x, v)
+        words = _of_state(model, prepared, *place)
     else:
-        words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, t, x, v)}"
-    raise ModelError(f"{model.name}: {words}")
+        words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, *place)}"
+    return ModelError(f"{model.name}: {words}")
 
 
 def _check_tables(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
-from ...arguments.options import Task
+from ...arguments.tasks import Task
 from ...results.solution import Solution
 from ...runtime import Prepared
 from ...runtime.variations import act_along

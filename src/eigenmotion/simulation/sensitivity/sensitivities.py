@@ -8,7 +8,7 @@ import numpy as np
 from ...arguments.differentiation import Differentiated, rates_of
 from ...arguments.methods import Method
 from ...arguments.named_values import Vector
-from ...arguments.options import Task
+from ...arguments.tasks import Task
 from ...codegen.model.normalise import ModelError
 from ...results.sensitivity import Sensitivity, parts_of
 from ...results.solution import Solution

@@ -1,19 +1,49 @@
-"""Task of an ensemble: options that all members share, and parameters, start and inputs of each member."""
+"""Tasks: all input of one run; and of an ensemble, as options that its members share and columns of what differs."""
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..runtime import CompiledModel
+from ..runtime import CompiledModel, Prepared
 from .differentiation import Differentiated
 from .named_values import Vector
-from .options import Task
 from .sampled import Controlled
 from .signals import Inputs, Signal
 
 Column = float | Signal | Controlled | Vector | list[Any]
+TO_DERIVE = 2
+"""Value of Task.dense: keep the dense output for sensitivities, which need no steps shortened for its accuracy."""
+
+
+class Task(NamedTuple):
+    """One run.
+
+    y : (n_state,), published meaning, at t_start
+    atol : (n,), of x_k [u_k] and of its velocity [u_k / s]
+    t_eval : (k,) in the direction of time, or None: a row for every accepted step
+    dense : 1 to keep the dense output for states between rows; TO_DERIVE to keep it for sensitivities
+    first_step : [s]; 0: estimated
+    stabilise : whether accepted states are projected onto the constraints and eigenfactors are restored
+    least_norm : the treatment of dependent constraint rows, a value of DEPENDENT
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    inputs: Inputs
+    t_start: float
+    t_end: float
+    y: Vector
+    rtol: float
+    atol: Vector
+    t_eval: Vector | None
+    dense: int
+    first_step: float
+    max_step: float
+    max_steps: int
+    stabilise: bool
+    least_norm: int
 
 
 @dataclass(frozen=True, slots=True, eq=False)
