@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import sympy
 
+from ..bodies.expansion import Expansion
 from ..calculus.derivatives import Tangent, gradient
 from ..calculus.identity_test import Zeros
 from ..graph.convert import FromSympy, ToSympy
 from ..graph.graph import Graph
+from ..graph.node_reference import References
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
 from ..model.normalise import ModelError, name_of
@@ -20,6 +22,7 @@ from ..model.statement.mechanism import Mechanism
 from .event_actions import EventActions, Impact, Reset
 from .mass_regularisation import weights
 from .plain_symbols import Names
+from .trees import Trees, separated
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +51,7 @@ class Mechanics:
     levels : `level` and `at_rest` of each switch of the model
     reaction_rates : (index, expression) of the rates of first-order states that depend on multipliers; Q is 0 there
     n_states : number of first-order states; these are the last entries of v, and nothing depends on their x
+    trees : the trees of bodies whose energies T and V contain; then all expressions refer to nodes of `trees.graph`
     """
 
     name: str
@@ -79,6 +83,7 @@ class Mechanics:
     levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
     reaction_rates: tuple[tuple[int, sympy.Expr], ...]
     n_states: int
+    trees: Trees | None
 
     @property
     def coordinate_names(self) -> tuple[str, ...]:
@@ -139,8 +144,11 @@ class _Derivation:
         self.model = model
         self.names = Names(model)
         self.graph = Graph(symbol.name for symbol in self.names.parameters)
-        self.from_sympy = FromSympy(self.graph)
-        self.to_sympy = ToSympy(self.graph, self.names.by_name())
+        self.expansion = Expansion(self.graph)
+        self.from_sympy = FromSympy(self.graph, self.expansion)
+        self.trees = separated(model, self.expansion, self.node)
+        back = References if self.trees else ToSympy
+        self.to_sympy: Callable[[Node], sympy.Expr] = back(self.graph, self.names.by_name())
         self.zeros = Zeros(self.graph, self.names.signs())
         self.at_rest = Substitution(self.graph, {v.name: self.graph.zero for v in self.names.v})
         self.along = {name: Tangent(self.graph, {name: self.graph.one})
@@ -149,7 +157,8 @@ class _Derivation:
     def mechanics(self) -> Mechanics:
         model, names = self.model, self.names
         T = self.node(model.kinetic_energy)
-        momenta = gradient(self.graph, T, [v.name for v in names.v])
+        apart = self.trees.T if self.trees else T
+        momenta = gradient(self.graph, apart, [v.name for v in names.v])
         M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
         back = partial(map, self.to_sympy)
         actions = EventActions(model, self.graph, names, self.node, self.to_sympy)
@@ -162,7 +171,7 @@ class _Derivation:
             accelerations=names.accelerations, multipliers=names.multipliers,
             M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
             G=tuple(back(self.simplified(map(self.at_rest, momenta)))),
-            kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
+            kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(apart)),
             V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=P,
             b=tuple(back(b)), phi=tuple(back(phi)),
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
@@ -171,6 +180,7 @@ class _Derivation:
             drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(actions.impacts()),
             resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()), n_states=len(model.states),
             reaction_rates=tuple((k, self.to_sympy(rate)) for k, rate in actions.reaction_rates),
+            trees=self.trees,
         )  # fmt: skip
 
     def shape(self, source: Shape) -> Shape:
@@ -198,7 +208,7 @@ class _Derivation:
             along = Tangent(self.graph, {v.name: self.graph.one})
             for i in range(j, n):
                 M[i][j] = M[j][i] = self.independent(self.quadratic(along(momenta[i]), i, j))
-        return M
+        return self.trees.with_masses(M) if self.trees else M
 
     def quadratic(self, entry: Node, i: int, j: int) -> Node:
         """Return M_ij at rest, after checking that it does not depend on velocities."""

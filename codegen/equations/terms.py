@@ -38,7 +38,7 @@ class Terms:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         mechanics = self.mechanics = scene.mechanics
-        self.graph = Graph(symbol.name for symbol in mechanics.parameters)
+        self.graph = self._own_graph()
         self.node = FromSympy(self.graph)
         self.x = [symbol.name for symbol in mechanics.x]
         self.v = [symbol.name for symbol in mechanics.v]
@@ -65,6 +65,9 @@ class Terms:
         self.phi = self._nodes(mechanics.phi)
         self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))
         self.expanded = self._expansion()
+
+    def _own_graph(self) -> Graph:
+        return Graph(symbol.name for symbol in self.mechanics.parameters)
 
     def _nodes(self, expressions: Iterable[sympy.Expr]) -> tuple[Node, ...]:
         return tuple(map(self.node, expressions))

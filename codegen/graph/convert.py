@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import sympy
 from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
@@ -11,8 +11,10 @@ from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, No
 
 from ..model.model import ModelError
 from ..model.table import TableCall
+from ..model.tree.functions import BodyFunction
 from .coefficients import Number, exact
 from .graph import Graph
+from .node_reference import NodeReference
 from .store import Kind, Node
 from .table_calls import name_of_call, orders_of, table_of
 
@@ -32,10 +34,16 @@ SPLIT_IN_TWO = {"min", "max"}
 
 
 class FromSympy:
-    """Converts SymPy expressions in plain symbols to nodes of a graph."""
+    """Converts SymPy expressions in plain symbols to nodes of a graph; references to nodes must be to its own.
 
-    def __init__(self, graph: Graph) -> None:
-        self.graph = graph
+    Parameters
+    ----------
+    bodies
+        Writes a function of bodies as a node, from the nodes of its arguments.
+    """
+
+    def __init__(self, graph: Graph, bodies: Callable[[BodyFunction, Sequence[Node]], Node] | None = None) -> None:
+        self.graph, self._bodies = graph, bodies
         self._known: dict[sympy.Basic, Node] = {}
 
     def __call__(self, expression: sympy.Basic) -> Node:
@@ -69,7 +77,7 @@ class FromSympy:
             return graph.mul(*map(self, expression.args))
         if isinstance(expression, sympy.Pow):
             return self._power(*expression.args)
-        return self._function(expression)
+        return self._given(expression)
 
     def _power(self, base: sympy.Basic, exponent: sympy.Basic) -> Node:
         if base == sympy.E:
@@ -78,10 +86,18 @@ class FromSympy:
             return self.graph.power(self(base), _number(exponent))
         return self.graph.call("pow", self(base), self(exponent))
 
-    def _function(self, expression: sympy.Basic) -> Node:
-        graph = self.graph
+    def _given(self, expression: sympy.Basic) -> Node:
+        """Convert a function that something else than SymPy defines: a table, bodies, a node."""
         if isinstance(expression, TableCall):
             return self._table(expression)
+        if isinstance(expression, NodeReference):
+            return expression.node
+        if isinstance(expression, BodyFunction) and self._bodies:
+            return self._bodies(expression, [self(argument) for argument in expression.args])
+        return self._function(expression)
+
+    def _function(self, expression: sympy.Basic) -> Node:
+        graph = self.graph
         if isinstance(expression, Piecewise):
             return self._piecewise(expression.args)
         if isinstance(expression, BooleanTrue | BooleanFalse):
@@ -154,7 +170,7 @@ def _operands(expression: sympy.Basic) -> list[sympy.Basic]:
     if isinstance(expression, sympy.Pow):
         base, exponent = expression.args
         return [part for part in (base, exponent) if part != sympy.E and not isinstance(part, sympy.Number)]
-    if isinstance(expression, TableCall):
+    if isinstance(expression, TableCall | BodyFunction):
         return list(expression.args)
     return list(expression.args) if type(expression) in (FUNCTIONS | RELATIONS) else []
 

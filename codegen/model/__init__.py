@@ -9,3 +9,4 @@ from .statement.contacts import Contact as Contact
 from .statement.contacts import Friction as Friction
 from .statement.event import Event as Event
 from .table import Table as Table
+from .tree.tree import Tree as Tree

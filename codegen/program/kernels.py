@@ -13,7 +13,8 @@ from ..calculus.derivatives import gradient
 from ..calculus.inverse import LARGEST, inverse
 from ..choices import Choices
 from ..equations.specialise import Scene
-from ..equations.terms import Rows, Terms
+from ..equations.terms import Rows
+from ..equations.tree_terms import terms_of
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from ..model.model import ModelError
@@ -40,7 +41,7 @@ class _Writing:
 
     def __init__(self, scene: Scene, choices: Choices, layout: Layout) -> None:
         self.scene, self.choices, self.layout, self.blocks = scene, choices, layout, layout.blocks
-        self.mechanics, self.terms = scene.mechanics, Terms(scene)
+        self.mechanics, self.terms = scene.mechanics, terms_of(scene)
         self.scales = scene.scales if choices.eigenfactor else (1.0,) * scene.n
         self.constants = Constants(self.terms.graph)
         mechanics = self.mechanics

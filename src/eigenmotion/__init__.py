@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
     from .codegen.model import Table as Table
+    from .codegen.model import Tree as Tree
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .codegen.model.statement import draw as draw
@@ -61,6 +62,7 @@ _HOME = {
     "StopReason": ".runtime",
     "System": ".system.system",
     "Table": ".codegen.model",
+    "Tree": ".codegen.model",
     "assemble": ".analysis.equilibrium.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",

@@ -55,16 +55,13 @@ MODULES = modules()
 ROOMS: dict[str, tuple[str, ...]] = {
     "codegen.model.normalise": (),
     "codegen.model.statement": ("codegen.model.normalise",),
-    "codegen.model.check": ("codegen.model.normalise", "codegen.model.statement"),
+    "codegen.model.tree": ("codegen.model.normalise",),
+    "codegen.model.check": ("codegen.model.normalise", "codegen.model.statement", "codegen.model.tree"),
     "codegen.model.symbolic": ("codegen.model.normalise", "codegen.model.statement"),
-    "codegen.model": (
-        "codegen.model.normalise",
-        "codegen.model.statement",
-        "codegen.model.check",
-        "codegen.model.symbolic",
-    ),
-    "codegen.graph": ("codegen.model",),
+    "codegen.model": tuple(f"codegen.model.{room}" for room in ("normalise", "statement", "check", "symbolic", "tree")),
+    "codegen.graph": ("codegen.model", "codegen.model.tree"),
     "codegen.calculus": ("codegen.graph",),
+    "codegen.bodies": ("codegen.model.tree", "codegen.graph", "codegen.calculus"),
     "codegen.schedule": ("codegen.graph",),
     "codegen.mechanics": ("codegen.model.normalise", "codegen.model", "codegen.graph", "codegen.calculus"),
     "codegen.equations": (
@@ -75,6 +72,8 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "codegen.graph",
         "codegen.calculus",
         "codegen.schedule",
+        "codegen.model.tree",
+        "codegen.bodies",
     ),
     "codegen.choices": ("codegen.model",),
     "codegen.kernel": ("codegen.graph", "codegen.schedule"),
@@ -187,6 +186,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "building.verification": (
         "codegen.model.normalise",
         "codegen.model.statement",
+        "codegen.model.tree",
         "codegen.model",
         "runtime",
         "arguments",

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import sympy
 from sympy.functions.elementary.piecewise import ExprCondPair
 
+from ..tree.functions import BodyFunction
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -49,6 +51,8 @@ def _combined(expression: sympy.Expr, parts: list[float], is_symbol: bool) -> fl
         return sum(parts)
     if expression.is_Pow and expression.exp.is_Integer and expression.exp.is_positive:
         return parts[0] * int(expression.exp)
+    if isinstance(expression, BodyFunction):
+        return expression.degree_in_rates() if max(parts) == 1 else math.inf
     if isinstance(expression, sympy.Piecewise):
         return max(parts)
     if isinstance(expression, ExprCondPair):

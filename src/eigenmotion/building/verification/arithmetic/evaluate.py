@@ -12,6 +12,8 @@ from sympy.functions.elementary.piecewise import Piecewise
 from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
 from ....codegen.model.table import TableCall
+from ....codegen.model.tree.functions import BodyFunction
+from .body_values import of_bodies
 from .hyperdual import FUNCTIONS, RELATIONS, HyperDual, doubt, power
 from .rounding_bounds import Part, Rounded, rounded
 from .table_values import of_table
@@ -97,6 +99,8 @@ class Evaluation:
         name, values = type(expression).__name__, [self._known[part] for part in _arguments(expression)]
         if isinstance(expression, TableCall):
             return of_table(expression, *values)
+        if isinstance(expression, BodyFunction):
+            return of_bodies(expression, values, lambda known, part: Evaluation(known)(part))
         if name in _OF_MANY:
             whole: HyperDual = reduce(_OF_MANY[name], values)
             return whole
@@ -129,7 +133,7 @@ def _arguments(expression: sympy.Basic) -> Sequence[sympy.Basic]:
     if isinstance(expression, Piecewise):
         return [part for pair in expression.args for part in pair.args]
     parts: Sequence[sympy.Basic] = expression.args
-    if isinstance(expression, sympy.Add | sympy.Mul | sympy.Pow | Boolean | TableCall):
+    if isinstance(expression, sympy.Add | sympy.Mul | sympy.Pow | Boolean | TableCall | BodyFunction):
         return parts
     name = type(expression).__name__
     return parts[: 1 if name == "Heaviside" else None] if name in FUNCTIONS else ()

@@ -1,0 +1,1 @@
+"""Trees of bodies: joints, kinematics and the recursions of their dynamics, as nodes of an expression graph."""

@@ -1,0 +1,102 @@
+"""Functions of bodies in expressions, written out as nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import sympy
+
+from ..calculus.derivatives import Tangent
+from ..graph.graph import Graph
+from ..graph.rewrite import Substitution
+from ..graph.store import Kind, Node
+from ..model.tree.body import Link
+from ..model.tree.functions import BodyFunction, Quantity
+from .frames import applied, transposed
+from .links import Links
+from .recursion import Dynamics
+from .scalar import Scalar, Vector, cross, plus
+
+
+class Expansion:
+    """Writes quantities of bodies as nodes of one graph; those of the same bodies share their recursions."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self._known: dict[tuple[tuple[Link, ...], tuple[Node, ...]], Dynamics] = {}
+        self._derivatives: dict[tuple[Node, str], Node] = {}
+
+    def __call__(self, call: BodyFunction, operands: Sequence[Node]) -> Node:
+        """Return the node of a call from those of its arguments."""
+        quantity = call.quantity
+        named = [self.graph.records[node].kind is Kind.SYMBOL for node in operands]
+        if all(named) and len(set(operands)) == len(operands):
+            return self._derived(call, operands)
+        names = [f"{quantity.label}.{k}" for k in range(len(operands))]
+        node = self._derived(call, [self.graph.symbol(name) for name in names])
+        return Substitution(self.graph, dict(zip(names, operands, strict=True)))(node)
+
+    def _derived(self, call: BodyFunction, operands: Sequence[Node]) -> Node:
+        node = self.quantity(call.quantity, operands)
+        for operand, order in zip(operands, call.orders, strict=True):
+            for _ in range(order):
+                node = self._derivative(node, self.graph.records[operand].operands[0])
+        return node
+
+    def _derivative(self, node: Node, name: str) -> Node:
+        known = self._derivatives.get((node, name))
+        if known is None:
+            known = self._derivatives[node, name] = Tangent(self.graph, {name: self.graph.one})(node)
+        return known
+
+    def quantity(self, quantity: Quantity, operands: Sequence[Node]) -> Node:
+        """Return the node of a quantity at these values of its variables."""
+        dynamics = self.dynamics(quantity.bodies, dict(zip(quantity.variables, operands, strict=True)))
+        vector = dynamics.links.scalars(quantity.vector)
+        if quantity.kind == "kinetic_energy":
+            return dynamics.kinetic_energy.node
+        if quantity.kind == "potential_energy":
+            return dynamics.potential_energy(vector).node
+        return _KINDS[quantity.kind](dynamics, quantity.bodies[-1], vector, *quantity.place).node
+
+    def dynamics(self, bodies: tuple[Link, ...], nodes: Mapping[sympy.Expr, Node]) -> Dynamics:
+        """Return the recursions of bodies; a rate that has no node is a symbol of its own, on which nothing depends."""
+        coordinates = [q for body in bodies for q in body.coordinates]
+        every = {q.diff(): self.graph.symbol(f"rate of {q}") for q in coordinates} | dict(nodes)
+        key = bodies, tuple(every[one] for q in coordinates for one in (q, q.diff()))
+        if key not in self._known:
+            self._known[key] = Dynamics(Links(self.graph, bodies, every))
+        return self._known[key]
+
+
+def _position(dynamics: Dynamics, body: Link, point: Vector, place: int) -> Scalar:
+    on = dynamics.links.carried[body]
+    return dynamics.point_up(on.carrier, plus(on.p, applied(on.R, point)))[place]
+
+
+def _rotation(dynamics: Dynamics, body: Link, _: Vector, row: int, column: int) -> Scalar:
+    on = dynamics.links.carried[body]
+    return dynamics.vector_up(on.carrier, transposed(on.R)[column])[row]
+
+
+def _velocity(dynamics: Dynamics, body: Link, point: Vector, place: int) -> Scalar:
+    on = dynamics.links.carried[body]
+    if on.carrier < 0:
+        return dynamics.zero
+    w, v = dynamics.motions[0][on.carrier]
+    return dynamics.vector_up(on.carrier, plus(v, cross(w, plus(on.p, applied(on.R, point)))))[place]
+
+
+def _angular_velocity(dynamics: Dynamics, body: Link, _: Vector, place: int) -> Scalar:
+    on = dynamics.links.carried[body]
+    if on.carrier < 0:
+        return dynamics.zero
+    return dynamics.vector_up(on.carrier, dynamics.motions[0][on.carrier][0])[place]
+
+
+_KINDS: Mapping[str, Callable[..., Scalar]] = {
+    "position": _position,
+    "rotation": _rotation,
+    "velocity": _velocity,
+    "angular_velocity": _angular_velocity,
+}

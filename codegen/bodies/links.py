@@ -1,0 +1,182 @@
+"""Moving bodies of a tree in the frames of `frames`: the way from the parent, the joint, and the inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy
+
+from ..calculus.derivatives import Tangent
+from ..graph.convert import FromSympy
+from ..graph.graph import Graph
+from ..graph.store import Node
+from ..model.tree.body import FREEDOMS, Link
+from .frames import Matrix, Shift, Step, Turn, aligned, applied, matrix, product, transposed, turns
+from .inertia import RigidInertia, Spatial, spatial_sum, times
+from .rotation import MatrixRotation, PlaneRotation
+from .scalar import Scalar, Vector, cross, dot, plus, scaled
+
+
+@dataclass(frozen=True, slots=True)
+class Moving:
+    """A body that moves on its parent.
+
+    parent : its number among the moving bodies; -1 for the ground
+    first : the number of its first coordinate
+    steps : from the parent's frame to its own
+    S : a motion for each of its coordinates, at a rate of 1, in its own frame
+    rate : Sdot qdot
+    inertia : of itself, and of the bodies that are fixed to it
+    """
+
+    parent: int
+    first: int
+    steps: Sequence[Step]
+    S: Sequence[Spatial]
+    rate: Spatial
+    inertia: RigidInertia
+
+    @property
+    def numbers(self) -> range:
+        """The numbers of its coordinates."""
+        return range(self.first, self.first + len(self.S))
+
+    def velocity(self, rates: Sequence[Scalar], zero: Spatial) -> Spatial:
+        """Return S qdot."""
+        return spatial_sum(zero, *(times(S, rates[k]) for S, k in zip(self.S, self.numbers, strict=True)))
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """A user's frame on a moving body: number of that body, -1 for the ground; a = R (user's), x = p + R (user's)."""
+
+    carrier: int
+    R: Matrix
+    p: Vector
+
+
+class Links:
+    """The moving bodies of a tree, the inertia fixed to the ground, and where the frames of all bodies are on them.
+
+    Parameters
+    ----------
+    bodies
+        Parents before their children.
+    nodes
+        The nodes of coordinates and rates.
+    """
+
+    def __init__(self, graph: Graph, bodies: Sequence[Link], nodes: Mapping[sympy.Expr, Node]) -> None:
+        self.graph, self._nodes, self._from_sympy = graph, nodes, FromSympy(graph)
+        self.zero = Scalar(graph, graph.zero)
+        self.still: Spatial = [self.zero] * 3, [self.zero] * 3
+        self.q = [Scalar(graph, nodes[q]) for body in bodies for q in body.coordinates]
+        self.v = [Scalar(graph, nodes[q.diff()]) for body in bodies for q in body.coordinates]
+        pairs = zip(self.q, self.v, strict=True)
+        self.along = Tangent(graph, {graph.records[q.node].operands[0]: v.node for q, v in pairs})
+        self.moving: list[Moving] = []
+        self.nothing = RigidInertia(self.zero, [self.zero] * 3, [self.zero] * 6)
+        self.fixed = self.nothing
+        self.ground = Carried(-1, matrix(graph, ((1, 0, 0), (0, 1, 0), (0, 0, 1))), [self.zero] * 3)
+        self.carried: dict[Link | None, Carried] = {None: self.ground}
+        for body in bodies:
+            self._add(body)
+
+    def scalars(self, expressions: Sequence[sympy.Expr]) -> list[Scalar]:
+        """Return expressions in parameters as nodes."""
+        return [Scalar(self.graph, self._from_sympy(one)) for one in expressions]
+
+    def _add(self, body: Link) -> None:
+        on = self.carried[body.parent]
+        numbers = self.scalars(body.rotation)
+        at = plus(on.p, applied(on.R, self.scalars(body.at)))
+        R = product(on.R, [numbers[k : k + 3] for k in (0, 3, 6)])
+        if body.joint == "fixed":
+            self.carried[body] = Carried(on.carrier, R, at)
+            self._add_mass(body)
+            return
+        first = self.moving[-1].numbers.stop if self.moving else 0
+        C = aligned(self.graph, self.scalars(body.axis)) if FREEDOMS[body.joint] == 1 else self.ground.R
+        fixed, last = turns(product(R, C))
+        steps: list[Step] = [Shift(at), *fixed]
+        if FREEDOMS[body.joint] > 1:
+            steps.append(Turn(MatrixRotation(last)))
+            last = self.ground.R
+        T = product(C, transposed(last))
+        joint = _JOINTS[body.joint](self.q[first : first + FREEDOMS[body.joint]])
+        moving = Moving(on.carrier, first, [*steps, *joint[0]], joint[1], self.still, self.nothing)
+        rates = [self._rate(S) for S in moving.S]
+        rate = spatial_sum(self.still, *(times(r, self.v[k]) for r, k in zip(rates, moving.numbers, strict=True)))
+        self.carried[body] = Carried(len(self.moving), transposed(T), [self.zero] * 3)
+        self.moving.append(Moving(on.carrier, first, moving.steps, moving.S, rate, self.nothing))
+        self._add_mass(body)
+
+    def _rate(self, S: Spatial) -> Spatial:
+        return [self._along(entry) for entry in S[0]], [self._along(entry) for entry in S[1]]
+
+    def _along(self, entry: Scalar) -> Scalar:
+        return Scalar(self.graph, self.along(entry.node))
+
+    def _add_mass(self, body: Link) -> None:
+        """Add a body's mass to that of the moving body that carries it."""
+        on = self.carried[body]
+        (m,), J = self.scalars([body.mass]), self.scalars(body.inertia)
+        own = RigidInertia(m, [self.zero] * 3, J).turned(MatrixRotation(on.R))
+        one = own.shifted(plus(on.p, applied(on.R, self.scalars(body.center))))
+        if on.carrier < 0:
+            self.fixed = self.fixed + one
+            return
+        old = self.moving[on.carrier]
+        self.moving[on.carrier] = Moving(old.parent, old.first, old.steps, old.S, old.rate, old.inertia + one)
+
+
+Joint = tuple[list[Step], list[Spatial]]
+
+
+def _unit(like: Scalar, k: int) -> Vector:
+    return [Scalar(like.graph, like.graph.number(int(k == place))) for place in range(3)]
+
+
+def _revolute(q: Sequence[Scalar]) -> Joint:
+    (angle,), graph = q, q[0].graph
+    cosine, sine = (Scalar(graph, graph.call(name, angle.node)) for name in ("cos", "sin"))
+    none = [angle * 0] * 3
+    return [Turn(PlaneRotation(2, cosine, sine))], [(_unit(angle, 2), none)]
+
+
+def _prismatic(q: Sequence[Scalar]) -> Joint:
+    (way,) = q
+    none = [way * 0] * 3
+    return [Shift([way * 0, way * 0, way])], [(none, _unit(way, 2))]
+
+
+def _spherical(q: Sequence[Scalar]) -> Joint:
+    """Return the joint of modified Rodrigues parameters s, for |s| < 1 (Schaub and Junkins 1996).
+
+    With d = 1 + s.s, R = 1 + (4 (2 - d) [s x] + 8 [s x]^2) / d^2, and the rate of the body in its own axes is
+    w = 4 ((2 - d) - 2 [s x] + 2 s s^T) sdot / d^2.
+    """
+    graph, s = q[0].graph, list(q)
+    one = Scalar(graph, graph.one)
+    square = dot(s, s)
+    d = one + square
+    inverse = d**-2
+    less = (one - square) * inverse * 4
+    e = [_unit(one, k) for k in range(3)]
+    columns = [plus(scaled(cross(s, e[k]), less), scaled(cross(s, cross(s, e[k])), inverse * 8)) for k in range(3)]
+    R = transposed([plus(e[k], columns[k]) for k in range(3)])
+    S = [plus(scaled(e[k], less), scaled(cross(s, e[k]), inverse * -8), scaled(s, s[k] * inverse * 8))
+         for k in range(3)]  # fmt: skip
+    none = [one * 0] * 3
+    return [Turn(MatrixRotation(R))], [(column, none) for column in S]
+
+
+def _free(q: Sequence[Scalar]) -> Joint:
+    (turn,), S = _spherical(q[3:])
+    none = [q[0] * 0] * 3
+    along = [(none, turn.motion_down((none, _unit(q[0], k)))[1]) for k in range(3)]
+    return [Shift(list(q[:3])), turn], [*along, *S]
+
+
+_JOINTS = {"revolute": _revolute, "prismatic": _prismatic, "spherical": _spherical, "free": _free}

@@ -1,0 +1,188 @@
+"""Recursive dynamics of a tree: Newton-Euler, composite bodies, articulated bodies (Featherstone 2008, ch. 5-7)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from .inertia import Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
+from .links import Links, Moving
+from .scalar import HALF, Scalar, Vector, dot, total
+
+
+class Dynamics:
+    """Dynamics of a tree of n coordinates. Gravity is its acceleration (3,) in the ground's axes [m / s^2]."""
+
+    def __init__(self, links: Links) -> None:
+        self.links, self.graph, self.zero, self.still = links, links.graph, links.zero, links.still
+        self.n = len(links.q)
+
+    # -- motions ---------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def motions(self) -> tuple[list[Spatial], list[Spatial]]:
+        """Velocity of each body, and its acceleration at qddot = 0 less that of its parent: v x S qdot + Sdot qdot."""
+        velocities: list[Spatial] = []
+        biases: list[Spatial] = []
+        for body in self.links.moving:
+            own = body.velocity(self.links.v, self.still)
+            passed = self.down(body, velocities[body.parent] if body.parent >= 0 else self.still)
+            velocities.append(spatial_sum(passed, own))
+            biases.append(spatial_sum(crossed(passed, own), body.rate))
+        return velocities, biases
+
+    def down(self, body: Moving, motion: Spatial) -> Spatial:
+        """Return a motion of the parent's frame in the body's frame."""
+        for step in body.steps:
+            motion = step.motion_down(motion)
+        return motion
+
+    def up(self, body: Moving, force: Spatial) -> Spatial:
+        """Return a force on the body in the parent's frame."""
+        for step in reversed(body.steps):
+            force = step.force_up(force)
+        return force
+
+    def ground(self, gravity: Vector) -> Spatial:
+        """Return the acceleration of the ground that has the effect of gravity."""
+        return self.still[0], [-g for g in gravity]
+
+    # -- energies --------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def kinetic_energy(self) -> Scalar:
+        """Kinetic energy [J], the sum of v . I v / 2."""
+        pairs = zip(self.links.moving, self.motions[0], strict=True)
+        return total(self.graph, [spatial_dot(v, body.inertia * v) for body, v in pairs]) * HALF
+
+    def potential_energy(self, gravity: Vector) -> Scalar:
+        """Return the potential energy of gravity [J], -g . sum of m c in the ground's axes."""
+        terms = [dot(self.links.fixed.moment, gravity)]
+        for number, body in enumerate(self.links.moving):
+            terms.append(dot(self.vector_up(number, body.inertia.moment), gravity))
+            terms.append(dot(self.point_up(number, [self.zero] * 3), gravity) * body.inertia.mass)
+        return -total(self.graph, [self.zero, *terms])
+
+    def vector_up(self, number: int, a: Vector) -> Vector:
+        """Return a vector of a moving body in the ground's axes."""
+        while number >= 0:
+            for step in reversed(self.links.moving[number].steps):
+                a = step.vector_up(a)
+            number = self.links.moving[number].parent
+        return a
+
+    def point_up(self, number: int, x: Vector) -> Vector:
+        """Return the place of a point of a moving body in the ground's frame."""
+        while number >= 0:
+            for step in reversed(self.links.moving[number].steps):
+                x = step.point_up(x)
+            number = self.links.moving[number].parent
+        return x
+
+    # -- recursions ------------------------------------------------------------------------------------------------
+
+    def inverse_dynamics(self, accelerations: Sequence[Scalar] | None, gravity: Vector) -> list[Scalar]:
+        """Return the forces (n,) of the joints at accelerations (n,), None for zero: recursive Newton-Euler."""
+        velocities, biases = self.motions
+        moving, ground = self.links.moving, self.ground(gravity)
+        a: list[Spatial] = []
+        forces: list[Spatial] = []
+        for number, body in enumerate(moving):
+            own = body.velocity(accelerations, self.still) if accelerations is not None else self.still
+            a.append(spatial_sum(self.down(body, a[body.parent] if body.parent >= 0 else ground),
+                                 biases[number], own))  # fmt: skip
+            v = velocities[number]
+            forces.append(spatial_sum(body.inertia * a[-1], crossed_force(v, body.inertia * v)))
+        return self._projected(forces)
+
+    def _projected(self, forces: list[Spatial]) -> list[Scalar]:
+        """Return S . (force of a body and all bodies that it carries)."""
+        result = [self.zero] * self.n
+        for number in reversed(range(len(forces))):
+            body = self.links.moving[number]
+            for S, k in zip(body.S, body.numbers, strict=True):
+                result[k] = spatial_dot(S, forces[number])
+            if body.parent >= 0:
+                forces[body.parent] = spatial_sum(forces[body.parent], self.up(body, forces[number]))
+        return result
+
+    @cached_property
+    def mass_matrix(self) -> list[list[Scalar]]:
+        """M (n, n) by composite rigid bodies."""
+        moving = self.links.moving
+        composite = [body.inertia for body in moving]
+        M = [[self.zero] * self.n for _ in range(self.n)]
+        for number in reversed(range(len(moving))):
+            body = moving[number]
+            self._column(M, number, [composite[number] * S for S in body.S])
+            if body.parent >= 0:
+                inertia = composite[number]
+                for step in reversed(body.steps):
+                    inertia = step.rigid_up(inertia)
+                composite[body.parent] = composite[body.parent] + inertia
+        return M
+
+    def _column(self, M: list[list[Scalar]], number: int, forces: list[Spatial]) -> None:
+        """Write the columns of a body: the forces that its accelerations take, on itself and on all that carry it."""
+        moving, columns = self.links.moving, self.links.moving[number].numbers
+        at = number
+        while at >= 0:
+            for force, column in zip(forces, columns, strict=True):
+                for S, row in zip(moving[at].S, moving[at].numbers, strict=True):
+                    M[row][column] = M[column][row] = spatial_dot(S, force)
+            forces = [self.up(moving[at], force) for force in forces]
+            at = moving[at].parent
+
+    def accelerations(self, forces: Sequence[Scalar], gravity: Vector) -> list[Scalar]:
+        """Return qddot (n,) under the forces (n,) of the joints: articulated bodies."""
+        inward = self._articulated(forces)
+        moving, biases, ground = self.links.moving, self.motions[1], self.ground(gravity)
+        a: list[Spatial] = []
+        result = [self.zero] * self.n
+        for number, body in enumerate(moving):
+            gains, solved = inward[number]
+            before = spatial_sum(self.down(body, a[body.parent] if body.parent >= 0 else ground), biases[number])
+            for k, gain, y in zip(body.numbers, gains, solved, strict=True):
+                result[k] = y - spatial_dot(gain, before)
+            a.append(spatial_sum(before, body.velocity(result, self.still)))
+        return result
+
+    def _articulated(self, forces: Sequence[Scalar]) -> list[tuple[list[Spatial], list[Scalar]]]:
+        """Return for each body D^-1 U^T as motions, and D^-1 (force - S . bias force), D = S^T U, U = I S."""
+        velocities, biases = self.motions
+        moving = self.links.moving
+        inertias = [body.inertia.articulated() for body in moving]
+        bias = [crossed_force(v, body.inertia * v) for body, v in zip(moving, velocities, strict=True)]
+        result: list[tuple[list[Spatial], list[Scalar]]] = [([], [])] * len(moving)
+        for number in reversed(range(len(moving))):
+            body = moving[number]
+            U = [inertias[number] * S for S in body.S]
+            inverse = inverse_of([[spatial_dot(S, u) for u in U] for S in body.S])
+            rest = [forces[k] - spatial_dot(S, bias[number]) for S, k in zip(body.S, body.numbers, strict=True)]
+            gains = [spatial_sum(*(times(u, entry) for u, entry in zip(U, row, strict=True))) for row in inverse]
+            result[number] = gains, [dot(row, rest) for row in inverse]
+            if body.parent < 0:
+                continue
+            passed = inertias[number].without(U, gains)
+            pull = [times(gain, u) for gain, u in zip(gains, rest, strict=True)]
+            force = spatial_sum(bias[number], passed * biases[number], *pull)
+            bias[body.parent] = spatial_sum(bias[body.parent], self.up(body, force))
+            for step in reversed(body.steps):
+                passed = step.articulated_up(passed)
+            inertias[body.parent] = inertias[body.parent] + passed
+        return result
+
+
+def inverse_of(D: Sequence[Sequence[Scalar]]) -> list[list[Scalar]]:
+    """Return the inverse of a symmetric matrix, by elimination: pivots come in order, for it is positive definite."""
+    n, zero = len(D), D[0][0] * 0
+    one = Scalar(zero.graph, zero.graph.one)
+    rows = [[*row, *(one if k == number else zero for k in range(n))] for number, row in enumerate(D)]
+    for k in range(n):
+        pivot = rows[k][k] ** -1
+        rows[k] = [entry * pivot for entry in rows[k]]
+        for other in range(n):
+            if other != k and not rows[other][k].is_zero:
+                factor = rows[other][k]
+                rows[other] = [a - factor * b for a, b in zip(rows[other], rows[k], strict=True)]
+    return [row[n:] for row in rows]

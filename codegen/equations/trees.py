@@ -1,0 +1,96 @@
+"""Trees of bodies in a model's energies: T = T_trees + T', whose parts are derived in different ways."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import sympy
+
+from ..bodies.expansion import Expansion
+from ..bodies.recursion import Dynamics
+from ..bodies.scalar import Scalar, total
+from ..graph.graph import Graph
+from ..graph.store import Node
+from ..model.recursion_depth import expressions_in
+from ..model.statement.mechanism import Mechanism
+from ..model.tree.functions import BodyFunction
+
+
+@dataclass(frozen=True, slots=True)
+class Recursion:
+    """A tree: its recursions, the numbers of its coordinates among those of the model, and gravity (3,) [m / s^2]."""
+
+    dynamics: Dynamics
+    numbers: tuple[int, ...]
+    gravity: Sequence[Scalar]
+
+
+@dataclass(frozen=True, slots=True)
+class Trees:
+    """The trees in the energies of a model.
+
+    graph : that of all terms
+    recursions : one for each tree
+    T, V : the other terms of the energies [J]
+    """
+
+    graph: Graph
+    recursions: tuple[Recursion, ...]
+    T: Node
+    V: Node
+
+    def with_masses(self, M: list[list[Node]]) -> list[list[Node]]:
+        """Return M (n, n) with the mass matrices of the trees added."""
+        for tree in self.recursions:
+            for row, entries in zip(tree.numbers, tree.dynamics.mass_matrix, strict=True):
+                for column, entry in zip(tree.numbers, entries, strict=True):
+                    M[row][column] = self.graph.add(M[row][column], entry.node)
+        return M
+
+    def bias(self, n: int) -> list[Node]:
+        """Return (n,) the forces that the trees take at zero accelerations, gravity included."""
+        forces: list[list[Scalar]] = [[] for _ in range(n)]
+        for tree in self.recursions:
+            result = tree.dynamics.inverse_dynamics(None, tree.gravity)
+            for number, force in zip(tree.numbers, result, strict=True):
+                forces[number].append(force)
+        return [total(self.graph, terms).node for terms in forces]
+
+    def kinetic_energy(self) -> Node:
+        """Return the kinetic energy of the trees [J]."""
+        return total(self.graph, [tree.dynamics.kinetic_energy for tree in self.recursions]).node
+
+
+def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr], Node]) -> Trees | None:
+    """Return the trees of a model; None if none of its expressions contains a function of bodies.
+
+    A tree whose kinetic energy is a term of T is derived by recursions, and its gravity too where its potential energy
+    is a term of V. All other functions of bodies are written out.
+    """
+    if not any(one.has(BodyFunction) for one in expressions_in(model)):
+        return None
+    T, V = _terms(model.kinetic_energy, "kinetic_energy"), _terms(model.potential_energy, "potential_energy")
+    falling = {call.quantity.bodies: call for call in V}
+    numbers = {q: number for number, q in enumerate(model.coordinates)}
+    recursions, used = [], []
+    for call in T:
+        quantity = call.quantity
+        operands = map(node, call.args)
+        dynamics = expansion.dynamics(quantity.bodies, dict(zip(quantity.variables, operands, strict=True)))
+        gravity = falling.get(quantity.bodies)
+        vector = gravity.quantity.vector if gravity else (sympy.S.Zero,) * 3
+        used += [gravity] if gravity else []
+        places = tuple(numbers[q] for body in quantity.bodies for q in body.coordinates)
+        recursions.append(Recursion(dynamics, places, dynamics.links.scalars(vector)))
+    rest = model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)
+    return Trees(expansion.graph, tuple(recursions), *map(node, rest))
+
+
+def _terms(energy: sympy.Expr, kind: str) -> list[BodyFunction]:
+    """Return the energies of trees that are terms of an energy, with the factor 1 and in their own coordinates."""
+    return [
+        term
+        for term in sympy.Add.make_args(energy)
+        if isinstance(term, BodyFunction) and term.quantity.kind == kind and term.args == term.quantity.variables
+    ]

@@ -1,0 +1,301 @@
+"""`Tree`: bodies joined to each other, whose energies and places are functions for a `Model`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import sympy
+from sympy.physics.mechanics import dynamicsymbols
+
+from ..normalise import ModelError, expression, nearest, sequence_of, shown, t
+from .body import FREEDOMS, Link
+from .functions import Quantity, call
+
+_COMPOSED = {"cylindrical": ("prismatic", "revolute"), "planar": ("prismatic", "prismatic", "revolute")}
+"""Joints made of several: along and about the axis; in the plane across it, and about it"""
+JOINTS = (*FREEDOMS, *_COMPOSED)
+_COUNTS = FREEDOMS | {name: len(parts) for name, parts in _COMPOSED.items()}
+_UNIT = (1, 0, 0, 0, 1, 0, 0, 0, 1)
+_SKEW = 1e-6
+"""A matrix that differs from a rotation by less is taken for the nearest one."""
+
+
+class Body:
+    """A body of a tree, and the functions of its place and motion that expressions of a model may contain.
+
+    Vectors are in the axes of the ground. Points are in the body's frame [m], which is that of its joint, moved by the
+    joint.
+
+    Attributes
+    ----------
+    name
+    coordinates : of its joint, functions of time
+    """
+
+    def __init__(self, link: Link, coordinates: tuple[sympy.Expr, ...]) -> None:
+        self.link, self.name, self.coordinates = link, link.name, coordinates
+        self._chain = tuple(reversed([*link.ancestors]))
+
+    def __repr__(self) -> str:
+        return f"<Body {self.name!r}: {self.link.joint}>"
+
+    def position(self, point: Sequence[Any] = (0, 0, 0)) -> sympy.ImmutableDenseMatrix:
+        """Return the place (3, 1) of a point of the body [m]."""
+        return self._column("position", point)
+
+    def velocity(self, point: Sequence[Any] = (0, 0, 0)) -> sympy.ImmutableDenseMatrix:
+        """Return the velocity (3, 1) of a point of the body [m / s]."""
+        return self._column("velocity", point)
+
+    @property
+    def angular_velocity(self) -> sympy.ImmutableDenseMatrix:
+        """(3, 1) [rad / s]"""
+        return self._column("angular_velocity", ())
+
+    @property
+    def rotation(self) -> sympy.ImmutableDenseMatrix:
+        """R (3, 3): its columns are the body's axes."""
+        entries = [_call(Quantity("rotation", self._chain, (), (i, j))) for i in range(3) for j in range(3)]
+        return sympy.ImmutableDenseMatrix(3, 3, entries)
+
+    def _column(self, kind: str, point: Sequence[Any]) -> sympy.ImmutableDenseMatrix:
+        vector = _expressions(point, f"{kind} of {self.name}", 3) if kind in ("position", "velocity") else ()
+        return sympy.ImmutableDenseMatrix([_call(Quantity(kind, self._chain, vector, (k,))) for k in range(3)])
+
+
+class Tree:
+    """Bodies joined to the ground and to each other, without loops; a loop is closed by constraints of the model.
+
+    Parameters
+    ----------
+    gravity
+        (3,) acceleration of gravity in the axes of the ground [m / s^2]; numbers, or expressions in parameters.
+
+    Examples
+    --------
+    A double pendulum of rods, with a spring between the tip and the ground:
+
+    >>> import eigenmotion as em
+    >>> from sympy import symbols
+    >>> m, l, k = symbols("m l k", positive=True)
+    >>> tree = em.Tree()
+    >>> rod = {"mass": m, "center": (0, 0, -l / 2), "inertia": (m * l**2 / 12, m * l**2 / 12, 0), "axis": "y"}
+    >>> upper = tree.body("upper", joint="revolute", **rod)
+    >>> lower = tree.body("lower", upper, joint="revolute", at=(0, 0, -l), **rod)
+    >>> tip = lower.position((0, 0, -l))
+    >>> model = em.Model(
+    ...     name="rods",
+    ...     coordinates=tree.coordinates,
+    ...     kinetic_energy=tree.kinetic_energy,
+    ...     potential_energy=tree.potential_energy + k * tip[0] ** 2 / 2,
+    ...     parameters={m: 1.0, l: 0.5, k: 20.0},
+    ...     outputs={"height": tip[2]},
+    ... )
+    >>> em.simulate(em.build(model), (0, 1)).success
+    True
+    """
+
+    def __init__(self, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
+        self.gravity = _expressions(gravity, "gravity", 3)
+        self.bodies: dict[str, Body] = {}
+        self._links: list[Link] = []
+
+    def body(
+        self,
+        name: str,
+        parent: Body | str | None = None,
+        *,
+        joint: str,
+        axis: str | Sequence[Any] = "z",
+        at: Sequence[Any] = (0, 0, 0),
+        rotation: Any = None,
+        mass: Any = 0,
+        center: Sequence[Any] = (0, 0, 0),
+        inertia: Any = 0,
+        coordinates: Sequence[sympy.Expr] | None = None,
+    ) -> Body:
+        """Add a body and return it.
+
+        Lengths, masses and inertias are numbers, or expressions in parameters of the model.
+
+        Parameters
+        ----------
+        parent
+            The body that carries it, or its name; None for the ground.
+        joint
+            "revolute", "prismatic", "cylindrical" (along and about the axis), "planar" (along x and y of the joint's
+            frame, and about z), "spherical" (modified Rodrigues parameters), "free" (the place in the parent's frame,
+            then these) or "fixed".
+        axis
+            (3,) of a revolute, prismatic or cylindrical joint, in the joint's frame: "x", "y", "z", or numbers.
+        at, rotation
+            Where the joint's frame is on the parent: its place (3,) [m], and a matrix (3, 3) whose columns are its
+            axes; None for those of the parent.
+        mass, center, inertia
+            Mass [kg], mass centre in the body's frame [m], and inertia about the mass centre in the body's axes
+            [kg m^2]: a matrix (3, 3), or (xx, yy, zz), or (xx, xy, xz, yy, yz, zz).
+        coordinates
+            Functions of time; None makes them from the name, "upper" or "upper_1", "upper_2", ...
+
+        Raises
+        ------
+        ModelError
+            A name is taken, a joint unknown, an axis zero, or numbers are missing; says which.
+        """
+        what = f"body {shown(name)}"
+        self._check(name, joint, what)
+        place = (_expressions(at, f"{what}: at", 3), _rotation(rotation, what))
+        own = (expression(mass, f"{what}: mass"), _expressions(center, f"{what}: center", 3), _inertia(inertia, what))
+        q = _coordinates(coordinates, name, _COUNTS[joint], what)
+        before = self._parent(parent, what)
+        links = _chain(name, before, joint, q, place, _axis(axis, what), own)
+        self._links += links
+        body = self.bodies[name] = Body(links[-1], q)
+        return body
+
+    @property
+    def coordinates(self) -> tuple[sympy.Expr, ...]:
+        """Coordinates of all joints, in the order of the bodies."""
+        return tuple(q for link in self._links for q in link.coordinates)
+
+    @property
+    def kinetic_energy(self) -> sympy.Expr:
+        """Kinetic energy of all bodies [J]."""
+        return _call(Quantity("kinetic_energy", tuple(self._links)))
+
+    @property
+    def potential_energy(self) -> sympy.Expr:
+        """Potential energy of gravity [J]."""
+        return _call(Quantity("potential_energy", tuple(self._links), self.gravity))
+
+    def _check(self, name: Any, joint: Any, what: str) -> None:
+        if not isinstance(name, str) or not name:
+            raise ModelError(f"{what}: its name is a text.")
+        if name in self.bodies:
+            raise ModelError(f"{what}: the tree has a body of this name. Choose another.")
+        if joint not in _COUNTS:
+            raise ModelError(f"{what}: joint is {shown(joint)}. Give one of {', '.join(JOINTS)}.")
+
+    def _parent(self, parent: Any, what: str) -> Link | None:
+        if parent is None:
+            return None
+        if isinstance(parent, Body) and parent.link in self._links:
+            return parent.link
+        if parent not in self.bodies:
+            hint = nearest(parent, self.bodies) if isinstance(parent, str) else ""
+            raise ModelError(f"{what}: its parent {shown(parent)} is no body of this tree. Add it before.{hint}")
+        return self.bodies[parent].link
+
+
+def _chain(
+    name: str, parent: Link | None, joint: str, q: tuple[sympy.Expr, ...], place: tuple[Any, Any], axis: Any, own: Any
+) -> list[Link]:
+    """Return the body, after massless ones where the joint is made of several."""
+    none = (sympy.S.Zero,) * 3
+    massless = (sympy.S.Zero, none, (sympy.S.Zero,) * 6)
+    if joint not in _COMPOSED:
+        return [Link(name, parent, joint, q, place[0], place[1], axis, *own)]
+    axes = [axis, axis] if joint == "cylindrical" else [_axis(letter, name) for letter in "xyz"]
+    links: list[Link] = []
+    for number, (kind, one, along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
+        last = number == len(q) - 1
+        links.append(
+            Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
+                 none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
+                 *(own if last else massless))
+        )  # fmt: skip
+    return links
+
+
+def _call(quantity: Quantity) -> sympy.Expr:
+    """Return a quantity as a function of its variables; a quantity of fixed bodies without parameters as a number."""
+    if quantity.variables:
+        return call(quantity)
+    raise ModelError(
+        f"{quantity.label} depends on no coordinate and no parameter. State what is fixed to the ground as numbers."
+    )
+
+
+def _expressions(given: Any, what: str, count: int) -> tuple[sympy.Expr, ...]:
+    entries = sequence_of(given, what)
+    if len(entries) != count:
+        raise ModelError(f"{what} has {len(entries)} entries. Give {count}.")
+    return tuple(_exact(expression(entry, f"{what}[{k}]")) for k, entry in enumerate(entries))
+
+
+def _exact(value: sympy.Expr) -> sympy.Expr:
+    """Return whole floating-point numbers as integers, so that what is zero is seen to be."""
+    return sympy.Integer(int(value)) if value.is_Float and value == int(value) else value
+
+
+def _rotation(given: Any, what: str) -> tuple[sympy.Expr, ...]:
+    if given is None:
+        return tuple(map(sympy.Integer, _UNIT))
+    R = _matrix(given, f"{what}: rotation")
+    if R.free_symbols:
+        return tuple(map(_exact, R.flat()))
+    error = float(max(map(abs, (R.T * R - sympy.eye(3)).evalf())))
+    if error > _SKEW or float(R.det()) < 0:
+        raise ModelError(
+            f"{what}: rotation is no rotation: R^T R differs from 1 by {error:.1e}, and its determinant is "
+            f"{float(R.det()):.3f}. Give the axes as columns, of length 1, right-handed."
+        )
+    for _ in range(2 if error > 1e-15 else 0):  # Newton's iteration for the nearest rotation: R (3 - R^T R) / 2
+        R = R.evalf(30)
+        R = R * (3 * sympy.eye(3) - R.T * R) / 2
+    return tuple(_exact(sympy.Float(entry, 15)) for entry in R.flat())
+
+
+def _matrix(given: Any, what: str) -> sympy.Matrix:
+    try:
+        R = sympy.Matrix(given)
+    except Exception as error:  # SymPy raises its own errors, and those of what it is given
+        raise ModelError(f"{what} is {shown(given)}, not a matrix (3, 3).") from error
+    if R.shape != (3, 3):
+        raise ModelError(f"{what} has the shape {R.shape}. Give (3, 3).")
+    return R.applyfunc(lambda entry: expression(entry, what))
+
+
+def _inertia(given: Any, what: str) -> tuple[sympy.Expr, ...]:
+    name = f"{what}: inertia"
+    if given == 0 and not isinstance(given, (list, tuple)):
+        return (sympy.S.Zero,) * 6
+    shape = getattr(given, "shape", None)
+    if shape == (3, 3) or (shape is None and any(isinstance(row, (list, tuple)) for row in sequence_of(given, name))):
+        J = _matrix(given, name)
+        if any(sympy.simplify(entry) != 0 for entry in (J - J.T).applyfunc(sympy.nsimplify)):
+            raise ModelError(f"{name} is not symmetric.")
+        return tuple(_exact(J[i, j]) for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)))
+    entries = sequence_of(given, name)
+    if len(entries) == 3:
+        xx, yy, zz = entries
+        entries = (xx, 0, 0, yy, 0, zz)
+    return _expressions(entries, name, 6)
+
+
+def _axis(given: Any, what: str) -> tuple[sympy.Expr, ...]:
+    """Return a direction of length 1."""
+    if isinstance(given, str) and given in ("x", "y", "z"):
+        return tuple(sympy.Integer(given == letter) for letter in "xyz")
+    if isinstance(given, str):
+        raise ModelError(f"{what}: axis is {shown(given)}. Give x, y, z or three numbers.")
+    entries = _expressions(given, f"{what}: axis", 3)
+    if any(entry.free_symbols for entry in entries):
+        raise ModelError(f"{what}: its axis contains parameters. Give numbers, and turn it by `rotation`.")
+    numbers = [float(entry) for entry in entries]
+    length = math.hypot(*numbers)
+    if not length:
+        raise ModelError(f"{what}: its axis is zero. Give a direction.")
+    return tuple(_exact(sympy.Float(number / length)) for number in numbers)
+
+
+def _coordinates(given: Any, name: str, count: int, what: str) -> tuple[sympy.Expr, ...]:
+    if given is None:
+        names = [name] if count == 1 else [f"{name}_{k + 1}" for k in range(count)]
+        return tuple(dynamicsymbols(one) for one in names)
+    q = sequence_of(given, f"{what}: coordinates")
+    if len(q) != count or any(getattr(one, "args", ()) != (t,) for one in q):
+        raise ModelError(f"{what}: coordinates is {shown(given)}. Give {count} functions of time: dynamicsymbols.")
+    return q

@@ -1,0 +1,1 @@
+"""Trees of bodies: recursions, functions of places and velocities, models with trees."""

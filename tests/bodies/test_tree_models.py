@@ -1,0 +1,130 @@
+"""Models with trees of bodies against the same mechanisms written as energies, and their build's proof."""
+
+import numpy as np
+import pytest
+import sympy
+from sympy import cos, sin, symbols
+
+import eigenmotion as em
+from tests.support.random_trees import RandomTree
+
+t = em.t
+
+
+def spring_pendulum():
+    """A rod on a slider, with a spring at its tip and friction in its pin, as a tree and as energies."""
+    m, l, k, M, g = symbols("m l k M g", positive=True)
+    tree = em.Tree(gravity=(0, 0, -g))
+    cart = tree.body("cart", joint="prismatic", axis="x", mass=M)
+    rod = tree.body(
+        "rod", cart, joint="revolute", axis="y", mass=m, center=(0, 0, -l / 2), inertia=(0, m * l**2 / 12, 0)
+    )
+    x, q = tree.coordinates
+    tip = rod.position((0, 0, -l))
+    values = {m: 1.3, l: 0.7, k: 40.0, M: 2.0, g: 9.81}
+    rest = {"parameters": values, "initial": {q: 0.8, x.diff(): 0.3}, "forces": {q: -q.diff() / 20}}
+    made = em.Model(name="spring_tree", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                    potential_energy=tree.potential_energy + k * tip[0] ** 2 / 2,
+                    outputs={"height": tip[2], "speed": rod.velocity((0, 0, -l))[0], "rate": tip[0].diff(t),
+                             "turn": rod.rotation[0, 2], "spin": rod.angular_velocity[1]}, **rest)  # fmt: skip
+    centre, end = sympy.Matrix([x - l / 2 * sin(q), -l / 2 * cos(q)]), sympy.Matrix([x - l * sin(q), -l * cos(q)])
+    v = centre.diff(t)
+    by_hand = em.Model(name="spring_energies", coordinates=tree.coordinates,
+                       kinetic_energy=M * x.diff() ** 2 / 2 + m * v.dot(v) / 2 + m * l**2 * q.diff() ** 2 / 24,
+                       potential_energy=m * g * centre[1] + k * end[0] ** 2 / 2,
+                       outputs={"height": end[1], "speed": end[0].diff(t), "rate": end[0].diff(t), "turn": sin(q),
+                                "spin": q.diff()}, **rest)  # fmt: skip
+    return made, by_hand
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange", "inverse"])
+def test_a_tree_moves_as_its_energies_say(formulation):
+    made, by_hand = (em.build(one, formulation=formulation) for one in spring_pendulum())
+    at = np.linspace(0.0, 3.0, 31)
+    first, second = (em.simulate(one, (0, 3), t_eval=at, rtol=1e-11, atol=1e-12) for one in (made, by_hand))
+    assert np.abs(first.x - second.x).max() < 1e-9
+    assert np.abs(first.energy - second.energy).max() < 1e-9
+    for name in ("height", "speed", "rate", "turn", "spin"):
+        assert np.abs(first.outputs[name] - second.outputs[name]).max() < 1e-9
+
+
+@pytest.mark.parametrize("seed", [3, 5, pytest.param(8, marks=pytest.mark.nightly)])
+def test_builds_of_random_trees_are_proved(seed):
+    """The proof compares M, forces, energies and outputs with forward kinematics; a mass at the end of each branch."""
+    made = RandomTree(seed)
+    tree, last = made.tree, made.bodies[-1]
+    for body in made.bodies:
+        tree.body(f"load of {body.name}", body, joint="fixed", at=(0.2, 0.1, 0), mass=0.7, inertia=(0.1, 0.2, 0.15))
+    model = em.Model(name=f"tree{seed}", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     potential_energy=tree.potential_energy, parameters=made.parameters,
+                     outputs={"x": last.position((1, 2, 3))[0], "v": last.velocity((1, 2, 3))[1]})  # fmt: skip
+    system = em.build(model)
+    x, v = np.full(system.n, 0.2), np.full(system.n, 0.3)
+    start = em.simulate(system, (0, 0.2), x0=x, v0=v, rtol=1e-10)
+    assert start.success
+    assert np.ptp(start.energy) < 1e-7 * max(1.0, np.abs(start.energy).max())
+
+
+def test_a_free_body_keeps_its_angular_momentum():
+    tree = em.Tree(gravity=(0, 0, 0))
+    body = tree.body("box", joint="free", mass=2.0, center=(0.1, 0, 0), inertia=(1.0, 2.0, 2.5))
+    R, w = body.rotation, body.angular_velocity
+    J = R * sympy.diag(1.0, 2.0, 2.5) * R.T
+    c, vc = body.position((0.1, 0, 0)), body.velocity((0.1, 0, 0))
+    L = J * w + 2.0 * c.cross(vc)
+    model = em.Model(name="box", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     initial={q.diff(): rate for q, rate in zip(tree.coordinates, (1, 0, 0, 0.1, 0.4, 0), strict=True)},
+                     outputs={f"L{k}": L[k] for k in range(3)} | {f"P{k}": 2.0 * vc[k] for k in range(3)})  # fmt: skip
+    run = em.simulate(em.build(model), (0, 3), rtol=1e-11, atol=1e-13)
+    for name in model.outputs:
+        assert np.ptp(run.outputs[name[0]]) < 1e-9
+    assert np.ptp(run.energy) < 1e-9
+
+
+def test_the_place_of_a_closed_loop_is_a_constraint():
+    """A four-bar: two rods on the ground and a coupler, whose end is held at the second rod."""
+    tree = em.Tree(gravity=(0, -9.81, 0))
+    rod = {"joint": "revolute", "axis": "z", "mass": 1.0, "inertia": (0, 0, 0.02)}
+    crank = tree.body("crank", center=(0.15, 0, 0), **rod)
+    coupler = tree.body("coupler", crank, at=(0.3, 0, 0), center=(0.4, 0, 0), **rod)
+    rocker = tree.body("rocker", at=(0.7, 0, 0), center=(0.3, 0, 0), **rod)
+    gap = (coupler.position((0.8, 0, 0)) - rocker.position((0.6, 0, 0)))[:2]
+    a, b, c = tree.coordinates
+    fourbar = em.Model(name="fourbar_tree", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                       potential_energy=tree.potential_energy, holonomic_constraints={"pin": gap},
+                       initial={a: 1.0, b: -0.6, c: 1.5, a.diff(): 2.0})  # fmt: skip
+    by_hand_gap = [0.3 * cos(a) + 0.8 * cos(a + b) - 0.7 - 0.6 * cos(c), 0.3 * sin(a) + 0.8 * sin(a + b) - 0.6 * sin(c)]
+    places = [sympy.Matrix([0.15 * cos(a), 0.15 * sin(a)]),
+              sympy.Matrix([0.3 * cos(a) + 0.4 * cos(a + b), 0.3 * sin(a) + 0.4 * sin(a + b)]),
+              sympy.Matrix([0.7 + 0.3 * cos(c), 0.3 * sin(c)])]  # fmt: skip
+    T = sum(p.diff(t).dot(p.diff(t)) / 2 for p in places)
+    T += 0.01 * (a.diff() ** 2 + (a + b).diff(t) ** 2 + c.diff() ** 2)
+    by_hand = em.Model(name="fourbar_energies", coordinates=tree.coordinates, kinetic_energy=T,
+                       potential_energy=9.81 * sum(p[1] for p in places), holonomic_constraints={"pin": by_hand_gap},
+                       initial=dict(fourbar.initial))  # fmt: skip
+    systems = [em.build(one) for one in (fourbar, by_hand)]
+    starts = [em.assemble(system) for system in systems]
+    at = np.linspace(0.0, 2.0, 21)
+    first, second = (em.simulate(system, (0, 2), x0=start[0], v0=start[1], t_eval=at, rtol=1e-11, atol=1e-12)
+                     for system, start in zip(systems, starts, strict=True))  # fmt: skip
+    assert np.abs(first.x - second.x).max() < 1e-8
+    assert np.abs(first.multipliers - second.multipliers).max() < 1e-6
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"joint": "ball"}, "joint is 'ball'. Give one of fixed, revolute"),
+    ({"name": "first"}, "has a body of this name"),
+    ({"parent": "frist"}, "Did you mean 'first'?"),
+    ({"axis": (0, 0, 0)}, "its axis is zero"),
+    ({"rotation": [[1, 0, 0], [0, 1, 0], [0, 1, 1]]}, "rotation is no rotation"),
+    ({"rotation": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}, "determinant is -1"),
+    ({"inertia": [[1, 2, 0], [0, 1, 0], [0, 0, 1]]}, "not symmetric"),
+    ({"at": (1, 2)}, "has 2 entries. Give 3"),
+    ({"coordinates": [symbols("q")]}, "functions of time"),
+])  # fmt: skip
+def test_mistakes_are_named(change, words):
+    tree = em.Tree()
+    tree.body("first", joint="revolute", mass=1.0)
+    arguments = {"name": "second", "parent": "first", "joint": "revolute"} | change
+    with pytest.raises(em.ModelError, match=words.replace("(", r"\(").replace(")", r"\)").replace("?", r"\?")):
+        tree.body(**arguments)
