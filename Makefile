@@ -67,9 +67,9 @@ $(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/ei
 	$(BIN)/python docs/making/exhibit.py $*
 	touch $@
 
-# Side by side, and all that there is to say
+# Side by side, and all that there is to say; who says --jobs says how many
 check: $(READY)
-	$(MAKE) --no-print-directory --jobs=2 --keep-going lint types generated
+	$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,--jobs=2) --keep-going lint types generated
 
 lint: $(READY)
 	$(BIN)/ruff check .
