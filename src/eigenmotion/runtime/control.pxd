@@ -1,6 +1,6 @@
 # Declarations of em_control.h: the C stepper.
 
-from .abi cimport em_fault, em_method, em_model, em_run, em_signal
+from .abi cimport em_model, em_run, em_signal
 
 cdef extern from "em_control.h" nogil:
     ctypedef struct em_stepper:

@@ -4,7 +4,7 @@
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN
 from libc.stdlib cimport calloc, free, malloc
-from libc.string cimport memcpy, memset
+from libc.string cimport memcpy
 
 from .abi cimport EM_DOP853, em_fault, em_method, em_model, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, floats, zeros

@@ -1,6 +1,6 @@
 # Declarations of em_steppers.h and em_steppers_saved.h: K steppers of one model.
 
-from .abi cimport em_fault, em_model, em_run, em_rows
+from .abi cimport em_fault, em_model, em_run
 
 
 cdef extern from "batch/em_steppers_saved.h" nogil:

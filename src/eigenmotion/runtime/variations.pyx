@@ -16,7 +16,7 @@ from .run cimport Run
 
 import numpy as np
 
-from .status.stop_reasons import EvaluationError, StopReason, explain
+from .status.stop_reasons import EvaluationError, StopReason
 
 
 cdef extern from "sensitivity/em_variations.h" nogil:

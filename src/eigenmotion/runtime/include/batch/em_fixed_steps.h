@@ -71,27 +71,36 @@ EM_INLINE void em_fixed_combine(const int width, const em_fixed_steps *w, const 
     }
 }
 
-/* y_new <- a step from y at t; NaN in lanes that fail. */
-EM_INLINE void em_fixed_step(const int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
-                                const double *u) {
+/* K (n_state, width) <- the rates; in one lane by the scalar code: 0, or -1 and *fault. */
+EM_INLINE int em_fixed_rate(const int width, const em_model *model, const double *t, const double *y, const double *c,
+                            const double *u, double *K, em_fault *fault) {
+    if (width == 1) return model->rhs(*t, y, c, u, K, fault);
+    model->lanes->rhs(0, t, y, c, u, 0, K);
+    return 0;
+}
+
+/* y_new <- a step from y at t; NaN in lanes that fail. 0, or -1 as em_fixed_rate. */
+EM_INLINE int em_fixed_step(const int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
+                            const double *u, em_fault *fault) {
     const em_tableau *const rk = w->rk;
     for (int stage = 0; stage < rk->stages; ++stage) {
         double *const K = w->K + stage * w->model->n_state * width;
         for (int lane = 0; lane < width; ++lane) w->t_stage[lane] = t[lane] + rk->c[stage] * w->h[lane];
         if (stage > 0) em_fixed_combine(width, w, rk->a[stage], stage, y, w->argument);
-        w->model->lanes->rhs(0, w->t_stage, stage > 0 ? w->argument : y, c, u, 0, K);
+        if (em_fixed_rate(width, w->model, w->t_stage, stage > 0 ? w->argument : y, c, u, K, fault)) return -1;
     }
     em_fixed_combine(width, w, rk->a[rk->stages], rk->stages, y, w->y_new);
     for (int lane = 0; lane < width; ++lane) w->sound[lane] = 0.0;
     for (int k = 0; k < w->model->n_state; ++k) /* NaN and infinity survive a product with zero */
         for (int lane = 0; lane < width; ++lane) w->sound[lane] += 0.0 * w->y_new[k * width + lane];
+    return 0;
 }
 
 static void em_fixed_any(int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
                             const double *u) {
-    if (width == 8) em_fixed_step(8, w, t, y, c, u);
-    else if (width == 4) em_fixed_step(4, w, t, y, c, u);
-    else em_fixed_step(2, w, t, y, c, u);
+    if (width == 8) em_fixed_step(8, w, t, y, c, u, NULL);
+    else if (width == 4) em_fixed_step(4, w, t, y, c, u, NULL);
+    else em_fixed_step(2, w, t, y, c, u, NULL);
 }
 
 /* Copies the numbers of one lane out of a table (count, width). */
@@ -108,24 +117,16 @@ EM_NOINLINE int em_fixed_alone(int width, int lane, const em_fixed_steps *w, dou
                               const double *u, em_fault *fault) {
     const em_model *const model = w->model;
     const int n = model->n_state;
-    double K[EM_LOCKSTEP_STAGES][n], argument[n], before[n], constants[model->n_prepared + 1], inputs[model->n_inputs + 1];
+    double place[em_fixed_numbers(model)], before[n], constants[model->n_prepared + 1], inputs[model->n_inputs + 1];
+    const em_fixed_steps one = em_fixed_at(model, w->rk, w->size, place);
     em_lane_out(width, lane, n, y, before);
     em_lane_out(width, lane, model->n_prepared, c, constants);
     em_lane_out(width, lane, model->n_inputs, u, inputs);
-    for (int stage = 0; stage <= w->rk->stages; ++stage) {
-        const double *const a = w->rk->a[stage];
-        for (int k = 0; k < n; ++k) {
-            double sum = 0.0;
-            for (int j = 0; j < stage; ++j)
-                if (a[j] != 0.0) sum += a[j] * K[j][k];
-            argument[k] = before[k] + w->h[lane] * sum;
-        }
-        if (stage == w->rk->stages) break;
-        if (model->rhs(t + w->rk->c[stage] * w->h[lane], argument, constants, inputs, K[stage], fault)) return -1;
-    }
+    *one.h = w->h[lane];
+    if (em_fixed_step(1, &one, &t, before, constants, inputs, fault)) return -1;
     for (int k = 0; k < n; ++k)
-        if (!isfinite(argument[k])) return *fault = (em_fault){EM_NON_FINITE_STATE, k % model->n, -1, t}, -1;
-    em_lane_in(width, lane, n, argument, w->y_new);
+        if (!isfinite(one.y_new[k])) return *fault = (em_fault){EM_NON_FINITE_STATE, k % model->n, -1, t}, -1;
+    em_lane_in(width, lane, n, one.y_new, w->y_new);
     return 0;
 }
 
