@@ -127,6 +127,27 @@ def test_a_path_whose_acceleration_jumps_rejects_few_steps(origin):
         np.testing.assert_allclose(found.x[0], curve(found.t), rtol=0, atol=1e-14 + 1e-15 * origin)
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("origin", [1e8, 1e9])
+def test_a_path_is_followed_however_late_it_is(origin, method):
+    """Times are coarser than the tolerances there; the run once ended at a knot, with words of dependent rows."""
+    model = em.Model(
+        name="driven_crank", coordinates=[x, y], inputs={path: 0.0}, holonomic_constraints={"drive": x - path},
+        kinetic_energy=(2 * x.diff() ** 2 + y.diff() ** 2 + y**2 * x.diff() ** 2) / 2,
+        potential_energy=9.81 * y * sympy.sin(x) + 200 * (y - 0.5) ** 2 / 2, initial={y: 0.5},
+    )  # fmt: skip
+    system = system_for(model, "lagrange")
+    knots = np.linspace(0.0, 10.0, 21)
+    curve = si.PchipInterpolator(knots + origin, np.sin(knots))
+    start = {"x0": [float(curve(origin)), 0.5], "v0": [float(curve(origin, 1)), 0.0]}
+    found = system.simulate((origin, origin + 4), inputs={"path": curve}, rtol=1e-8, method=method, **start)
+    assert found.success
+    np.testing.assert_allclose(found.x[0], curve(found.t), rtol=0, atol=1e-15 * origin)
+    early = si.PchipInterpolator(knots, np.sin(knots))
+    right = system.simulate((0, 4), inputs={"path": early}, rtol=1e-11, method=method, **start)
+    np.testing.assert_allclose(found.x[1, -1], right.x[1, -1], rtol=0, atol=1e-15 * origin + 1e-6)
+
+
 # --- rough joins in coordinates -------------------------------------------------------------------------------------
 
 MOST = {"dop853": 3.0, "ra15": 10.0, "radau9": 4.0}
