@@ -168,6 +168,17 @@ def test_steppers_derivatives_and_linear_models_follow_it(system):
     assert system.linearize([0.3, 0.0], [0.0, 0.0], inputs={"path": 0.3}).B.shape[1] == 1
 
 
+def test_sensitivities_name_the_curve_whose_acceleration_jumps_and_a_smoother_one(system):
+    given = {"t_span": (0, 2), "sensitivities": ["force"], "v0": {"q": motion(0, 1)}, "rtol": 1e-9}
+    knots = np.linspace(0.0, 4.0, 9)
+    rough = PchipInterpolator(knots, motion(knots))
+    with pytest.raises(em.ModelError, match=r"jumps at about t = 0\.5.*\(path\), give it a smoother one, CubicSpline"):
+        system.simulate(**given | {"v0": {"q": float(rough(0.0, 1))}}, inputs={"path": rough})
+    ends = ((1, motion(0, 1)), (1, motion(10.0, 1)))
+    found = system.simulate(**given, inputs={"path": CubicSpline(TIMES, motion(TIMES), bc_type=ends)})
+    np.testing.assert_allclose(found.sensitivity["force"].dx[:, -1], [0.0, 2.0], rtol=0, atol=1e-8)
+
+
 def test_a_model_travels_with_its_prescribed_input():
     model = driven()
     again = pickle.loads(pickle.dumps(model))

@@ -12,7 +12,7 @@ from ...arguments.tasks import Task
 from ...codegen.model.normalise import ModelError
 from ...results.sensitivity import Sensitivity, parts_of
 from ...results.solution import Solution
-from ...runtime import EvaluationError, Run
+from ...runtime import CompiledModel, EvaluationError, Run
 from ...runtime.variations import quasi_partials, tangent, vary
 from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
 from .run_path import Path, path_of
@@ -111,8 +111,7 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
     path, parts = path_of(task, solution), partial(parts_of, task.model)
     S, shifts, fault = _varied(task, solution, varied, path, TOGETHER.get(method.name, 3.0))
     if fault is not None and solution.success:  # otherwise the message of the failed run says why
-        remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
-                  "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
+        remedy = _remedy(task.model) if "jumps" in str(fault) else "end the run before"
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
     rows = S[path.of_rows].T  # (columns, 2 n, k)
     if not task.model.events:
@@ -121,6 +120,16 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
         name: Sensitivity.of(*parts(one), [shifts[marks, column] for marks in path.of_events])
         for column, (name, one) in enumerate(zip(varied.names, rows, strict=True))
     }
+
+
+def _remedy(c: CompiledModel) -> str:
+    """Return what to do about a force that jumps."""
+    event = "give the model an event whose expression passes through zero where the force jumps, or make it smooth"
+    names = ", ".join(dict.fromkeys([*c.prescribed, *c.tables]))
+    if not names:
+        return event
+    return (f"where it jumps at a join of a table or a signal ({names}), give it a smoother one, CubicSpline(points, "
+            f"values) or make_interp_spline(points, values, k=5) of SciPy; elsewhere, {event}")  # fmt: skip
 
 
 def _varied(
