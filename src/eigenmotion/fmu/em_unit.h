@@ -145,11 +145,12 @@ static int em_unit_refuses(em_unit *unit, unsigned reference, double value) {
     return 1;
 }
 
-/* Whether a reference is that of a table, which a unit does not change. */
-static int em_unit_is_table(const em_model *m, unsigned reference) {
+/* What a reference is if it is that of a table, which a unit does not change; otherwise NULL. */
+static const char *em_unit_table(const em_model *m, unsigned reference) {
     for (int k = 0; k < m->n_tables; ++k)
-        if (reference == (unsigned)m->tables[k].parameter) return 1;
-    return 0;
+        if (reference == (unsigned)m->tables[k].parameter)
+            return m->tables[k].is_input ? "prescribes a motion" : "is a table";
+    return NULL;
 }
 
 /* A number by its reference. 0, or -1 and words. */
@@ -161,9 +162,10 @@ static int em_unit_set(em_unit *unit, unsigned reference, double value) {
                                                                                : "no number that can be set");
         return -1;
     }
-    if (value != 0.0 && em_unit_is_table(unit->model, reference)) {
-        snprintf(unit->words, sizeof unit->words, "%s is a table, which a unit has as it was exported: leave it at 0",
-                 unit->model->parameters[reference]);
+    const char *const table = em_unit_table(unit->model, reference);
+    if (value != 0.0 && table != NULL) {
+        snprintf(unit->words, sizeof unit->words, "%s %s, which a unit has as it was exported: leave it at 0",
+                 unit->model->parameters[reference], table);
         return -1;
     }
     if (em_unit_refuses(unit, reference, value)) return -1;

@@ -55,6 +55,12 @@ def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float
     arguments = values(model, settings)
     if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & arguments.get("v0", {}).keys()):
         raise click.UsageError(f"--set {speeds[0]}: a page has rates, not quasi-velocities")
+    tables = {table.name for table in model.tables}
+    if curves := sorted(tables & {name for kind in ("parameters", "inputs") for name in arguments.get(kind, {})}):
+        what = "prescribes a motion" if curves[0] in model.prescribed else "is a table"
+        raise click.UsageError(
+            f"--set {curves[0]}: it {what}, and a page has that of its model. Change it in the model"
+        )
     return arguments
 
 

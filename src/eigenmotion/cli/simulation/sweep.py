@@ -4,7 +4,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -122,7 +122,7 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
     if not whole:
         click.echo(f"interrupted; --resume goes on where {work.parts.store} was left", err=True)
         return 130
-    click.echo(_summary(work.parts, work.design.count, time.perf_counter() - start))
+    click.echo(_summary(work.parts, work.design.count, time.perf_counter() - start, work.words))
     if plot:
         click.echo(f"drawn to {save_figure(_picture(work.system, work.design, work.parts), plot)}")
     finish(work.parts)
@@ -150,6 +150,8 @@ class _Sweep:
     t_end: float
     settings: dict[str, dict[str, float]]
     options: dict[str, Any]
+    words: dict[str, str] = field(default_factory=dict)
+    """Reason of a failure -> the message of a run with that reason, of the parts that this process made."""
 
     def run(self, workers: int | None, executor: Any) -> bool:
         """Run the missing parts; return whether all parts exist (not after Ctrl-C)."""
@@ -181,6 +183,8 @@ class _Sweep:
         runs = simulate_ensemble(self.system, (0.0, self.t_end), **options)
         if "interrupted" in runs.stop:
             return False
+        for k in np.flatnonzero(~runs.success).tolist():
+            self.words.setdefault(str(runs.stop[k]), runs.message(k))
         arrays, start = arrays_of(runs, swept), 0
         for number in numbers:
             stop = start + self._size(number)
@@ -228,8 +232,8 @@ def _executor(scheduler: str | None) -> Iterator[Any]:
         yield client.get_executor(retries=3)
 
 
-def _summary(parts: Parts, count: int, seconds: float) -> str:
-    """Return a text with the number of runs, the time, and the failures with their reasons."""
+def _summary(parts: Parts, count: int, seconds: float, words: dict[str, str]) -> str:
+    """Return a text with the number of runs, the time, and the failures with their reasons, each with one message."""
     stops, first, where = Counter[str](), 0, dict[str, list[int]]()
     for arrays in parts.arrays():
         stops.update(arrays["stop"].tolist())
@@ -245,6 +249,8 @@ def _summary(parts: Parts, count: int, seconds: float) -> str:
             f"  (run {', '.join(map(str, where[stop]))}{', ...' if number > _SHOWN else ''})" if stop in where else ""
         )
         lines.append(f"  {number:>9} {stop}{runs}")
+        if stop in where and stop in words:
+            lines.append(f"            {words[stop]}")
     return "\n".join(lines)
 
 
