@@ -1,6 +1,7 @@
 """`make fuzz`: random trees and mechanisms by the thousand; prints what is wrong and a line of counts, exits with 1.
 
-    python -m tests.fuzz [--trees N] [--mechanisms N] [--states N] [--first SEED] [--workers N]
+    python -m tests.fuzz [--trees N] [--mechanisms N] [--states N] [--tables N] [--driven N]
+                         [--first SEED] [--workers N]
 
 Everything wrong is named by its seed: `--first SEED --trees 1 --mechanisms 0` looks at it again.
 """
@@ -19,7 +20,7 @@ from dataclasses import fields
 
 from eigenmotion.building.toolchain import OPTIMISED, toolchain
 
-from .equations import mechanism_checks, state_checks
+from .equations import mechanism_checks, state_checks, table_checks
 from .graph import tree_checks
 from .support.generation import FORMULATIONS
 
@@ -55,6 +56,22 @@ def one_with_states(seed: int) -> mechanism_checks.Counts:
     return counts
 
 
+def one_with_tables(seed: int, driven: bool = False) -> mechanism_checks.Counts:
+    """Two formulations in turn of a mechanism with tables; now and then the Jacobian of eta."""
+    counts = mechanism_checks.Counts()
+    kind = {"tables": not driven or seed % 2 == 0, "driven": driven}
+    with _noted(f"{'driven' if driven else 'tables'} {seed}", counts.wrong):
+        table_checks.check(seed, counts, FORMULATIONS[seed % 2 :: 2], *OPTIMISED, *toolchain().flags, **kind)
+        if seed % mechanism_checks.RUN_EVERY == 0:
+            table_checks.check_jacobian(seed, counts, **kind)
+    return counts
+
+
+def one_driven(seed: int) -> mechanism_checks.Counts:
+    """The same with motions that signals prescribe; every other one has tables, too."""
+    return one_with_tables(seed, driven=True)
+
+
 @contextmanager
 def _noted(what: str, wrong: list[str]) -> Iterator[None]:
     """Whatever is raised counts as wrong. NumPy's oracles pass through the roots that a Piecewise does not choose."""
@@ -86,6 +103,8 @@ def main() -> int:
         ("trees", 10_000),
         ("mechanisms", 300),
         ("states", 40),
+        ("tables", 100),
+        ("driven", 100),
         ("first", 0),
         ("workers", os.cpu_count() or 1),
     ):
@@ -94,7 +113,8 @@ def main() -> int:
     lines, wrong = [], 0
     with ProcessPoolExecutor(asked.workers) as pool:
         kinds = (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms),
-                 ("states", one_with_states, asked.states))  # fmt: skip
+                 ("states", one_with_states, asked.states), ("tables", one_with_tables, asked.tables),
+                 ("driven", one_driven, asked.driven))  # fmt: skip
         for name, check, count in kinds:
             start = time.monotonic()
             found = list(swept(check, range(asked.first, asked.first + count), pool))

@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy
@@ -161,19 +162,25 @@ class Maker:
 
     def model(self) -> Model:
         """Return the mechanism."""
+        return Model(**self.fields())
+
+    def fields(self) -> dict[str, Any]:
+        """Return what the mechanism is made of, by name."""
         quasi, (holonomic, others) = self.quasi(), self.rows()
         T = self.kinetic_energy()
         if quasi:
             w = list(quasi)
             T += self.m[0] * w[0] ** 2 / 2 + w[-1] * self.random.choice(w) * self.k / 4 + w[-1] ** 2 * self.k
             others = [row + w[-1] * self.factor() for row in others]
-        return Model(
-            name=f"fuzz_{self.seed}", coordinates=self.q, kinetic_energy=T, potential_energy=self.potential_energy(),
-            forces=self.forces(), holonomic_constraints=holonomic, nonholonomic_constraints=others,
-            quasi_velocities=quasi, parameters=self.values, inputs={self.u: 0.7},
-            scales={q: self.random.choice((1, 1, 0.1, 30)) for q in self.q}, outputs={"first": self.q[0] * self.v[0]},
-            initial={q: self.random.uniform(-2, 2) for q in self.q},
-        )  # fmt: skip
+        return {
+            "name": f"fuzz_{self.seed}", "coordinates": self.q, "kinetic_energy": T,
+            "potential_energy": self.potential_energy(), "forces": self.forces(),
+            "holonomic_constraints": holonomic, "nonholonomic_constraints": others, "quasi_velocities": quasi,
+            "parameters": self.values, "inputs": {self.u: 0.7},
+            "scales": {q: self.random.choice((1, 1, 0.1, 30)) for q in self.q},
+            "outputs": {"first": self.q[0] * self.v[0]},
+            "initial": {q: self.random.uniform(-2, 2) for q in self.q},
+        }  # fmt: skip
 
     def state(self) -> State:
         """Return a state at random."""
