@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from .model import ModelError
 
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
-CARRY_V = ("lagrange", "inverse")
+OF_TREES = ("articulated_body",)
+"""Formulations of models whose masses are in trees of bodies."""
+CARRY_V = ("lagrange", "inverse", *OF_TREES)
 """Formulations whose state is (x, xdot)."""
 CLOSE_EIGENVALUES = ("bounded", "extrapolate")
 SCHUR = ("auto", "factor", "eigenfactor")
@@ -28,7 +30,7 @@ class Choices:
     schur: str = "auto"
 
     def __post_init__(self) -> None:
-        _check("formulation", self.formulation, FORMULATIONS)
+        _check("formulation", self.formulation, (*FORMULATIONS, *OF_TREES))
         _check("close_eigenvalues", self.close_eigenvalues, CLOSE_EIGENVALUES)
         _check("schur", self.schur, SCHUR)
 

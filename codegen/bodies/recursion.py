@@ -3,11 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
-from .inertia import Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
+from ..graph.store import Node
+from .inertia import ArticulatedInertia, Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
 from .links import Links, Moving
 from .scalar import HALF, Scalar, Vector, dot, total
+
+
+@dataclass(frozen=True, slots=True)
+class Articulated:
+    """A joint of articulated bodies: U = I S, D = S^T U.
+
+    pivots : (d,) diagonal of D; inverse : (d, d) D^-1; gains : (d) rows of D^-1 U^T
+    passed : I - U D^-1 U^T, the inertia that the parent feels
+    """
+
+    pivots: list[Scalar]
+    inverse: list[list[Scalar]]
+    gains: list[Spatial]
+    passed: ArticulatedInertia
 
 
 class Dynamics:
@@ -16,6 +32,7 @@ class Dynamics:
     def __init__(self, links: Links) -> None:
         self.links, self.graph, self.zero, self.still = links, links.graph, links.zero, links.still
         self.n = len(links.q)
+        self._articulated: dict[tuple[Node, ...], list[Articulated]] = {}
 
     # -- motions ---------------------------------------------------------------------------------------------------
 
@@ -133,44 +150,77 @@ class Dynamics:
             forces = [self.up(moving[at], force) for force in forces]
             at = moving[at].parent
 
-    def accelerations(self, forces: Sequence[Scalar], gravity: Vector) -> list[Scalar]:
-        """Return qddot (n,) under the forces (n,) of the joints: articulated bodies."""
-        inward = self._articulated(forces)
-        moving, biases, ground = self.links.moving, self.motions[1], self.ground(gravity)
+    def accelerations(self, forces: Sequence[Scalar], gravity: Vector, armature: Sequence[Scalar] = ()) -> list[Scalar]:
+        """Return qddot (n,) under the forces (n,) of the joints: articulated bodies.
+
+        Parameters
+        ----------
+        armature
+            (n,) inertia of each coordinate besides that of the bodies; () for none.
+        """
+        velocities, biases = self.motions
+        bodies = zip(self.links.moving, velocities, strict=True)
+        bias = [crossed_force(v, body.inertia * v) for body, v in bodies]
+        return self._solved(forces, bias, biases, self.ground(gravity), armature)
+
+    def solved(self, forces: Sequence[Scalar], armature: Sequence[Scalar] = ()) -> list[Scalar]:
+        """Return M^-1 forces (n,)."""
+        none = [self.still] * len(self.links.moving)
+        return self._solved(forces, [*none], none, self.still, armature)
+
+    def _solved(
+        self, forces: Sequence[Scalar], bias: list[Spatial], biases: Sequence[Spatial], ground: Spatial,
+        armature: Sequence[Scalar],
+    ) -> list[Scalar]:  # fmt: skip
+        """Return qddot (n,) under forces of the joints and bias forces (changed) of the bodies.
+
+        Inwards, each body passes on the force that its joint does not yield to; outwards, each joint accelerates.
+        """
+        moving, joints = self.links.moving, self.articulated(tuple(one.node for one in armature))
+        rests: list[list[Scalar]] = [[] for _ in moving]
+        for number in reversed(range(len(moving))):
+            body, joint = moving[number], joints[number]
+            rest = [forces[k] - spatial_dot(S, bias[number]) for S, k in zip(body.S, body.numbers, strict=True)]
+            rests[number] = rest
+            if body.parent >= 0:
+                pull = [times(gain, u) for gain, u in zip(joint.gains, rest, strict=True)]
+                force = spatial_sum(bias[number], joint.passed * biases[number], *pull)
+                bias[body.parent] = spatial_sum(bias[body.parent], self.up(body, force))
         a: list[Spatial] = []
         result = [self.zero] * self.n
         for number, body in enumerate(moving):
-            gains, solved = inward[number]
+            joint = joints[number]
             before = spatial_sum(self.down(body, a[body.parent] if body.parent >= 0 else ground), biases[number])
-            for k, gain, y in zip(body.numbers, gains, solved, strict=True):
-                result[k] = y - spatial_dot(gain, before)
+            for k, gain, row in zip(body.numbers, joint.gains, joint.inverse, strict=True):
+                result[k] = dot(row, rests[number]) - spatial_dot(gain, before)
             a.append(spatial_sum(before, body.velocity(result, self.still)))
         return result
 
-    def _articulated(self, forces: Sequence[Scalar]) -> list[tuple[list[Spatial], list[Scalar]]]:
-        """Return for each body D^-1 U^T as motions, and D^-1 (force - S . bias force), D = S^T U, U = I S."""
-        velocities, biases = self.motions
+    def articulated(self, armature: tuple[Node, ...]) -> list[Articulated]:
+        """Return what each joint yields and passes on."""
+        if armature not in self._articulated:
+            self._articulated[armature] = self._joints([Scalar(self.graph, node) for node in armature])
+        return self._articulated[armature]
+
+    def _joints(self, armature: Sequence[Scalar]) -> list[Articulated]:
         moving = self.links.moving
         inertias = [body.inertia.articulated() for body in moving]
-        bias = [crossed_force(v, body.inertia * v) for body, v in zip(moving, velocities, strict=True)]
-        result: list[tuple[list[Spatial], list[Scalar]]] = [([], [])] * len(moving)
+        joints: list[Articulated] = []
         for number in reversed(range(len(moving))):
             body = moving[number]
             U = [inertias[number] * S for S in body.S]
-            inverse = inverse_of([[spatial_dot(S, u) for u in U] for S in body.S])
-            rest = [forces[k] - spatial_dot(S, bias[number]) for S, k in zip(body.S, body.numbers, strict=True)]
+            D = [[spatial_dot(S, u) for u in U] for S in body.S]
+            for place, k in enumerate(body.numbers if armature else ()):
+                D[place][place] = D[place][place] + armature[k]
+            inverse = inverse_of(D)
             gains = [spatial_sum(*(times(u, entry) for u, entry in zip(U, row, strict=True))) for row in inverse]
-            result[number] = gains, [dot(row, rest) for row in inverse]
-            if body.parent < 0:
-                continue
             passed = inertias[number].without(U, gains)
-            pull = [times(gain, u) for gain, u in zip(gains, rest, strict=True)]
-            force = spatial_sum(bias[number], passed * biases[number], *pull)
-            bias[body.parent] = spatial_sum(bias[body.parent], self.up(body, force))
-            for step in reversed(body.steps):
-                passed = step.articulated_up(passed)
-            inertias[body.parent] = inertias[body.parent] + passed
-        return result
+            joints.append(Articulated([D[k][k] for k in range(len(D))], inverse, gains, passed))
+            if body.parent >= 0:
+                for step in reversed(body.steps):
+                    passed = step.articulated_up(passed)
+                inertias[body.parent] = inertias[body.parent] + passed
+        return joints[::-1]
 
 
 def inverse_of(D: Sequence[Sequence[Scalar]]) -> list[list[Scalar]]:

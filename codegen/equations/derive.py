@@ -22,7 +22,7 @@ from ..model.statement.mechanism import Mechanism
 from .event_actions import EventActions, Impact, Reset
 from .mass_regularisation import weights
 from .plain_symbols import Names
-from .trees import Trees, separated
+from .tree.separation import Trees, separated
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,6 +11,7 @@ from ..schedule.operations import Cost, operands_of
 from ..schedule.schedule import Constants, Schedule, cost_behind, schedule
 from .identifiers import c_identifiers, free
 from .line_breaks import folded, wrapped
+from .parts import KEPT, Part, cut
 from .printer import Printer
 
 INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
@@ -76,7 +77,8 @@ class Kernel:
 
     head : the head of the function
     declared, call : the declaration of its outputs in the caller (if needed), and the call
-    statements : in an order that keeps few values alive at a time
+    statements : in an order that keeps few values alive at a time; calls of the parts, if it is cut
+    parts : the functions that a long one is cut into
     called : names of the functions called by it and by the kernels written together with it
     reads : the INPUTS that it reads
     exported : whether other units call it
@@ -86,6 +88,7 @@ class Kernel:
     declared: str
     call: str
     statements: tuple[str, ...]
+    parts: tuple[Part, ...]
     cost: Cost
     called: frozenset[str]
     reads: frozenset[str]
@@ -114,7 +117,7 @@ def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: 
     """
     plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
     arrays = {entry.array.name for draft in drafts for entry in draft.entries}
-    taken = {*INPUTS, *arrays, SHARED, *(name for draft in drafts for name in draft.arguments)}
+    taken = {*INPUTS, *arrays, SHARED, KEPT, *(name for draft in drafts for name in draft.arguments)}
     writer = _Writer(graph, plan, symbols, constants, taken)
     scopes = [writer.scope(draft) for draft in drafts]
     long = any(len(scope.statements) + len(scope.shares) >= LONG for scope in scopes)
@@ -261,11 +264,14 @@ def _kernel(scope: _Scope, passed: int, cost: Cost, long: bool) -> Kernel:
     exported = draft.exported and long
     if exported:
         linkage = "EM_NOINLINE_KERNEL_EXPORT"
+    parameters = _parameters(draft, read, results, passed)
+    parts, called = cut(draft.name, draft.number, statements, parameters)
+    inner = folded(f"{linkage} void {draft.name}(", list(parameters.values()), ")")
     return Kernel(
-        head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, passed),
+        head=_head(draft) if draft.arguments else inner,
         declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
-        statements=statements, cost=cost,
+        statements=called, parts=parts, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
         reads=frozenset(read), exported=exported,
     )  # fmt: skip
@@ -281,10 +287,12 @@ def _head(draft: Draft) -> str:
     return folded(f"EM_EXPORT void {draft.name}(", arguments, ")")
 
 
-def _inner_head(linkage: str, draft: Draft, read: Iterable[str], results: Iterable[Array], passed: int) -> str:
+def _parameters(draft: Draft, read: Iterable[str], results: Iterable[Array], passed: int) -> dict[str, str]:
+    """Return the declarations of inputs and outputs as parameters, by name."""
     number = draft.number
-    inputs = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{passed}]" for name in read]
-    return folded(f"{linkage} void {draft.name}(", [*inputs, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
+    inputs = {name: _input(name, number) if name != SHARED else f"const {number} {SHARED}[{passed}]" for name in read}
+    return inputs | {a.name: f"{number} {a.name}{a.shape}" if a.shape else f"{number} *restrict {a.name}"
+                     for a in results}  # fmt: skip
 
 
 def _input(name: str, number: str) -> str:

@@ -14,7 +14,7 @@ from ..calculus.inverse import LARGEST, inverse
 from ..choices import Choices
 from ..equations.specialise import Scene
 from ..equations.terms import Rows
-from ..equations.tree_terms import terms_of
+from ..equations.tree.tree_terms import TreeTerms, terms_of
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from ..model.model import ModelError
@@ -152,8 +152,8 @@ class _Writing:
                 entries.append(Entry(array, (*mirror, f"[{i}][{j}]"), self.scaled(rows[row][column], row, column)))
         return entries
 
-    def forces(self, forces: Sequence[Node]) -> list[Entry]:
-        return [Entry(Array(f"f{block.number}", f"[N{block.number}]"), (f"[{local}]",), self.scaled(forces[k], k))
+    def forces(self, forces: Sequence[Node], name: str = "f") -> list[Entry]:
+        return [Entry(Array(f"{name}{block.number}", f"[N{block.number}]"), (f"[{local}]",), self.scaled(forces[k], k))
                 for block in self.blocks for local, k in enumerate(block.coordinates)]  # fmt: skip
 
     def by_row(self, name: str, rows: Sequence[Sequence[Node]]) -> list[Entry]:
@@ -177,6 +177,8 @@ class _Writing:
             return self.in_velocities(self.masses(varying, False))
         if self.choices.formulation == "inverse":
             return self.in_velocities([entry for block in self.blocks for entry in self.inverse_of(block)])
+        if self.choices.formulation == "articulated_body":
+            return self.articulated()
         return self.stages(*self.drafts("eigenfactor" if self.choices.eigenfactor else "triangular"))
 
     def drafts(self, name: str) -> tuple[Draft, Draft]:
@@ -203,6 +205,22 @@ class _Writing:
         return self.stages(
             Draft(f"{name}_masses", ()),
             Draft(f"{name}_motion", entries, actual={"x": "y", "v": "y + N"}, on_lanes=True),
+        )
+
+    def articulated(self) -> Stages:
+        """Return the kernels of articulated bodies: accelerations a, M^-1 P^T, pivots, A and gamma."""
+        if not isinstance(self.terms, TreeTerms):
+            raise ModelError(
+                f"model {self.mechanics.name}: formulation 'articulated_body' is for masses in trees of bodies; state "
+                "them by eigenmotion.Tree, or choose another formulation"
+            )
+        given = self.terms.yielded
+        pivots = self.column("pivots", given.pivots, "N")
+        entries = [*pivots, *self.forces(given.accelerations, "a"), *self.by_row("WA", given.rows)]
+        rows = [*self.by_row("A", self.terms.A), *self.column("gamma", self.terms.gamma)]
+        return self.stages(
+            Draft("articulated_body_masses", ()),
+            Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
         )
 
     def inverse_of(self, block: BlockView) -> list[Entry]:

@@ -132,6 +132,9 @@ def test_articulated_bodies_solve_for_accelerations(seed):
         pytest.skip("a massless body at the end of a branch: M is singular")
     a = mp.matrix(case.values(case.dynamics.accelerations(case.symbols("u"), case.gravity)))
     close(M * a + bias, case.state["u"], 1e-12)
+    armature = [Scalar(case.graph, case.graph.number(one)) for one in (0.5, 0, 2, 0.25, 1, 3)[: case.n]]
+    solved = mp.matrix(case.values(case.dynamics.solved(case.symbols("u"), armature)))
+    close(M * solved + mp.diag(case.values(armature)) * solved, case.state["u"], 1e-12)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import sympy
 from sympy import cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from tests.support.random_trees import RandomTree
@@ -37,9 +38,10 @@ def spring_pendulum():
     return made, by_hand
 
 
-@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange", "inverse"])
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange", "inverse", "articulated_body"])
 def test_a_tree_moves_as_its_energies_say(formulation):
-    made, by_hand = (em.build(one, formulation=formulation) for one in spring_pendulum())
+    tree, energies = spring_pendulum()
+    made, by_hand = em.build(tree, formulation=formulation), em.build(energies)
     at = np.linspace(0.0, 3.0, 31)
     first, second = (em.simulate(one, (0, 3), t_eval=at, rtol=1e-11, atol=1e-12) for one in (made, by_hand))
     assert np.abs(first.x - second.x).max() < 1e-9
@@ -81,7 +83,8 @@ def test_a_free_body_keeps_its_angular_momentum():
     assert np.ptp(run.energy) < 1e-9
 
 
-def test_the_place_of_a_closed_loop_is_a_constraint():
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange", "articulated_body"])
+def test_the_place_of_a_closed_loop_is_a_constraint(formulation):
     """A four-bar: two rods on the ground and a coupler, whose end is held at the second rod."""
     tree = em.Tree(gravity=(0, -9.81, 0))
     rod = {"joint": "revolute", "axis": "z", "mass": 1.0, "inertia": (0, 0, 0.02)}
@@ -102,7 +105,7 @@ def test_the_place_of_a_closed_loop_is_a_constraint():
     by_hand = em.Model(name="fourbar_energies", coordinates=tree.coordinates, kinetic_energy=T,
                        potential_energy=9.81 * sum(p[1] for p in places), holonomic_constraints={"pin": by_hand_gap},
                        initial=dict(fourbar.initial))  # fmt: skip
-    systems = [em.build(one) for one in (fourbar, by_hand)]
+    systems = [em.build(fourbar, formulation=formulation), em.build(by_hand)]
     starts = [em.assemble(system) for system in systems]
     at = np.linspace(0.0, 2.0, 21)
     first, second = (em.simulate(system, (0, 2), x0=start[0], v0=start[1], t_eval=at, rtol=1e-11, atol=1e-12)
@@ -128,3 +131,45 @@ def test_mistakes_are_named(change, words):
     arguments = {"name": "second", "parent": "first", "joint": "revolute"} | change
     with pytest.raises(em.ModelError, match=words.replace("(", r"\(").replace(")", r"\)").replace("?", r"\?")):
         tree.body(**arguments)
+
+
+def test_articulated_bodies_take_rotors_and_coordinates_beside_trees():
+    """A motor's rotor, a mass outside the tree, a state, friction in a joint: against Lagrange's equations."""
+    tree = em.Tree()
+    arm = tree.body("arm", joint="revolute", axis="y", mass=1.0, center=(0.2, 0, 0), inertia=(0.01, 0.02, 0.02))
+    hand = {"mass": 0.5, "center": (0, 0, -0.1), "inertia": (0.01, 0.01, 0.005)}
+    tree.body("hand", arm, joint="spherical", at=(0.4, 0, 0), **hand)
+    cart, current = dynamicsymbols("cart current")
+    q, *s = tree.coordinates
+    spring = 15 * (cart - arm.position((0.4, 0, 0))[0]) ** 2
+    model = em.Model(
+        name="rotor", coordinates=[*tree.coordinates, cart],
+        kinetic_energy=tree.kinetic_energy + q.diff() ** 2 / 20 + 0.7 * cart.diff() ** 2,
+        potential_energy=tree.potential_energy + spring, forces={q: 0.3 * current - 0.1 * q.diff()},
+        states={current: 2 - current - q.diff()}, initial={q: 0.5, s[0]: 0.2},
+    )  # fmt: skip
+    runs = [
+        em.simulate(em.build(model, formulation=one), (0, 2), t_eval=[1.0, 2.0], rtol=1e-11, atol=1e-12)
+        for one in ("lagrange", "articulated_body")
+    ]
+    assert np.abs(runs[0].x - runs[1].x).max() < 1e-9
+    assert np.abs(runs[0].v - runs[1].v).max() < 1e-9
+
+
+def test_articulated_bodies_refuse_what_they_cannot_take():
+    tree = em.Tree()
+    one = tree.body("one", joint="revolute", mass=1.0, center=(1, 0, 0))
+    light = tree.body("light", one, joint="revolute")
+    a, b = tree.coordinates
+
+    def built(T, coordinates=(a, b)):
+        model = em.Model(name="refused", coordinates=coordinates, kinetic_energy=T)
+        return em.build(model, formulation="articulated_body")
+
+    with pytest.raises(em.ModelError, match="couples one and light"):
+        built(tree.kinetic_energy + (a + b).diff(t) ** 2)
+    with pytest.raises(em.ModelError, match="a joint moves bodies without mass"):
+        built(tree.kinetic_energy)
+    with pytest.raises(em.ModelError, match="for masses in trees of bodies"):
+        built(a.diff() ** 2 + b.diff() ** 2)
+    assert light.name == "light"

@@ -45,7 +45,7 @@ def build(
     model
         A Model, or the path of a file that defines one.
     formulation
-        "eigenfactor", "cholesky", "lagrange" or "inverse".
+        "eigenfactor", "cholesky", "lagrange" or "inverse"; "articulated_body" for models of a `Tree`.
     close_eigenvalues
         "bounded" or "extrapolate": the treatment of (32) near coincident eigenvalues.
     schur

@@ -11,7 +11,7 @@ import click
 
 from eigenmotion.arguments.named_values import spelled
 from eigenmotion.building.request import Request, request
-from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR
+from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, OF_TREES, SCHUR
 from eigenmotion.codegen.model import Model
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -86,8 +86,8 @@ def shaping(command: Command) -> Command:
                      help="Factorisation of Delta, the matrix of the constraints."),
         click.option("--close-eigenvalues", type=click.Choice(CLOSE_EIGENVALUES), default="bounded",
                      show_default=True, help="Treatment of close eigenvalues of M: ours, or the paper's."),
-        click.option("--formulation", type=click.Choice(FORMULATIONS), default="eigenfactor", show_default=True,
-                     help="The equations of motion to generate."),
+        click.option("--formulation", type=click.Choice((*FORMULATIONS, *OF_TREES)), default="eigenfactor",
+                     show_default=True, help="The equations of motion to generate."),
         define,
     ):  # fmt: skip
         command = option(command)

@@ -302,12 +302,12 @@ class CompiledSystem(Description):
         Raises
         ------
         ModelError
-            The formulation is not "lagrange" or "inverse": its state has eta instead of xdot.
+            The formulation is "eigenfactor" or "cholesky": its state has eta instead of xdot.
         EvaluationError
             As `rhs`.
         """
         c, n = self.compiled, self.compiled.n
-        if c.formulation not in ("lagrange", "inverse"):
+        if c.formulation in ("eigenfactor", "cholesky"):
             raise ModelError(f"{c.name}: formulation {c.formulation!r} carries eta, which depends on parameters, too; "
                              "build with 'lagrange' or 'inverse', or ask simulate for sensitivities")  # fmt: skip
         t, y = real(t, "t"), vector(y, "y")

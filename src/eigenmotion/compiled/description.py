@@ -40,7 +40,7 @@ class Description:
 
     @property
     def formulation(self) -> str:
-        """One of "eigenfactor", "cholesky", "lagrange", "inverse"."""
+        """One of "eigenfactor", "cholesky", "lagrange", "inverse", "articulated_body"."""
         return self._compiled.formulation
 
     @property

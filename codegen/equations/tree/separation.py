@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import sympy
 
-from ..bodies.expansion import Expansion
-from ..bodies.recursion import Dynamics
-from ..bodies.scalar import Scalar, total
-from ..graph.graph import Graph
-from ..graph.store import Node
-from ..model.recursion_depth import expressions_in
-from ..model.statement.mechanism import Mechanism
-from ..model.tree.functions import BodyFunction
+from ...bodies.expansion import Expansion
+from ...bodies.recursion import Dynamics
+from ...bodies.scalar import Scalar, total
+from ...graph.graph import Graph
+from ...graph.store import Node
+from ...model.recursion_depth import expressions_in
+from ...model.statement.mechanism import Mechanism
+from ...model.tree.functions import BodyFunction
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from ..calculus.derivatives import gradient
-from ..graph.graph import Graph
-from ..graph.store import Node
-from .specialise import Scene
-from .terms import Terms
-from .trees import Trees
+from ...calculus.derivatives import gradient
+from ...graph.graph import Graph
+from ...graph.store import Node
+from ..specialise import Scene
+from ..terms import HALF, Terms
+from .articulated_bodies import ArticulatedBodies, articulated_bodies
+from .separation import Trees
 
 
 def terms_of(scene: Scene) -> Terms:
@@ -32,8 +33,9 @@ class TreeTerms(Terms):
 
     @cached_property
     def T2(self) -> Node:
-        """Kinetic energy of the trees, and of what else is quadratic in the velocities."""
-        rest = self.graph.sum([(self.trees.T, 1), (self.T1, -1), (self.T0, -1)])
+        """1/2 v^T M v (4), without first-order states, whose unit masses are auxiliary: T_trees + T' - T1 - T0."""
+        states = [self.graph.power(z, 2) for z in self._velocities[len(self.v) - self.mechanics.n_states :]]
+        rest = self.graph.sum([(self.trees.T, 1), (self.T1, -1), (self.T0, -1), *((one, -HALF) for one in states)])
         return self.graph.add(self.trees.kinetic_energy(), rest)
 
     @cached_property
@@ -42,14 +44,25 @@ class TreeTerms(Terms):
 
         Where A^T W A is added to M, -A^T W gamma is added to the bias.
         """
+        of_trees = self.trees.bias(len(self.x))
+        forces = tuple(self._difference(one, tree) for one, tree in zip(self._forces, of_trees, strict=True))
+        return self._plus_rows(forces, self.W, self.A, map(self.graph.negative, self.gamma))
+
+    @cached_property
+    def _forces(self) -> tuple[Node, ...]:
+        """(n,) Q + d(T' - V')/dx - d/dt dT'/dv at zero accelerations: all forces but those of the trees."""
         graph, trees = self.graph, self.trees
         slopes = gradient(graph, self._difference(trees.T, trees.V), self.x)
         momenta = gradient(graph, trees.T, self.v)
-        forces = tuple(
-            graph.sum([(q, 1), (slope, 1), (self.along(p), -1), (tree, -1)])
-            for q, slope, p, tree in zip(self.Q, slopes, momenta, trees.bias(len(self.x)), strict=True)
+        return tuple(
+            graph.sum([(q, 1), (slope, 1), (self.along(p), -1)])
+            for q, slope, p in zip(self.Q, slopes, momenta, strict=True)
         )
-        return self._plus_rows(forces, self.W, self.A, map(graph.negative, self.gamma))
+
+    @cached_property
+    def yielded(self) -> ArticulatedBodies:
+        """Accelerations and M^-1 P^T by articulated bodies."""
+        return articulated_bodies(self.mechanics, self.trees, self._forces, self.P)
 
     def _gradients_of_L(self) -> list[tuple[Node, ...]]:
         """Return dL/dx at fixed velocities (10) from T as written, by one reverse sweep."""

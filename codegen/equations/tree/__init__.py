@@ -1,0 +1,1 @@
+"""Equations of models with trees of bodies."""
