@@ -138,7 +138,7 @@ class Oracle:
         columns = [[slope(lambda h, k=k, one=one: self.derivative(moved(k, h * one * 100)))
                     / (one * 100) for k in range(len(y))] for one in (STEP, STEP / 3)]  # fmt: skip
         coarse, fine = (np.array(one).T for one in columns)
-        return coarse if relative(coarse, fine, 1.0) < 1e-6 else None
+        return coarse if relative(coarse, fine, 1.0) < DIFFERENCES else None  # abs(v) is a kink, too
 
 
 def check(
