@@ -30,11 +30,13 @@ def weights(
     phi : (h,), whose gradients are the first rows of A
     start : coordinates and time -> their initial values; constants : parameters -> their default values
     """
+    none = [graph.zero] * len(A)
+    if not A:
+        return none
     samples = Samples(graph, M, A, phi, start, constants)
     places = [samples.at(values) for values in samples.states()]
     masses = [(place, numbers) for place in places if _finite(numbers := place.rows(M))]
-    none = [graph.zero] * len(A)
-    if not A or not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
+    if not masses or max(_rank(numbers) for _, numbers in masses) == len(M):
         return none
     W = Weights(samples).all()
     augmented = _Augmented([(m, place.rows(A), [place(w) for w in W]) for place, m in masses])

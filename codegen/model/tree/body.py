@@ -12,6 +12,9 @@ Triple = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
 FREEDOMS = {"fixed": 0, "revolute": 1, "prismatic": 1, "spherical": 3, "free": 6}
 """Number of coordinates of each kind of joint. Spherical: modified Rodrigues parameters; free: the place, then these"""
 
+ROTATED = ("spherical", "free")
+"""Joints whose last three coordinates are modified Rodrigues parameters"""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Link:

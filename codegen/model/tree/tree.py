@@ -10,7 +10,7 @@ import sympy
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..normalise import ModelError, expression, nearest, sequence_of, shown, t
-from .body import FREEDOMS, Link
+from .body import FREEDOMS, ROTATED, Link
 from .functions import Quantity, call
 
 _COMPOSED = {"cylindrical": ("prismatic", "revolute"), "planar": ("prismatic", "prismatic", "revolute")}
@@ -59,6 +59,21 @@ class Body:
         """R (3, 3): its columns are the body's axes."""
         entries = [_call(Quantity("rotation", self._chain, (), (i, j))) for i in range(3) for j in range(3)]
         return sympy.ImmutableDenseMatrix(3, 3, entries)
+
+    @property
+    def quaternion(self) -> sympy.ImmutableDenseMatrix:
+        """(4, 1) w, x, y, z of the rotation from the joint's frame, of a spherical or free joint.
+
+        The sign changes where the parameters become their shadow set; both signs are the same rotation.
+        """
+        if self.link.joint not in ROTATED:
+            raise ModelError(
+                f"body {self.name!r}: its joint is {self.link.joint}. Spherical and free joints have a quaternion; "
+                "`rotation` is for all."
+            )
+        s = self.coordinates[-3:]
+        square = sympy.Add(*(one**2 for one in s))
+        return sympy.ImmutableDenseMatrix([1 - square, *(2 * one for one in s)]) / (1 + square)
 
     def _column(self, kind: str, point: Sequence[Any]) -> sympy.ImmutableDenseMatrix:
         vector = _expressions(point, f"{kind} of {self.name}", 3) if kind in ("position", "velocity") else ()
@@ -127,7 +142,7 @@ class Tree:
         joint
             "revolute", "prismatic", "cylindrical" (along and about the axis), "planar" (along x and y of the joint's
             frame, and about z), "spherical" (modified Rodrigues parameters), "free" (the place in the parent's frame,
-            then these) or "fixed".
+            then these) or "fixed". At half a turn an event replaces the parameters by their shadow set.
         axis
             (3,) of a revolute, prismatic or cylindrical joint, in the joint's frame: "x", "y", "z", or numbers.
         at, rotation
@@ -265,7 +280,7 @@ def _inertia(given: Any, what: str) -> tuple[sympy.Expr, ...]:
     shape = getattr(given, "shape", None)
     if shape == (3, 3) or (shape is None and any(isinstance(row, (list, tuple)) for row in sequence_of(given, name))):
         J = _matrix(given, name)
-        if any(sympy.simplify(entry) != 0 for entry in (J - J.T).applyfunc(sympy.nsimplify)):
+        if any(_differ(J[i, j], J[j, i]) for i, j in ((0, 1), (0, 2), (1, 2))):
             raise ModelError(f"{name} is not symmetric.")
         return tuple(_exact(J[i, j]) for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)))
     entries = sequence_of(given, name)
@@ -273,6 +288,13 @@ def _inertia(given: Any, what: str) -> tuple[sympy.Expr, ...]:
         xx, yy, zz = entries
         entries = (xx, 0, 0, yy, 0, zz)
     return _expressions(entries, name, 6)
+
+
+def _differ(first: sympy.Expr, second: sympy.Expr) -> bool:
+    """Whether two expressions differ, by more than rounding if they are numbers."""
+    if first.free_symbols | second.free_symbols:
+        return bool(sympy.simplify(first - second) != 0)
+    return abs(float(first) - float(second)) > 1e-12 * max(abs(float(first)), abs(float(second)))
 
 
 def _axis(given: Any, what: str) -> tuple[sympy.Expr, ...]:
