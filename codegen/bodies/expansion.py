@@ -11,7 +11,8 @@ from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Kind, Node
 from ..model.tree.body import Link
-from ..model.tree.functions import BodyFunction, Quantity
+from ..model.tree.functions import BodyFunction
+from ..model.tree.quantity import Quantity
 from .frames import applied, transposed
 from .links import Links
 from .recursion import Dynamics

@@ -11,7 +11,7 @@ from eigenmotion.codegen.bodies.scalar import Scalar
 from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.store import Kind
 from eigenmotion.codegen.model.tree.forward_kinematics import Arithmetic, ForwardKinematics
-from eigenmotion.codegen.model.tree.functions import Quantity
+from eigenmotion.codegen.model.tree.quantity import Quantity
 
 from tests.support.random_trees import RandomTree
 

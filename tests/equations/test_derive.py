@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.equations.derive import derive
+from eigenmotion.codegen.graph.convert import ToSympy
+from eigenmotion.codegen.graph.node_reference import NodeReference
 from eigenmotion.codegen.model.statement.states import as_mechanism
 from sympy import Heaviside, Max, Rational, cos, diff, exp, sin, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
@@ -28,6 +30,12 @@ def derived(mechanics, name, point):
     entries = getattr(mechanics, name)
     flat = [entries] if name == "T0" else list(entries)
     arguments = [*mechanics.x, *mechanics.parameters, mechanics.time, *mechanics.v]
+    if mechanics.trees:
+        to_sympy = ToSympy(mechanics.trees.graph, {symbol.name: symbol for symbol in arguments})
+        flat = [
+            entry.replace(lambda part: isinstance(part, NodeReference), lambda part: to_sympy(part.node))
+            for entry in flat
+        ]
     return np.array(sympy.lambdify(arguments, flat, cse=True)(*point), dtype=float)
 
 

@@ -8,6 +8,7 @@ import pytest
 from eigenmotion.codegen.equations.derive import derive
 from eigenmotion.codegen.equations.specialise import specialise
 from eigenmotion.codegen.equations.terms import Terms
+from eigenmotion.codegen.equations.tree.tree_terms import terms_of
 from eigenmotion.codegen.graph.convert import FromSympy
 from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.store import Kind
@@ -156,7 +157,7 @@ def test_pairs_shared_by_sums_up_to_a_factor_are_taken_out():
 def test_the_terms_of_every_model_keep_their_values(name):
     """The force, Mdot, M of a model: by way of the operations chosen, against the graph evaluated node by node."""
     model = as_mechanism(model_of(name))
-    terms = Terms(specialise(derive(model)))
+    terms = terms_of(specialise(derive(model)))
     calls = CALLS | calls_of(model_of(name).tables)
     roots = [*terms.motion.force, *terms.bias, *(e for row in terms.motion.Mdot for e in row), *terms.gamma]
     roots += [e for row in terms.M for e in row]

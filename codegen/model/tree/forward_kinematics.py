@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 
 from .body import Link
-from .functions import Quantity
+from .quantity import Quantity
 
 Number = Any
 """A number; None is zero."""

@@ -5,68 +5,16 @@ SymPy differentiates but does not expand them: they stand for nodes of a graph, 
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Callable
 from functools import cache
 from typing import Any, ClassVar
 
 import sympy
 from sympy.core.function import ArgumentIndexError
 
-from .body import Link
-
-Variables = tuple[sympy.Expr, ...]
-
-KINDS = {
-    "position": 0, "velocity": 1, "rotation": 0, "angular_velocity": 1, "kinetic_energy": 2, "potential_energy": 0
-}  # fmt: skip
-"""What a function may be, and its degree in the rates of coordinates."""
-
-
-@dataclass(frozen=True, slots=True)
-class Quantity:
-    """A quantity of bodies.
-
-    kind : a key of KINDS
-    bodies : those on which it depends, parents before children
-    vector : (3,) the point of the last body, in its frame [m], or gravity [m / s^2]; () for neither
-    place : which entry of a vector or matrix
-    """
-
-    kind: str
-    bodies: tuple[Link, ...]
-    vector: tuple[sympy.Expr, ...] = ()
-    place: tuple[int, ...] = ()
-
-    @property
-    def label(self) -> str:
-        """A name for people, such as "hand.velocity[2]"."""
-        where = f"[{', '.join(map(str, self.place))}]" if self.place else ""
-        return f"{self.bodies[-1].name}.{self.kind}{where}"
-
-    @property
-    def digest(self) -> str:
-        """SHA-256 of all that it depends on."""
-        numbers = {body: number for number, body in enumerate(self.bodies)}
-        lines = [f"{numbers.get(body.parent)} {body.text}" if body.parent else body.text for body in self.bodies]
-        text = "\n".join([self.kind, *lines, *map(sympy.srepr, self.vector), str(self.place)])
-        return hashlib.sha256(text.encode()).hexdigest()
-
-    @property
-    def variables(self) -> Variables:
-        """Coordinates, rates where it depends on them, and parameters."""
-        return variables_of(self.bodies, self.vector, rates=KINDS[self.kind] > 0)
-
-
-def variables_of(bodies: Sequence[Link], vector: Sequence[sympy.Expr], *, rates: bool = True) -> Variables:
-    """Return the coordinates of bodies, their rates where asked for, and the parameters in bodies and vector."""
-    coordinates = [q for body in bodies for q in body.coordinates]
-    numbers = [*vector]
-    for body in bodies:
-        numbers += [*body.geometry, body.mass, *body.center, *body.inertia]
-    parameters = sorted(set().union(*(one.free_symbols for one in numbers)), key=lambda symbol: symbol.name)
-    return (*coordinates, *(q.diff() for q in coordinates if rates), *parameters)
+from .dual import value
+from .quantity import KINDS, Quantity
 
 
 class BodyFunction(sympy.Function):  # type: ignore[misc]
@@ -84,6 +32,10 @@ class BodyFunction(sympy.Function):  # type: ignore[misc]
 
     def _eval_is_extended_real(self) -> bool:
         return True
+
+    def _eval_evalf(self, prec: int) -> sympy.Expr | None:
+        point = [argument.evalf(prec) for argument in self.args]
+        return sympy.Float(value(self.quantity, self.orders, point)) if all(one.is_number for one in point) else None
 
     @property
     def label(self) -> str:
@@ -116,8 +68,12 @@ class BodyFunction(sympy.Function):  # type: ignore[misc]
 @cache
 def function_of(quantity: Quantity, orders: tuple[int, ...]) -> type[BodyFunction]:
     """Return a quantity, or its derivative of these orders, one for each argument, as a SymPy function."""
-    name = f"{quantity.label} {quantity.digest} {orders if any(orders) else ''}"
-    return type(name, (BodyFunction,), {"quantity": quantity, "orders": orders, "nargs": len(orders)})
+    by = "".join(f"_{k}" * order for k, order in enumerate(orders))
+    name = re.sub(
+        r"\W", "_", f"{quantity.label}_{quantity.digest}_d{by}" if by else f"{quantity.label}_{quantity.digest}"
+    )
+    numeric = staticmethod(lambda *point: value(quantity, orders, point))
+    return type(name, (BodyFunction,), {"quantity": quantity, "orders": orders, "nargs": len(orders), "_imp_": numeric})
 
 
 def call(quantity: Quantity) -> sympy.Expr:

@@ -11,7 +11,8 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from ..normalise import ModelError, expression, nearest, sequence_of, shown, t
 from .body import FREEDOMS, ROTATED, Link
-from .functions import Quantity, call
+from .functions import call
+from .quantity import Quantity
 
 _COMPOSED = {"cylindrical": ("prismatic", "revolute"), "planar": ("prismatic", "prismatic", "revolute")}
 """Joints made of several: along and about the axis; in the plane across it, and about it"""
