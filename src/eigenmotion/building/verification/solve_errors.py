@@ -26,13 +26,19 @@ class Errors:
     rows: Vector
 
 
-def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Rounded]) -> Errors:
+def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Rounded], recursive: bool = False) -> Errors:
     """Return bounds for lambda = Delta^-1 (A M^-1 f + gamma), a = M^-1 (f - A^T lambda), with errors eps of each term.
 
-    Here M is the factored matrix, and `terms` are the terms of Lagrange's equations.
+    Here M is the factored matrix, and `terms` are the terms of Lagrange's equations. If `recursive`, each equation has
+    the errors of the others too, since bodies pass on forces in axes of their own.
     """
     multipliers = np.abs(compiled.multipliers)
-    solved = EPS * np.einsum("kij,kj->ki", geometric(compiled.factored), np.abs(compiled.a))
+    sizes = geometric(compiled.factored)
+    solved = EPS * np.einsum("kij,kj->ki", sizes, np.abs(compiled.a))
+    if recursive:
+        square = np.abs(np.einsum("kii->ki", compiled.factored))
+        forces = sum(np.abs(term.value) for term in terms) / np.where(square > 0.0, square, np.inf)
+        solved = solved + EPS * _times(sizes, forces)
     W = inverse(symbolic.M)
     push = applied(symbolic.A.turned, rounded(compiled.multipliers))
     free = np.abs(compiled.a) + np.abs(applied(W, push).value)

@@ -12,6 +12,7 @@ from ...arguments.named_values import Vector
 from ...codegen.model import Model
 from ...codegen.model.statement.mechanism import Mechanism
 from ...codegen.model.statement.states import as_mechanism
+from ...codegen.model.tree.functions import BodyFunction
 from ...system.system import System
 from ..errors import BuildError
 from .arithmetic.rounding_bounds import FACTOR
@@ -109,7 +110,8 @@ def _identities(
     yield from expressions(model, points.v, compiled, symbolic)
     whole, added = factored(system, compiled, symbolic)
     yield from added
-    off = errors(compiled, whole, equations(compiled, symbolic))
+    recursive = any(one.has(BodyFunction) for one in (model.kinetic_energy, model.potential_energy))
+    off = errors(compiled, whole, equations(compiled, symbolic), recursive)
     yield from motion(model, points.v, compiled, symbolic, off)
     yield from rates(system, points.v, compiled, whole, off)
 
