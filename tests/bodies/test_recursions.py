@@ -1,6 +1,7 @@
 """Recursions of random trees against Lagrange's equations of the energies by forward kinematics, in 40 digits."""
 
 import random
+from functools import cache
 
 import mpmath as mp
 import numpy as np
@@ -29,6 +30,7 @@ class Case:
         self.links = tuple(self.tree._links)
         self.state = {one: [mp.mpf(chance.uniform(-0.8, 0.8)) for _ in self.q] for one in ("q", "v", "a", "u")}
         self.parameters = {symbol: mp.mpf(value) for symbol, value in self.made.parameters.items()}
+        self.numbers = {}
         self.graph = Graph(symbol.name for symbol in self.parameters)
         names = {q: f"q{k}" for k, q in enumerate(self.q)} | {q.diff(): f"v{k}" for k, q in enumerate(self.q)}
         nodes = {one: self.graph.symbol(name) for one, name in names.items()}
@@ -63,15 +65,17 @@ class Case:
         return [known[scalar.node] for scalar in scalars]
 
     def kinematics(self, q, v):
-        arithmetic = Arithmetic(lambda one: mp.mpf(sympy.N(one.xreplace(self.numbers), 40)), mp.sin, mp.cos,
-                                lambda one: 1 / one)  # fmt: skip
+        arithmetic = Arithmetic(self.number, mp.sin, mp.cos, lambda one: 1 / one)
         return ForwardKinematics(
             arithmetic, dict(zip(self.q, q, strict=True)) | {w.diff(): x for w, x in zip(self.q, v, strict=True)}
         )
 
-    @property
-    def numbers(self):
-        return {symbol: sympy.Float(str(value), 40) for symbol, value in self.parameters.items()}
+    def number(self, one):
+        """The value of an expression in the parameters, once each: SymPy takes its time."""
+        if one not in self.numbers:
+            values = {symbol: sympy.Float(str(value), 40) for symbol, value in self.parameters.items()}
+            self.numbers[one] = mp.mpf(sympy.N(one.xreplace(values), 40))
+        return self.numbers[one]
 
     def energy(self, kind, q, v):
         vector = self.tree.gravity if kind == "potential_energy" else ()
@@ -102,6 +106,13 @@ class Case:
         return mp.matrix(M), mp.matrix(bias)
 
 
+@cache
+def case_of(seed):
+    """A case and what Lagrange's equations say of it: once for all that look at it."""
+    case = Case(seed)
+    return case, *case.lagrange()
+
+
 SEEDS = [*range(8), *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(8, 120))]
 
 
@@ -112,8 +123,7 @@ def close(got, expected, tolerance=1e-13):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_recursions_give_lagranges_equations(seed):
-    case = Case(seed)
-    M, bias = case.lagrange()
+    case, M, bias = case_of(seed)
     T, V = case.values([case.dynamics.kinetic_energy, case.dynamics.potential_energy(case.gravity)])
     close([T], [case.energy("kinetic_energy", case.state["q"], case.state["v"])])
     close([V], [case.energy("potential_energy", case.state["q"], case.state["v"])])
@@ -126,8 +136,7 @@ def test_recursions_give_lagranges_equations(seed):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_articulated_bodies_solve_for_accelerations(seed):
-    case = Case(seed)
-    M, bias = case.lagrange()
+    case, M, bias = case_of(seed)
     if mp.svd_r(M, compute_uv=False)[case.n - 1] < 1e-8:
         pytest.skip("a massless body at the end of a branch: M is singular")
     a = mp.matrix(case.values(case.dynamics.accelerations(case.symbols("u"), case.gravity)))
@@ -139,7 +148,7 @@ def test_articulated_bodies_solve_for_accelerations(seed):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_places_and_velocities_are_those_of_forward_kinematics(seed):
-    case = Case(seed)
+    case, _, _ = case_of(seed)
     kinematics = case.kinematics(case.state["q"], case.state["v"])
     expansion = Expansion(case.graph)
     point = tuple(map(sympy.Rational, ("1/3", "-2", "1/7")))

@@ -19,7 +19,8 @@ def block(heading: str, language: str) -> str:
 
 
 @pytest.fixture
-def pendulum(tmp_path, monkeypatch):
+def pendulum(tmp_path, shared_cache, monkeypatch):
+    monkeypatch.setenv("EIGENMOTION_CACHE", shared_cache)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
     monkeypatch.setattr("eigenmotion.presentation.figures.find_spec", lambda name: None)
@@ -38,13 +39,14 @@ def test_the_commands_work_without_matplotlib_and_the_one_that_draws_asks_for_it
     assert "pip install 'eigenmotion[plot]'" in capsys.readouterr().err
 
 
-def test_the_pictures_move(tmp_path, monkeypatch, capsys):
+def test_the_pictures_move(tmp_path, shared_cache, monkeypatch, capsys):
     """A page, and an animation, as the README has them."""
     pytest.importorskip("matplotlib")
     try:
         wasm_compiler()
     except BuildError as error:
         pytest.skip(str(error))
+    monkeypatch.setenv("EIGENMOTION_CACHE", shared_cache)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
     Path("pendulum.py").write_text(block("A model file", "python"))

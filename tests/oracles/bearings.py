@@ -43,27 +43,37 @@ class Bearings:
         gamma = [sum(rate.diff(q) * w for q, w in zip(x, v, strict=True)) for rate in rates]
         A = [[row.diff(q) for q in x] for row in phi]
         slips = [[rub.slip.diff(w) for w in v] for rub in rubs]
-        function = sympy.lambdify([time, *x, *v], [list(forces), A, gamma, slips], "numpy")
+        function = sympy.lambdify([time, *x, *v], [list(forces), A, gamma, slips], "math", cse=True)
+        self._coefficients = np.array([rub.coefficient for rub in rubs])
+        self._pressing = np.array([[float(row in rub.rows) for row in range(len(phi))] for rub in rubs])
         self._terms: Callable[..., list] = function
 
     def terms(self, t: float, y: np.ndarray) -> list[np.ndarray]:
         """F (n,), A (m, n), gamma (m,), slips (r, n)."""
-        return [np.array(part, dtype=float) for part in self._terms(t, *y)]
+        return [np.array(part, dtype=float) for part in self._terms(t, *y.tolist())]
 
     def solved(self, t: float, y: np.ndarray, signs: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
         """Accelerations and multipliers, sliding in these directions."""
         F, A, gamma, slips = self.terms(t, y)
 
+        push = np.array(signs) * self._coefficients * slips.T
+
         def accelerations(multipliers: np.ndarray) -> np.ndarray:
-            force = F - A.T @ multipliers
-            for rub, sign, slip in zip(self.rubs, signs, slips, strict=True):
-                force = force - sign * rub.coefficient * np.linalg.norm(multipliers[list(rub.rows)]) * slip
-            return force / self.masses
+            return (F - A.T @ multipliers - push @ self._presses(multipliers)) / self.masses
+
+        def slopes(multipliers: np.ndarray) -> np.ndarray:
+            return -(A / self.masses) @ (A.T + (push / self._presses(multipliers)) @ (self._pressing * multipliers))
 
         free = np.linalg.solve((A / self.masses) @ A.T, A @ (F / self.masses) + gamma)
-        found, _, ended, words = fsolve(lambda m: A @ accelerations(m) + gamma, free, xtol=1e-13, full_output=True)
+        found, _, ended, words = fsolve(
+            lambda m: A @ accelerations(m) + gamma, free, fprime=slopes, xtol=1e-13, full_output=True
+        )
         assert ended == 1 or np.abs(A @ accelerations(found) + gamma).max() < 1e-9, words
         return accelerations(found), found
+
+    def _presses(self, multipliers: np.ndarray) -> np.ndarray:
+        """Norms of the multipliers that press, (r,)."""
+        return np.sqrt(self._pressing @ multipliers**2)
 
     def slips(self, t: float, y: np.ndarray) -> np.ndarray:
         """Rates of slip (r,)."""
@@ -94,5 +104,5 @@ class Bearings:
     def _rates(self, t: float, z: np.ndarray, signs: Sequence[float]) -> np.ndarray:
         y = z[:-1]
         a, multipliers = self.solved(t, y, signs)
-        presses = [rub.coefficient * np.linalg.norm(multipliers[list(rub.rows)]) for rub in self.rubs]
+        presses = self._coefficients * self._presses(multipliers)
         return np.concatenate([y[self.n :], a, [np.abs(self.slips(t, y)) @ presses]])

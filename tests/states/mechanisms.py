@@ -85,7 +85,10 @@ class OneCoordinate:
             gap = self._loop(angles)
             turn = np.array([[-self.b * np.sin(angles[1]), self.c * np.sin(angles[2])],
                              [self.b * np.cos(angles[1]), -self.c * np.cos(angles[2])]])  # fmt: skip
-            angles[1:] -= np.linalg.solve(turn, gap)
+            step = np.linalg.solve(turn, gap)
+            angles[1:] -= step
+            if np.abs(step).max() < 1e-12:  # the next would be its square
+                break
         return angles
 
     def _loop(self, q) -> np.ndarray:

@@ -1,5 +1,6 @@
 """models/lugre_oscillator.py: stick-slip against an independent integration of equations by hand."""
 
+import math
 from functools import cache
 
 import numpy as np
@@ -15,10 +16,10 @@ TIGHT = {"rtol": 1e-10, "atol": {"x": 1e-11, "z": 1e-15}}
 
 def by_hand(t: float, y: np.ndarray) -> list[float]:
     """Rates of (x, x', z), with the numbers of Canudas de Wit and others (1995)."""
-    place, rate, z = y
+    place, rate, z = y.tolist()
     v = 0.1 - rate
-    dz = v - 1e5 * abs(v) * z / (1.0 + 0.5 * np.exp(-((v / 1e-3) ** 2)))
-    return [rate, -2.0 * place + 1e5 * z + np.sqrt(1e5) * dz + 0.4 * v, dz]
+    dz = v - 1e5 * abs(v) * z / (1.0 + 0.5 * math.exp(-((v / 1e-3) ** 2)))
+    return [rate, -2.0 * place + 1e5 * z + math.sqrt(1e5) * dz + 0.4 * v, dz]
 
 
 @cache

@@ -1,5 +1,8 @@
 """Rates of first-order states that depend on multipliers: a bristle under the reaction of a guide."""
 
+import math
+from functools import cache
+
 import numpy as np
 import pytest
 import sympy
@@ -33,8 +36,8 @@ def on_a_hilly_belt() -> em.Model:
 
 def eliminated(t, state, friction=0.3):
     """The same in x alone: y = h(x), N = 9.81 + y''."""
-    place, velocity, bristle = state
-    slope, bend = 0.2 * np.cos(2 * place), -0.4 * np.sin(2 * place)
+    place, velocity, bristle = map(float, state)
+    slope, bend = 0.2 * math.cos(2 * place), -0.4 * math.sin(2 * place)
     push = sigma * bristle - k * place - 9.81 * slope - slope * bend * velocity**2
     a = push / (1 + slope**2)
     normal = 9.81 + slope * a + bend * velocity**2
@@ -42,6 +45,7 @@ def eliminated(t, state, friction=0.3):
     return [velocity, a, slip - sigma * abs(slip) * bristle / (friction * abs(normal))]
 
 
+@cache
 def ends(friction=0.3, span=3.0):
     found = solve_ivp(eliminated, (0, span), [0, 0.05, 0], args=(friction,), method="Radau", rtol=1e-11, atol=1e-13)
     return found.y[:, -1]

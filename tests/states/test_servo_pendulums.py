@@ -1,5 +1,6 @@
 """models/servo_pendulums.py: a current loop and a balance, against equations by hand integrated by SciPy."""
 
+import math
 from functools import cache
 
 import numpy as np
@@ -9,6 +10,7 @@ from scipy.integrate import solve_ivp
 
 import eigenmotion as em
 
+from ..support.by_day import PAGE
 from ..support.generation import FORMULATIONS, model_of, system_of
 from ..support.shown import check_page, check_picture, integrals
 
@@ -21,7 +23,7 @@ TIGHT = {"rtol": 1e-11, "atol": 1e-12}
 
 
 def mass_matrix(q1: float, q2: float) -> np.ndarray:
-    c1, c2, c12 = np.cos(q1), np.cos(q2), np.cos(q1 - q2)
+    c1, c2, c12 = math.cos(q1), math.cos(q2), math.cos(q1 - q2)
     rods = [[FIRST * c1, (M1 / 3 + M2) * L1**2, SECOND * L1 * c12], [SECOND * c2, SECOND * L1 * c12, M2 * L2**2 / 3]]
     return np.array([[M0 + ROTOR / PULLEY**2 + M1 + M2, FIRST * c1, SECOND * c2], *rods])
 
@@ -55,8 +57,8 @@ def controlled(y: np.ndarray) -> tuple[float, float, float]:
 
 
 def by_hand(t: float, y: np.ndarray) -> np.ndarray:
-    _, q1, q2, v, w1, w2, i, _ = y
-    s1, s2, s12 = np.sin(q1), np.sin(q2), np.sin(q1 - q2)
+    _, q1, q2, v, w1, w2, i, _ = y.tolist()
+    s1, s2, s12 = math.sin(q1), math.sin(q2), math.sin(q1 - q2)
     pull = [
         K * i / PULLEY - D0 * v + FIRST * s1 * w1**2 + SECOND * s2 * w2**2,
         FIRST * G * s1 - D1 * w1 + D2 * (w2 - w1) - SECOND * L1 * s12 * w2**2,
@@ -124,6 +126,7 @@ def test_eigenvalues_of_the_closed_loop():
     assert right.real.max() < -2.0
 
 
+@pytest.mark.nightly(PAGE)
 def test_page_and_picture(scene, hurried):
     check_picture("servo_pendulums", scene.parent, "--t-end", "1")
     check_page("servo_pendulums", scene.parent)

@@ -7,16 +7,26 @@ from pathlib import Path
 import pytest
 from eigenmotion.codegen.choices import FORMULATIONS
 
-from .generation import COMPILERS
-from .models_table import DAILY, HEAVY, Scenario
+from .generation import COMPILERS, NAMES
+from .models_table import BY_NAME, DAILY, HEAVY, Scenario
 
 MARKED = "marked nightly where they are written"
 COMPILER = "other compilers: by day a case that goes by all of them takes one"
 HEAVY_MODEL = "heavy models: by day test_heavy_models.py has them"
 FORMULATION = "other formulations: by day eigenfactor and another in turn, models of models_table.py those of DAILY"
 
+MODEL = "many models: by day a test that goes by twenty or more takes every other, in turn"
+PAGE = "pictures and pages of single models: by day those of cam_follower and lugre_oscillator"
+CLOSED_FORM = "closed forms against integration: by day every third model's"
+SEED = "random cases: by day the first of each kind"
+
+MODELS = {*NAMES, *BY_NAME}
+
 BY_ALL = ("test_paper_scene", "test_signs")
 """Files that go by every formulation by day, too."""
+
+EVERY_MODEL = ("test_accelerations_and_multipliers",)
+"""What goes by every model by day, too."""
 
 
 def mark_nightly(items: list[pytest.Item]) -> None:
@@ -29,6 +39,8 @@ def mark_nightly(items: list[pytest.Item]) -> None:
     theirs = [item for item in items if not (item.path.stem in BY_ALL or rule_of(item) or _known(item))]
     for item in list(_not_in_turn(theirs, FORMULATIONS[1:])):
         item.add_marker(pytest.mark.nightly(FORMULATION))
+    for item in list(_every_other_model([item for item in items if not rule_of(item)])):
+        item.add_marker(pytest.mark.nightly(MODEL))
 
 
 def rule_of(item: pytest.Item) -> str | None:
@@ -66,6 +78,23 @@ def _not_in_turn(items: list[pytest.Item], choices: Sequence[str]) -> Iterator[p
                 yield from (by[one] for one in there if one != there[turn % len(there)])
 
 
+def _every_other_model(items: list[pytest.Item]) -> Iterator[pytest.Item]:
+    """Give, of a test that goes by many models, the cases of every other one.
+
+    Turns follow the order of tests in their file, so what one test leaves out the next one takes.
+    """
+    tests = defaultdict[Path, dict[str, dict[str, list[pytest.Item]]]](dict)
+    for item in items:
+        for name in {_name_of(one) for one in _given(item)} & MODELS:
+            tests[item.path].setdefault(item.originalname, {}).setdefault(name, []).append(item)
+    for path, in_file in tests.items():
+        first = sorted(path.parent.glob("test_*.py")).index(path)
+        for turn, (test, by_model) in enumerate(in_file.items(), first):
+            if len(by_model) >= 20 and test not in EVERY_MODEL:
+                for name in list(by_model)[turn % 2 :: 2]:
+                    yield from by_model[name]
+
+
 def _known(item: pytest.Item) -> bool:
     """Whether a model of the table takes part."""
     return any(_model_of(one) in DAILY for one in _given(item))
@@ -79,6 +108,11 @@ def _given_words(item: pytest.Item) -> Iterator[str]:
 def _given(item: pytest.Item) -> Iterable[object]:
     """Return what a test is parametrised with."""
     return item.callspec.params.values() if hasattr(item, "callspec") else ()
+
+
+def _name_of(given: object) -> str | None:
+    """Return the name of a scenario, whose file others may have in common, or of a file."""
+    return given.name if isinstance(given, Scenario) else _model_of(given)
 
 
 def _model_of(given: object) -> str | None:
