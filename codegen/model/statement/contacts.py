@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from ..normalise import ModelError, expression, name_of, pairs_of, shown
+from ..normalise import ModelError, expression, name_of, pairs_of, rate_of, shown
 from .constraint_rows import KINDS, Normal, Normals, normal_of
 from .event import Event, restitution_of
 
@@ -265,9 +265,7 @@ def _friction(
     shift = _shift(name, friction)
     shifted = [slip + by for slip, by in zip(slips, shift, strict=True)] if shift else slips
     along = [slip / _speed(shifted, slides) if shift else sympy.Integer(1) for slip in shifted]
-    rows = [
-        sum(part * slip.diff(x.diff()) for part, slip in zip(along, slips, strict=True)) for x in made["coordinates"]
-    ]
+    rows = [_along(rate_of(x), along, slips) for x in made["coordinates"]]
     pushes = [-slides * force * row for row in rows]
     passes = (
         _speed([slip + by for slip, by in zip(friction.slips, shift, strict=True)], slides) if shift else friction.slip
@@ -280,6 +278,13 @@ def _friction(
         "forces": tuple(Q + push for Q, push in zip(made["forces"], pushes, strict=True)),
         "events": (*made["events"], (name, Event(slides * passes, -1))),
     }
+
+
+def _along(velocity: sympy.Expr, along: Sequence[sympy.Expr], slips: Sequence[sympy.Expr]) -> sympy.Expr:
+    """Return the sum of along_i d(slip_i) / d(velocity); most slips do not contain most velocities."""
+    return sympy.Add(
+        *(part * slip.diff(velocity) for part, slip in zip(along, slips, strict=True) if slip.has(velocity))
+    )
 
 
 def _speed(slips: Sequence[sympy.Expr], slides: sympy.Symbol) -> sympy.Expr:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 
 import sympy
 
-from ..normalise import t
+from ..normalise import rate_of, t
 from .constraint_rows import NamedRows, names_of_rows
 from .contacts import Contact, Friction, Switch, normals_of, switch_of
 from .drawing import Shape
@@ -66,7 +66,7 @@ class Mechanism:
     @property
     def rates(self) -> tuple[sympy.Expr, ...]:
         """(n) velocities xdot, the time derivatives of the coordinates."""
-        return tuple(x.diff(t) for x in self.coordinates)
+        return tuple(map(rate_of, self.coordinates))
 
     @property
     def initial_x(self) -> tuple[float, ...]:
