@@ -10,10 +10,16 @@ from eigenmotion.codegen.choices import FORMULATIONS
 from .generation import COMPILERS, NAMES
 from .models_table import BY_NAME, DAILY, HEAVY, Scenario
 
+Cases = dict[str, dict[str, dict[str, pytest.Item]]]
+"""Case -> test -> choice -> item."""
+
 MARKED = "marked nightly where they are written"
 COMPILER = "other compilers: by day a case that goes by all of them takes one"
 HEAVY_MODEL = "heavy models: by day test_heavy_models.py has them"
-FORMULATION = "other formulations: by day eigenfactor and another in turn, models of models_table.py those of DAILY"
+FORMULATION = (
+    "other formulations: by day a file's first case takes eigenfactor and another in turn, the others one of the two, "
+    "models of models_table.py those of DAILY"
+)
 
 MODEL = "many models: by day a test that goes by twenty or more takes every other, in turn"
 PAGE = "pictures and pages of single models: by day those of cam_follower and lugre_oscillator"
@@ -38,6 +44,8 @@ def mark_nightly(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.nightly(rule))
     theirs = [item for item in items if not (item.path.stem in BY_ALL or rule_of(item) or _known(item))]
     for item in list(_not_in_turn(theirs, FORMULATIONS[1:])):
+        item.add_marker(pytest.mark.nightly(FORMULATION))
+    for item in list(_one_of_two([item for item in theirs if not rule_of(item)])):
         item.add_marker(pytest.mark.nightly(FORMULATION))
     for item in list(_every_other_model([item for item in items if not rule_of(item)])):
         item.add_marker(pytest.mark.nightly(MODEL))
@@ -64,18 +72,32 @@ def _not_in_turn(items: list[pytest.Item], choices: Sequence[str]) -> Iterator[p
     Turns follow the order of files in their folder and of cases in their file; tests of a file that have a case in
     common, and so its compiled model, take the same.
     """
-    cases = defaultdict[Path, dict[str, dict[str, dict[str, pytest.Item]]]](dict)
-    for item in items:
-        words = [one for one in _given_words(item) if one in choices]
-        if len(words) == 1:
-            case = item.callspec.id.replace(words[0], "", 1)
-            cases[item.path].setdefault(case, {}).setdefault(item.originalname, {})[words[0]] = item
-    for path, in_file in cases.items():
+    for path, in_file in _cases(items, choices).items():
         first = sorted(path.parent.glob("test_*.py")).index(path)
         for turn, tests in enumerate(in_file.values(), first):
             for by in tests.values():
                 there = [one for one in choices if one in by]
                 yield from (by[one] for one in there if one != there[turn % len(there)])
+
+
+def _one_of_two(items: list[pytest.Item]) -> Iterator[pytest.Item]:
+    """Give, of all cases of a file but its first, one of the two formulations that are left, in turn."""
+    for in_file in _cases(items, FORMULATIONS).values():
+        for turn, tests in enumerate(in_file.values()):
+            for by in tests.values() if turn else ():
+                if len(by) == 2 and FORMULATIONS[0] in by:
+                    yield next(item for name, item in by.items() if (name == FORMULATIONS[0]) == bool(turn % 2))
+
+
+def _cases(items: list[pytest.Item], choices: Sequence[str]) -> dict[Path, Cases]:
+    """Return file -> cases, of what goes by one of the choices."""
+    cases = defaultdict[Path, Cases](dict)
+    for item in items:
+        words = [one for one in _given_words(item) if one in choices]
+        if len(words) == 1:
+            case = item.callspec.id.replace(words[0], "", 1)
+            cases[item.path].setdefault(case, {}).setdefault(item.originalname, {})[words[0]] = item
+    return cases
 
 
 def _every_other_model(items: list[pytest.Item]) -> Iterator[pytest.Item]:
