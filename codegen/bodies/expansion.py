@@ -10,7 +10,7 @@ from ..calculus.derivatives import Tangent
 from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Kind, Node
-from ..model.tree.body import Link
+from ..model.tree.body import Link, coordinates_of
 from ..model.tree.functions import BodyFunction
 from ..model.tree.quantity import Quantity
 from .frames import applied, transposed
@@ -62,7 +62,7 @@ class Expansion:
 
     def dynamics(self, bodies: tuple[Link, ...], nodes: Mapping[sympy.Expr, Node]) -> Dynamics:
         """Return the recursions of bodies; a rate that has no node is a symbol of its own, on which nothing depends."""
-        coordinates = [q for body in bodies for q in body.coordinates]
+        coordinates = coordinates_of(bodies)
         every = {q.diff(): self.graph.symbol(f"rate of {q}") for q in coordinates} | dict(nodes)
         key = bodies, tuple(every[one] for q in coordinates for one in (q, q.diff()))
         if key not in self._known:

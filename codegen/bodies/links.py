@@ -11,7 +11,7 @@ from ..calculus.derivatives import Tangent
 from ..graph.convert import FromSympy
 from ..graph.graph import Graph
 from ..graph.store import Node
-from ..model.tree.body import FREEDOMS, Link
+from ..model.tree.body import FREEDOMS, Link, coordinates_of
 from .frames import Matrix, Shift, Step, Turn, aligned, applied, matrix, product, transposed, turns
 from .inertia import RigidInertia, Spatial, spatial_sum, times
 from .rotation import MatrixRotation, PlaneRotation
@@ -23,7 +23,7 @@ class Moving:
     """A body that moves on its parent.
 
     parent : its number among the moving bodies; -1 for the ground
-    first : the number of its first coordinate
+    numbers : those of its coordinates; bodies that move together have some in common
     steps : from the parent's frame to its own
     S : a motion for each of its coordinates, at a rate of 1, in its own frame
     rate : Sdot qdot
@@ -31,20 +31,19 @@ class Moving:
     """
 
     parent: int
-    first: int
+    numbers: Sequence[int]
     steps: Sequence[Step]
     S: Sequence[Spatial]
     rate: Spatial
     inertia: RigidInertia
 
-    @property
-    def numbers(self) -> range:
-        """The numbers of its coordinates."""
-        return range(self.first, self.first + len(self.S))
-
     def velocity(self, rates: Sequence[Scalar], zero: Spatial) -> Spatial:
         """Return S qdot."""
         return spatial_sum(zero, *(times(S, rates[k]) for S, k in zip(self.S, self.numbers, strict=True)))
+
+
+Joint = tuple[list[Step], list[Spatial]]
+"""Steps of a joint, and its motions"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +70,10 @@ class Links:
         self.graph, self._nodes, self._from_sympy = graph, nodes, FromSympy(graph)
         self.zero = Scalar(graph, graph.zero)
         self.still: Spatial = [self.zero] * 3, [self.zero] * 3
-        self.q = [Scalar(graph, nodes[q]) for body in bodies for q in body.coordinates]
-        self.v = [Scalar(graph, nodes[q.diff()]) for body in bodies for q in body.coordinates]
+        coordinates = coordinates_of(bodies)
+        self._numbers = {q: number for number, q in enumerate(coordinates)}
+        self.q = [Scalar(graph, nodes[q]) for q in coordinates]
+        self.v = [Scalar(graph, nodes[q.diff()]) for q in coordinates]
         pairs = zip(self.q, self.v, strict=True)
         self.along = Tangent(graph, {graph.records[q.node].operands[0]: v.node for q, v in pairs})
         self.moving: list[Moving] = []
@@ -89,14 +90,13 @@ class Links:
 
     def _add(self, body: Link) -> None:
         on = self.carried[body.parent]
-        numbers = self.scalars(body.rotation)
+        turned = self.scalars(body.rotation)
         at = plus(on.p, applied(on.R, self.scalars(body.at)))
-        R = product(on.R, [numbers[k : k + 3] for k in (0, 3, 6)])
+        R = product(on.R, [turned[k : k + 3] for k in (0, 3, 6)])
         if body.joint == "fixed":
             self.carried[body] = Carried(on.carrier, R, at)
             self._add_mass(body)
             return
-        first = self.moving[-1].numbers.stop if self.moving else 0
         C = aligned(self.graph, self.scalars(body.axis)) if FREEDOMS[body.joint] == 1 else self.ground.R
         fixed, last = turns(product(R, C))
         steps: list[Step] = [Shift(at), *fixed]
@@ -104,13 +104,21 @@ class Links:
             steps.append(Turn(MatrixRotation(last)))
             last = self.ground.R
         T = product(C, transposed(last))
-        joint = _JOINTS[body.joint](self.q[first : first + FREEDOMS[body.joint]])
-        moving = Moving(on.carrier, first, [*steps, *joint[0]], joint[1], self.still, self.nothing)
-        rates = [self._rate(S) for S in moving.S]
-        rate = spatial_sum(self.still, *(times(r, self.v[k]) for r, k in zip(rates, moving.numbers, strict=True)))
+        numbers = [self._numbers[q] for q in body.coordinates]
+        moves, S = self._joint(body, [self.q[k] for k in numbers])
+        rates = [self._rate(one) for one in S]
+        rate = spatial_sum(self.still, *(times(r, self.v[k]) for r, k in zip(rates, numbers, strict=True)))
         self.carried[body] = Carried(len(self.moving), transposed(T), [self.zero] * 3)
-        self.moving.append(Moving(on.carrier, first, moving.steps, moving.S, rate, self.nothing))
+        self.moving.append(Moving(on.carrier, numbers, [*steps, *moves], S, rate, self.nothing))
         self._add_mass(body)
+
+    def _joint(self, body: Link, q: Sequence[Scalar]) -> Joint:
+        """Return the steps of a joint, and its motions at a rate of 1 of each coordinate."""
+        if body.ratio == 1 and body.offset == 0:
+            return _JOINTS[body.joint](q)
+        ratio, offset = self.scalars((body.ratio, body.offset))
+        steps, S = _JOINTS[body.joint]([ratio * one + offset for one in q])
+        return steps, [times(one, ratio) for one in S]
 
     def _rate(self, S: Spatial) -> Spatial:
         return [self._along(entry) for entry in S[0]], [self._along(entry) for entry in S[1]]
@@ -128,10 +136,7 @@ class Links:
             self.fixed = self.fixed + one
             return
         old = self.moving[on.carrier]
-        self.moving[on.carrier] = Moving(old.parent, old.first, old.steps, old.S, old.rate, old.inertia + one)
-
-
-Joint = tuple[list[Step], list[Spatial]]
+        self.moving[on.carrier] = Moving(old.parent, old.numbers, old.steps, old.S, old.rate, old.inertia + one)
 
 
 def _unit(like: Scalar, k: int) -> Vector:

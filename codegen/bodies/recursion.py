@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ..graph.store import Node
+from .branch_factor import BranchFactor
 from .inertia import ArticulatedInertia, Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
 from .links import Links, Moving
 from .scalar import HALF, Scalar, Vector, dot, total
@@ -118,7 +119,7 @@ class Dynamics:
         for number in reversed(range(len(forces))):
             body = self.links.moving[number]
             for S, k in zip(body.S, body.numbers, strict=True):
-                result[k] = spatial_dot(S, forces[number])
+                result[k] = result[k] + spatial_dot(S, forces[number])
             if body.parent >= 0:
                 forces[body.parent] = spatial_sum(forces[body.parent], self.up(body, forces[number]))
         return result
@@ -140,13 +141,17 @@ class Dynamics:
         return M
 
     def _column(self, M: list[list[Scalar]], number: int, forces: list[Spatial]) -> None:
-        """Write the columns of a body: the forces that its accelerations take, on itself and on all that carry it."""
+        """Add the columns of a body: the forces that its accelerations take, on itself and on all that carry it."""
         moving, columns = self.links.moving, self.links.moving[number].numbers
         at = number
         while at >= 0:
-            for force, column in zip(forces, columns, strict=True):
-                for S, row in zip(moving[at].S, moving[at].numbers, strict=True):
-                    M[row][column] = M[column][row] = spatial_dot(S, force)
+            for place, (force, column) in enumerate(zip(forces, columns, strict=True)):
+                own = place + 1 if at == number else None  # of the body's own block the upper half
+                for S, row in list(zip(moving[at].S, moving[at].numbers, strict=True))[:own]:
+                    entry = spatial_dot(S, force)
+                    M[row][column] = M[row][column] + entry
+                    if at != number or row != column:
+                        M[column][row] = M[column][row] + entry
             forces = [self.up(moving[at], force) for force in forces]
             at = moving[at].parent
 
@@ -158,13 +163,18 @@ class Dynamics:
         armature
             (n,) inertia of each coordinate besides that of the bodies; () for none.
         """
+        if self.shared:
+            bias = self.inverse_dynamics(None, gravity)
+            return self.solved([force - one for force, one in zip(forces, bias, strict=True)], armature)
         velocities, biases = self.motions
         bodies = zip(self.links.moving, velocities, strict=True)
-        bias = [crossed_force(v, body.inertia * v) for body, v in bodies]
-        return self._solved(forces, bias, biases, self.ground(gravity), armature)
+        passed = [crossed_force(v, body.inertia * v) for body, v in bodies]
+        return self._solved(forces, passed, biases, self.ground(gravity), armature)
 
     def solved(self, forces: Sequence[Scalar], armature: Sequence[Scalar] = ()) -> list[Scalar]:
         """Return M^-1 forces (n,)."""
+        if self.shared:
+            return self._factor(armature).solve(forces)
         none = [self.still] * len(self.links.moving)
         return self._solved(forces, [*none], none, self.still, armature)
 
@@ -195,6 +205,23 @@ class Dynamics:
                 result[k] = dot(row, rests[number]) - spatial_dot(gain, before)
             a.append(spatial_sum(before, body.velocity(result, self.still)))
         return result
+
+    @property
+    def shared(self) -> bool:
+        """Whether bodies have a coordinate in common: then M is factored, for they are no tree of independent joints."""
+        return sum(len(body.numbers) for body in self.links.moving) > self.n
+
+    def _factor(self, armature: Sequence[Scalar]) -> BranchFactor:
+        M = [list(row) for row in self.mass_matrix]
+        for k, more in enumerate(armature):
+            M[k][k] = M[k][k] + more
+        return BranchFactor(M)
+
+    def pivots(self, armature: Sequence[Scalar] = ()) -> list[Scalar]:
+        """Return the inertia (n,) that each coordinate feels, with the joints further out free."""
+        if self.shared:
+            return self._factor(armature).pivots
+        return [pivot for joint in self.articulated(tuple(one.node for one in armature)) for pivot in joint.pivots]
 
     def articulated(self, armature: tuple[Node, ...]) -> list[Articulated]:
         """Return what each joint yields and passes on."""

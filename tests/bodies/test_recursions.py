@@ -22,8 +22,8 @@ mp.mp.dps = 40
 class Case:
     """A random tree at a random state, its energies by forward kinematics, and its recursions as nodes."""
 
-    def __init__(self, seed):
-        self.made = RandomTree(seed)
+    def __init__(self, seed, driven=False):
+        self.made = RandomTree(seed, driven=driven)
         self.tree, chance = self.made.tree, random.Random(seed)
         self.q = self.tree.coordinates
         self.n = len(self.q)
@@ -107,9 +107,9 @@ class Case:
 
 
 @cache
-def case_of(seed):
+def case_of(seed, driven=False):
     """A case and what Lagrange's equations say of it: once for all that look at it."""
-    case = Case(seed)
+    case = Case(seed, driven)
     return case, *case.lagrange()
 
 
@@ -121,9 +121,10 @@ def close(got, expected, tolerance=1e-13):
     assert np.abs(got - expected).max(initial=0.0) <= tolerance * max(1.0, np.abs(expected).max(initial=0.0))
 
 
+@pytest.mark.parametrize("driven", [False, True], ids=["", "driven"])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_recursions_give_lagranges_equations(seed):
-    case, M, bias = case_of(seed)
+def test_recursions_give_lagranges_equations(seed, driven):
+    case, M, bias = case_of(seed, driven)
     T, V = case.values([case.dynamics.kinetic_energy, case.dynamics.potential_energy(case.gravity)])
     close([T], [case.energy("kinetic_energy", case.state["q"], case.state["v"])])
     close([V], [case.energy("potential_energy", case.state["q"], case.state["v"])])
@@ -134,9 +135,10 @@ def test_recursions_give_lagranges_equations(seed):
     close(torques, M * mp.matrix(case.state["a"]) + bias)
 
 
+@pytest.mark.parametrize("driven", [False, True], ids=["", "driven"])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_articulated_bodies_solve_for_accelerations(seed):
-    case, M, bias = case_of(seed)
+def test_articulated_bodies_solve_for_accelerations(seed, driven):
+    case, M, bias = case_of(seed, driven)
     if mp.svd_r(M, compute_uv=False)[case.n - 1] < 1e-8:
         pytest.skip("a massless body at the end of a branch: M is singular")
     a = mp.matrix(case.values(case.dynamics.accelerations(case.symbols("u"), case.gravity)))

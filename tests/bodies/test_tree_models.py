@@ -126,7 +126,7 @@ def test_the_place_of_a_closed_loop_is_a_constraint(formulation):
     ({"rotation": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}, "determinant is -1"),
     ({"inertia": [[1, 2, 0], [0, 1, 0], [0, 0, 1]]}, "not symmetric"),
     ({"at": (1, 2)}, "has 2 entries. Give 3"),
-    ({"coordinates": [symbols("q")]}, "functions of time"),
+    ({"coordinates": [symbols("q")]}, "a function of time"),
 ])  # fmt: skip
 def test_mistakes_are_named(change, words):
     tree = em.Tree()
@@ -236,3 +236,44 @@ def test_a_free_body_lands_on_the_ground():
     assert np.abs(run.x[2] - [1.2 - 9.81 * 0.25**2 / 2, 0.2, 0.2]).max() < 1e-9
     assert np.abs(run.outputs["force"] - [0.0, 2 * 9.81, 2 * 9.81]).max() < 1e-8
     assert np.abs(run.x[4] - np.tan(0.3 * np.array([0.25, 1.0, 2.0]))).max() < 1e-8
+
+
+def test_a_joint_that_another_drives_follows_it():
+    """A crank lifts a rack by a pinion of radius r: T and V by hand, with the rack at r q + h."""
+    J, M, r, h, g = symbols("J M r h g", positive=True)
+    tree = em.Tree(gravity=(0, 0, -g))
+    crank = tree.body("crank", joint="revolute", axis="y", inertia=(0, J, 0))
+    (q,) = tree.coordinates
+    rack = tree.body("rack", joint="prismatic", axis="z", mass=M, coordinates=[r * q + h])
+    assert tree.coordinates == (q,) == crank.coordinates == rack.coordinates
+    values = {J: 0.3, M: 2.0, r: 0.25, h: 0.4, g: 9.81}
+    model = em.Model(name="rack", coordinates=[q], kinetic_energy=tree.kinetic_energy, parameters=values,
+                     potential_energy=tree.potential_energy, outputs={"z": rack.position()[2],
+                     "v": rack.velocity()[2]}, initial={q.diff(): 3.0})  # fmt: skip
+    run = em.simulate(em.build(model), (0, 1), t_eval=np.linspace(0, 1, 5), rtol=1e-11, atol=1e-12)
+    a = -2.0 * 0.25 * 9.81 / (0.3 + 2.0 * 0.25**2)
+    turned = 3.0 * run.t + a * run.t**2 / 2
+    assert np.abs(run.x[0] - turned).max() < 1e-10
+    assert np.abs(run.outputs["z"] - (0.25 * turned + 0.4)).max() < 1e-10
+    assert np.abs(run.outputs["v"] - 0.25 * (3.0 + a * run.t)).max() < 1e-10
+
+
+def test_what_drives_a_joint_is_checked():
+    tree = em.Tree()
+    x = tree.body("arm", joint="revolute").coordinates[0]
+    for wrong in (x**2, x.diff(), t * x, 3, x + sympy.Function("y")(t)):
+        with pytest.raises(em.ModelError, match="k q"):
+            tree.body("hand", joint="revolute", coordinates=[wrong])
+    with pytest.raises(em.ModelError, match="not driven"):
+        tree.body("hand", joint="spherical", coordinates=[2 * x, x, x])
+    tree.body("hand", joint="planar")
+    with pytest.raises(em.ModelError, match="another body has the coordinate"):
+        tree.body("hand_1", joint="revolute")
+
+
+def test_bodies_fixed_to_the_ground_are_at_numbers():
+    tree = em.Tree()
+    foot = tree.body("foot", joint="fixed", at=(1, 2, 3), rotation=[[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    assert list(foot.position((1, 0, 0))) == [1, 3, 3]
+    assert list(foot.velocity()) == [0, 0, 0]
+    assert foot.rotation == sympy.ImmutableDenseMatrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])

@@ -13,7 +13,7 @@ FREEDOMS = {"revolute": 1, "prismatic": 1, "cylindrical": 2, "planar": 3, "spher
 
 
 class RandomTree:
-    """A tree with at most `most` coordinates.
+    """A tree with at most `most` coordinates; with `driven`, joints that others drive besides.
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class RandomTree:
     parameters : symbols with their values, for every second mass and length
     """
 
-    def __init__(self, seed: int, most: int = 6) -> None:
+    def __init__(self, seed: int, most: int = 6, driven: bool = False) -> None:
         self.chance = random.Random(seed)
         self.parameters: dict[sympy.Symbol, float] = {}
         self.tree = Tree(gravity=[self.number(scale=9.8) for _ in range(3)])
@@ -29,6 +29,8 @@ class RandomTree:
         while len(self.bodies) < 7 and len(self.tree.coordinates) < most and self.chance.random() < 0.9:
             parent = self.chance.choice([*self.bodies[-2:], None])
             self.bodies.append(self._body(len(self.bodies), parent, most - len(self.tree.coordinates)))
+            if driven:
+                self._driven(len(self.bodies) + 100)
 
     def number(self, scale=1.0, positive=False):
         """A number of either sign, 0 or 1 at times; every second positive one a parameter."""
@@ -63,6 +65,16 @@ class RandomTree:
             at=[self.number() for _ in range(3)], rotation=self.rotation(),
             mass=0 if light else self.number(positive=True), center=[self.number(0.5) for _ in range(3)],
             inertia=0 if light else self._inertia(),
+        )  # fmt: skip
+
+    def _driven(self, number):
+        """Add a body on any other, whose joint is at k q + b."""
+        q = self.chance.choice(self.tree.coordinates)
+        self.tree.body(
+            f"b{number}", self.chance.choice(self.bodies), joint=self.chance.choice(["revolute", "prismatic"]),
+            axis=[self.chance.uniform(-1, 1) for _ in range(3)], at=[self.number() for _ in range(3)],
+            rotation=self.rotation(), mass=self.number(positive=True), center=[self.number(0.5) for _ in range(3)],
+            inertia=self._inertia(), coordinates=[self.number(positive=True) * q + self.number()],
         )  # fmt: skip
 
     def _inertia(self):

@@ -93,8 +93,7 @@ class _Solver:
         """Return the inertia (n,) that each coordinate feels, with the joints further out free."""
         result = [mass.node for mass in self.armature]
         for tree in self.trees.recursions:
-            joints = tree.dynamics.articulated(tuple(self.armature[k].node for k in tree.numbers))
-            pivots = [pivot.node for joint in joints for pivot in joint.pivots]
+            pivots = tree.dynamics.pivots([self.armature[k] for k in tree.numbers])
             for k, pivot in zip(tree.numbers, pivots, strict=True):
-                result[k] = pivot
+                result[k] = pivot.node
         return tuple(result)

@@ -14,6 +14,7 @@ from ...graph.graph import Graph
 from ...graph.store import Node
 from ...model.recursion_depth import expressions_in
 from ...model.statement.mechanism import Mechanism
+from ...model.tree.body import coordinates_of
 from ...model.tree.functions import BodyFunction
 
 
@@ -81,7 +82,7 @@ def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr
         gravity = falling.get(quantity.bodies)
         vector = gravity.quantity.vector if gravity else (sympy.S.Zero,) * 3
         used += [gravity] if gravity else []
-        places = tuple(numbers[q] for body in quantity.bodies for q in body.coordinates)
+        places = tuple(numbers[q] for q in coordinates_of(quantity.bodies))
         recursions.append(Recursion(dynamics, places, dynamics.links.scalars(vector)))
     rest = model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)
     return Trees(expansion.graph, tuple(recursions), *map(node, rest))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import sympy
@@ -23,12 +23,13 @@ class Link:
     name
     parent : the body that carries it; None for the ground
     joint : a kind of FREEDOMS
-    coordinates : functions of time
+    coordinates : functions of time; bodies with a coordinate in common move together
     at : (3,) place of the joint in the parent's frame [m]
     rotation : (9,) R, row by row: the axes of the joint's frame are the columns of R, in the parent's axes
     axis : (3,) direction of a revolute or prismatic joint, in the joint's frame; of length 1
     mass [kg]; center : (3,) mass centre in the body's frame [m]
     inertia : (6,) xx, xy, xz, yy, yz, zz about the mass centre, in the body's axes [kg m^2]
+    ratio, offset : a revolute or prismatic joint with the coordinate q is at ratio q + offset
 
     The body's frame is the joint's frame, moved by the joint.
     """
@@ -43,6 +44,8 @@ class Link:
     mass: sympy.Expr
     center: Triple
     inertia: tuple[sympy.Expr, ...]
+    ratio: sympy.Expr = sympy.S.One
+    offset: sympy.Expr = sympy.S.Zero
 
     @property
     def ancestors(self) -> Iterator[Link]:
@@ -55,10 +58,15 @@ class Link:
     @property
     def geometry(self) -> tuple[sympy.Expr, ...]:
         """The expressions that say where it is on its parent."""
-        return (*self.at, *self.rotation, *self.axis)
+        return (*self.at, *self.rotation, *self.axis, self.ratio, self.offset)
 
     @property
     def text(self) -> str:
         """All that it is on its parent, for a digest."""
         numbers = (*self.geometry, self.mass, *self.center, *self.inertia)
         return f"{self.name} {self.joint} {self.coordinates} {list(map(sympy.srepr, numbers))}"
+
+
+def coordinates_of(bodies: Iterable[Link]) -> tuple[sympy.Expr, ...]:
+    """Return the coordinates of bodies, each once, in the order of the bodies."""
+    return tuple(dict.fromkeys(q for body in bodies for q in body.coordinates))

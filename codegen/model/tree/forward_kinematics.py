@@ -116,7 +116,7 @@ class ForwardKinematics:
 
     def _joint(self, body: Link) -> tuple[list[Moving], Matrix | None]:
         """Return the place and the rotation of the body in the frame of its joint."""
-        q = [Moving(self.values[one], self.values.get(one.diff())) for one in body.coordinates]
+        q = [self._moved(body, one) for one in body.coordinates]
         still = [Moving()] * 3
         if body.joint == "fixed":
             return still, None
@@ -125,6 +125,12 @@ class ForwardKinematics:
         if body.joint == "revolute":
             return still, self._about(self.vector(body.axis), q[0])
         return (q[:3] if body.joint == "free" else still), self._rodrigues(q[-3:])
+
+    def _moved(self, body: Link, coordinate: sympy.Expr) -> Moving:
+        """Return ratio q + offset, and its rate."""
+        q = Moving(self.values[coordinate], self.values.get(coordinate.diff()))
+        scaled = q if body.ratio == 1 else self.constant(body.ratio) * q
+        return scaled if body.offset == 0 else scaled + self.constant(body.offset)
 
     def _about(self, axis: Sequence[Moving], angle: Moving) -> Matrix:
         """Return c 1 + (1 - c) a a^T + s [a x]."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import sympy
 
-from .body import Link
+from .body import Link, coordinates_of
 
 Variables = tuple[sympy.Expr, ...]
 
@@ -55,7 +55,7 @@ class Quantity:
 
 def variables_of(bodies: Sequence[Link], vector: Sequence[sympy.Expr], *, rates: bool = True) -> Variables:
     """Return the coordinates of bodies, their rates where asked for, and the parameters in bodies and vector."""
-    coordinates = [q for body in bodies for q in body.coordinates]
+    coordinates = coordinates_of(bodies)
     numbers = [*vector]
     for body in bodies:
         numbers += [*body.geometry, body.mass, *body.center, *body.inertia]

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 from typing import Any
 
 import sympy
+from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..normalise import ModelError, expression, nearest, sequence_of, shown, t
-from .body import FREEDOMS, ROTATED, Link
+from .body import FREEDOMS, ROTATED, Link, coordinates_of
+from .forward_kinematics import Arithmetic, ForwardKinematics
 from .functions import call
 from .quantity import Quantity
 
@@ -32,7 +34,7 @@ class Body:
     Attributes
     ----------
     name
-    coordinates : of its joint, functions of time
+    coordinates : those on which its joint depends, functions of time
     """
 
     def __init__(self, link: Link, coordinates: tuple[sympy.Expr, ...]) -> None:
@@ -153,7 +155,9 @@ class Tree:
             Mass [kg], mass centre in the body's frame [m], and inertia about the mass centre in the body's axes
             [kg m^2]: a matrix (3, 3), or (xx, yy, zz), or (xx, xy, xz, yy, yz, zz).
         coordinates
-            Functions of time; None makes them from the name, "upper" or "upper_1", "upper_2", ...
+            Functions of time; None makes them from the name, "upper" or "upper_1", "upper_2", ... A joint that moves
+            along or about an axis may be driven by another: k q + b, with the coordinate q of that joint, and numbers
+            or parameters k and b.
 
         Raises
         ------
@@ -164,17 +168,20 @@ class Tree:
         self._check(name, joint, what)
         place = (_expressions(at, f"{what}: at", 3), _rotation(rotation, what))
         own = (expression(mass, f"{what}: mass"), _expressions(center, f"{what}: center", 3), _inertia(inertia, what))
-        q = _coordinates(coordinates, name, _COUNTS[joint], what)
+        given = self._made(name, _COUNTS[joint], what) if coordinates is None else coordinates
+        q = _driven(given, joint, what)
+        if joint in ROTATED and {one for one, _, _ in q} & set(self.coordinates):
+            raise ModelError(f"{what}: another body has its coordinates. A {joint} joint is not driven by another one.")
         before = self._parent(parent, what)
         links = _chain(name, before, joint, q, place, _axis(axis, what), own)
         self._links += links
-        body = self.bodies[name] = Body(links[-1], q)
+        body = self.bodies[name] = Body(links[-1], tuple(one for one, _, _ in q))
         return body
 
     @property
     def coordinates(self) -> tuple[sympy.Expr, ...]:
-        """Coordinates of all joints, in the order of the bodies."""
-        return tuple(q for link in self._links for q in link.coordinates)
+        """Coordinates of all joints, each once, in the order of the bodies."""
+        return coordinates_of(self._links)
 
     @property
     def kinetic_energy(self) -> sympy.Expr:
@@ -194,6 +201,16 @@ class Tree:
         if joint not in _COUNTS:
             raise ModelError(f"{what}: joint is {shown(joint)}. Give one of {', '.join(JOINTS)}.")
 
+    def _made(self, name: str, count: int, what: str) -> tuple[sympy.Expr, ...]:
+        """Return coordinates that are named after a body."""
+        names = [name] if count == 1 else [f"{name}_{k + 1}" for k in range(count)]
+        q = tuple(dynamicsymbols(one) for one in names)
+        if taken := set(q) & set(self.coordinates):
+            raise ModelError(
+                f"{what}: another body has the coordinate {taken.pop()}. Rename it, or give `coordinates`."
+            )
+        return q
+
     def _parent(self, parent: Any, what: str) -> Link | None:
         if parent is None:
             return None
@@ -205,22 +222,27 @@ class Tree:
         return self.bodies[parent].link
 
 
+Driven = tuple[sympy.Expr, sympy.Expr, sympy.Expr]
+"""A coordinate q, and k and b: the joint is at k q + b."""
+
+
 def _chain(
-    name: str, parent: Link | None, joint: str, q: tuple[sympy.Expr, ...], place: tuple[Any, Any], axis: Any, own: Any
+    name: str, parent: Link | None, joint: str, q: Sequence[Driven], place: tuple[Any, Any], axis: Any, own: Any
 ) -> list[Link]:
     """Return the body, after massless ones where the joint is made of several."""
     none = (sympy.S.Zero,) * 3
     massless = (sympy.S.Zero, none, (sympy.S.Zero,) * 6)
     if joint not in _COMPOSED:
-        return [Link(name, parent, joint, q, place[0], place[1], axis, *own)]
+        driven = q[0][1:] if FREEDOMS[joint] == 1 else ()
+        return [Link(name, parent, joint, tuple(one for one, _, _ in q), place[0], place[1], axis, *own, *driven)]
     axes = [axis, axis] if joint == "cylindrical" else [_axis(letter, name) for letter in "xyz"]
     links: list[Link] = []
-    for number, (kind, one, along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
+    for number, (kind, (one, *driven), along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
         last = number == len(q) - 1
         links.append(
             Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
                  none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
-                 *(own if last else massless))
+                 *(own if last else massless), *driven)
         )  # fmt: skip
     return links
 
@@ -229,9 +251,9 @@ def _call(quantity: Quantity) -> sympy.Expr:
     """Return a quantity as a function of its variables; a quantity of fixed bodies without parameters as a number."""
     if quantity.variables:
         return call(quantity)
-    raise ModelError(
-        f"{quantity.label} depends on no coordinate and no parameter. State what is fixed to the ground as numbers."
-    )
+    numbers = Arithmetic(lambda number: number, sympy.sin, sympy.cos, lambda number: 1 / number)
+    value = ForwardKinematics(numbers, {}).quantity(quantity)
+    return sympy.S.Zero if value is None else _exact(value)
 
 
 def _expressions(given: Any, what: str, count: int) -> tuple[sympy.Expr, ...]:
@@ -314,11 +336,29 @@ def _axis(given: Any, what: str) -> tuple[sympy.Expr, ...]:
     return tuple(_exact(sympy.Float(number / length)) for number in numbers)
 
 
-def _coordinates(given: Any, name: str, count: int, what: str) -> tuple[sympy.Expr, ...]:
-    if given is None:
-        names = [name] if count == 1 else [f"{name}_{k + 1}" for k in range(count)]
-        return tuple(dynamicsymbols(one) for one in names)
-    q = sequence_of(given, f"{what}: coordinates")
-    if len(q) != count or any(getattr(one, "args", ()) != (t,) for one in q):
-        raise ModelError(f"{what}: coordinates is {shown(given)}. Give {count} functions of time: dynamicsymbols.")
-    return q
+def _driven(given: Any, joint: str, what: str) -> list[Driven]:
+    """Return each coordinate with its ratio and offset."""
+    entries = sequence_of(given, f"{what}: coordinates")
+    read = [_linear(expression(one, f"{what}: coordinates"), what) for one in entries]
+    if len(read) != _COUNTS[joint]:
+        raise ModelError(
+            f"{what}: coordinates is {shown(given)}. Give {_COUNTS[joint]} functions of time: dynamicsymbols."
+        )
+    if joint in ("spherical", "free") and any(one[1:] != (1, 0) for one in read):
+        raise ModelError(f"{what}: coordinates is {shown(given)}. A {joint} joint is not driven by another one.")
+    return read
+
+
+def _linear(given: sympy.Expr, what: str) -> Driven:
+    """Return q, k, b of k q + b."""
+    functions = [one for one in given.atoms(AppliedUndef) if one.args == (t,)]
+    if len(functions) == 1 and not given.has(sympy.Derivative):
+        (q,) = functions
+        k = sympy.diff(given, q)
+        b = sympy.expand(given - k * q)
+        if k != 0 and not (k.has(t) or b.has(t)):
+            return q, _exact(k), _exact(b)
+    raise ModelError(
+        f"{what}: coordinates has {shown(given)}. Give a function of time, as dynamicsymbols makes, or k q + b with "
+        "one such function q and numbers or parameters k and b."
+    )
