@@ -76,6 +76,7 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
         "", "Lanes: right-hand sides of several states in one vector", *(f"  {line}" for line in _lanes(made)),
         *_time_events(made),
         "", "Left out", *(f"  {line}" for line in made.left_out or ("nothing",)),
+        *(("", "Notes", *(f"  {note}" for note in model.notes)) if model.notes else ()),
     ])  # fmt: skip
 
 

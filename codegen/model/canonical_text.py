@@ -10,13 +10,15 @@ from sympy.core.function import AppliedUndef
 
 LATER = ("constraint_names", "states")
 """Fields added in later versions. They are omitted where empty, so that hashes of older models do not change."""
+UNWRITTEN = ("notes",)
+"""Fields that change nothing of the generated files."""
 
 
 def canonical_text(record: Any) -> str:
     """Return one line `field = value` for each field, in the order of the class; empty fields of LATER are omitted."""
     writer = _Writer()
     names = [field.name for field in fields(record) if field.name not in LATER or getattr(record, field.name)]
-    return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in names)
+    return "".join(f"{name} = {writer(getattr(record, name))}\n" for name in names if name not in UNWRITTEN)
 
 
 class _Writer:

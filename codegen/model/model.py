@@ -84,6 +84,7 @@ class Model(Mechanism):
     constraint_names : the names of constraint rows, taken from mappings of constraints
     states : pairs z, zdot: first-order states, functions of `t`, and their rates, which may depend on whatever forces
     may depend on
+    notes : texts about what the model leaves out, which `eigenmotion explain` prints
 
     Raises
     ------
@@ -130,6 +131,7 @@ class Model(Mechanism):
         contacts: Pairs = (),
         constraint_names: Iterable[NamedRows] = (),
         states: Pairs = (),
+        notes: Iterable[str] = (),
     ) -> None:
         arguments = dict(locals())
         del arguments["self"]
@@ -202,6 +204,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         "contacts": contacts_of(arguments["contacts"]),
         "constraint_names": names,
         "states": states_of(arguments["states"]),
+        "notes": tuple(str(note) for note in sequence_of(arguments["notes"], "notes")),
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
     fields = with_shadow_events(with_prescribed_inputs(fields))

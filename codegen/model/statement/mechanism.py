@@ -35,6 +35,7 @@ class Mechanism:
     contacts: tuple[tuple[str, Contact | Friction], ...]
     constraint_names: tuple[NamedRows, ...]
     states: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+    notes: tuple[str, ...]
 
     @property
     def n(self) -> int:
