@@ -65,7 +65,7 @@ class Case:
         return [known[scalar.node] for scalar in scalars]
 
     def kinematics(self, q, v):
-        arithmetic = Arithmetic(self.number, mp.sin, mp.cos, lambda one: 1 / one)
+        arithmetic = Arithmetic(self.number, self.number, mp.sin, mp.cos, lambda one: 1 / one)
         return ForwardKinematics(
             arithmetic, dict(zip(self.q, q, strict=True)) | {w.diff(): x for w, x in zip(self.q, v, strict=True)}
         )

@@ -258,6 +258,19 @@ def test_a_joint_that_another_drives_follows_it():
     assert np.abs(run.outputs["v"] - 0.25 * (3.0 + a * run.t)).max() < 1e-10
 
 
+def test_right_angles_in_floating_point_are_proved():
+    """The cosine of a right angle is 6e-17 in a rotation; where all is at rest at 0, nothing else is left to compare."""
+    c, s = np.cos(np.pi / 2), np.sin(np.pi / 2)
+    tree = em.Tree()
+    arm = tree.body("arm", joint="revolute", rotation=[[1, 0, 0], [0, c, -s], [0, s, c]], at=(0, 0, 0.3))
+    hand = tree.body("hand", arm, joint="revolute", rotation=[[1, 0, 0], [0, c, s], [0, -s, c]], at=(0, -0.3, 0),
+                     mass=1.0, center=(0.1, 0, 0), inertia=(0.01, 0.02, 0.02))  # fmt: skip
+    model = em.Model(name="angles", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     outputs={"y": hand.position()[1]})  # fmt: skip
+    system = em.build(model, formulation="lagrange")
+    assert system.n == 2
+
+
 def test_what_drives_a_joint_is_checked():
     tree = em.Tree()
     x = tree.body("arm", joint="revolute").coordinates[0]

@@ -81,7 +81,7 @@ def value(quantity: Quantity, orders: Sequence[int], point: Sequence[float]) -> 
         symbols = sorted(expression.free_symbols, key=str)
         return sympy.lambdify(symbols, expression, "math")(*(known[one] for one in symbols))
 
-    arithmetic = Arithmetic(of, _sin, _cos, lambda x: 1.0 / x)
+    arithmetic = Arithmetic(of, of, _sin, _cos, lambda x: 1.0 / x)
     result = ForwardKinematics(arithmetic, known).quantity(quantity)
     for _ in range(sum(orders)):
         result = result.slope if isinstance(result, Dual) else 0.0

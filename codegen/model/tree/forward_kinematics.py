@@ -21,9 +21,14 @@ Number = Any
 
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
-    """What numbers do besides + and *; `of` evaluates an expression in parameters."""
+    """What numbers do besides + and *.
+
+    of, entry : evaluate an expression in parameters; `entry` one of a rotation or an axis, whose error is that of 1,
+    however small it is: 6e-17 for the cosine of a right angle
+    """
 
     of: Callable[[sympy.Expr], Number]
+    entry: Callable[[sympy.Expr], Number]
     sin: Callable[[Number], Number]
     cos: Callable[[Number], Number]
     inverse: Callable[[Number], Number]
@@ -96,8 +101,11 @@ class ForwardKinematics:
         """Return expressions in parameters."""
         return [self.constant(one) for one in expressions]
 
+    def _directions(self, expressions: Sequence[sympy.Expr]) -> list[Moving]:
+        return [Moving(None if one == 0 else self.numbers.entry(one)) for one in expressions]
+
     def _matrix(self, expressions: Any) -> Matrix:
-        entries = [self.constant(one) for one in expressions]
+        entries = self._directions(expressions)
         return [entries[k : k + 3] for k in (0, 3, 6)]
 
     def placed(self, body: Link | None) -> tuple[Matrix, list[Moving]]:
@@ -121,9 +129,9 @@ class ForwardKinematics:
         if body.joint == "fixed":
             return still, None
         if body.joint == "prismatic":
-            return [axis * q[0] for axis in self.vector(body.axis)], None
+            return [axis * q[0] for axis in self._directions(body.axis)], None
         if body.joint == "revolute":
-            return still, self._about(self.vector(body.axis), q[0])
+            return still, self._about(self._directions(body.axis), q[0])
         return (q[:3] if body.joint == "free" else still), self._rodrigues(q[-3:])
 
     def _moved(self, body: Link, coordinate: sympy.Expr) -> Moving:

@@ -251,7 +251,7 @@ def _call(quantity: Quantity) -> sympy.Expr:
     """Return a quantity as a function of its variables; a quantity of fixed bodies without parameters as a number."""
     if quantity.variables:
         return call(quantity)
-    numbers = Arithmetic(lambda number: number, sympy.sin, sympy.cos, lambda number: 1 / number)
+    numbers = Arithmetic(lambda number: number, lambda number: number, sympy.sin, sympy.cos, lambda number: 1 / number)
     value = ForwardKinematics(numbers, {}).quantity(quantity)
     return sympy.S.Zero if value is None else _exact(value)
 
@@ -265,7 +265,7 @@ def _expressions(given: Any, what: str, count: int) -> tuple[sympy.Expr, ...]:
 
 def _exact(value: sympy.Expr) -> sympy.Expr:
     """Return whole floating-point numbers as integers, so that what is zero is seen to be."""
-    return sympy.Integer(int(value)) if value.is_Float and value == int(value) else value
+    return sympy.Integer(int(value)) if value.is_Float and float(value).is_integer() else value
 
 
 def _rotation(given: Any, what: str) -> tuple[sympy.Expr, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 import sympy
@@ -10,7 +11,7 @@ import sympy
 from ....codegen.model.tree.forward_kinematics import Arithmetic, ForwardKinematics
 from ....codegen.model.tree.functions import BodyFunction
 from .hyperdual import FUNCTIONS, HyperDual
-from .rounding_bounds import Rounded
+from .rounding_bounds import EPS, Rounded
 
 Values = Sequence[HyperDual]
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
@@ -31,7 +32,7 @@ def of_bodies(
     def value(at: Values) -> HyperDual:
         known = dict(zip(call.quantity.variables, at, strict=True))
         arithmetic = Arithmetic(
-            lambda expression: evaluate(known, expression), FUNCTIONS["sin"], FUNCTIONS["cos"],
+            partial(evaluate, known), lambda entry: _unit(evaluate(known, entry)), FUNCTIONS["sin"], FUNCTIONS["cos"],
             lambda number: number.power(Rounded(-1.0, 0.0)),
         )  # fmt: skip
         return ForwardKinematics(arithmetic, known).quantity(call.quantity) or HyperDual(_ZERO)
@@ -40,6 +41,11 @@ def of_bodies(
     if not by:
         return value(arguments)
     return _first(value, arguments, by[0]) if len(by) == 1 else _second(value, arguments, by)
+
+
+def _unit(entry: HyperDual) -> HyperDual:
+    """Return an entry of a rotation with the rounding of its largest entries."""
+    return HyperDual(entry.a.off(EPS), entry.b, entry.c, entry.f)
 
 
 def _first(value: Callable[[Values], HyperDual], at: Values, place: int) -> HyperDual:
