@@ -1,4 +1,4 @@
-"""Factor M = L^T D L of a mass matrix, from the tips of a tree inwards: zeros of branches stay (Featherstone 2008, 6.5).
+"""Factors M = L^T D L of a mass matrix, from the tips of a tree inwards, with the zeros of M (Featherstone 2008, 6.5).
 
 It solves where bodies have coordinates in common, so that they are no tree of independent joints.
 """

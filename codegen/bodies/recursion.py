@@ -208,7 +208,7 @@ class Dynamics:
 
     @property
     def shared(self) -> bool:
-        """Whether bodies have a coordinate in common: then M is factored, for they are no tree of independent joints."""
+        """Whether bodies have a coordinate in common. They are no tree of independent joints then: M is factored."""
         return sum(len(body.numbers) for body in self.links.moving) > self.n
 
     def _factor(self, armature: Sequence[Scalar]) -> BranchFactor:

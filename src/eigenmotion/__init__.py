@@ -35,6 +35,11 @@ if TYPE_CHECKING:
     from .fmu.export import export_fmu as export_fmu
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
+    from .robots.load import load_mjcf as load_mjcf
+    from .robots.load import load_urdf as load_urdf
+    from .robots.load import read_mjcf as read_mjcf
+    from .robots.load import read_urdf as read_urdf
+    from .robots.robot import Robot as Robot
     from .runtime import EvaluationError as EvaluationError
     from .runtime import StopReason as StopReason
     from .simulation.simulate import simulate as simulate
@@ -54,6 +59,7 @@ _HOME = {
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.verification",
+    "Robot": ".robots.robot",
     "Sampled": ".arguments.sampled",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
@@ -69,8 +75,12 @@ _HOME = {
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",
+    "load_mjcf": ".robots.load",
     "load_model": ".building.model_file",
+    "load_urdf": ".robots.load",
     "multiplier": ".codegen.model",
+    "read_mjcf": ".robots.load",
+    "read_urdf": ".robots.load",
     "show": ".webpage.page_object",
     "simulate": ".simulation.simulate",
     "simulate_ensemble": ".batch.simulate_ensemble",

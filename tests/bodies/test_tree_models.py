@@ -259,7 +259,7 @@ def test_a_joint_that_another_drives_follows_it():
 
 
 def test_right_angles_in_floating_point_are_proved():
-    """The cosine of a right angle is 6e-17 in a rotation; where all is at rest at 0, nothing else is left to compare."""
+    """The cosine of a right angle is 6e-17 in a rotation; at the place 0 of all coordinates nothing else is left."""
     c, s = np.cos(np.pi / 2), np.sin(np.pi / 2)
     tree = em.Tree()
     arm = tree.body("arm", joint="revolute", rotation=[[1, 0, 0], [0, c, -s], [0, s, c]], at=(0, 0, 0.3))

@@ -181,6 +181,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "simulation",
         "batch",
     ),
+    "robots": ("codegen.model.normalise", "codegen.model.tree", "codegen.model"),
     "system": ("compiled", "simulation", "analysis.linear", "batch.stepper"),
     "building.errors": ("codegen.model",),
     "building.verification": (
@@ -205,6 +206,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "garbage",
         "runtime",
         "arguments",
+        "robots",
         "system",
         "building.errors",
         "building.verification",

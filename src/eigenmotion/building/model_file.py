@@ -1,7 +1,8 @@
-"""Model files: execution of a file that defines a `model`."""
+"""Model files: execution of a file that defines a `model`, and the models of files of robots."""
 
 import inspect
 import os
+import re
 import stat
 import sys
 import traceback
@@ -11,7 +12,7 @@ from os import PathLike
 from pathlib import Path
 from threading import RLock
 from types import ModuleType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from ..codegen.model import Model, ModelError
 
@@ -19,6 +20,9 @@ T = TypeVar("T")
 _loading = RLock()
 """Lock around changes of sys.path, with which a model file finds its imports: it belongs to the whole process."""
 _TRUTH = {"1": True, "true": True, "yes": True, "on": True, "0": False, "false": False, "no": False, "off": False}
+ROBOTS = (".urdf", ".xml")
+_TEXTS = ("base", "locked", "name")
+"""Arguments of `load_urdf` and `load_mjcf` that can be given as texts"""
 
 
 def load_model(path: str | PathLike[str], **keywords: object) -> Model:
@@ -27,9 +31,11 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     Parameters
     ----------
     path
-        A file that defines `model`: a Model, or a function returning one whose arguments all have defaults.
+        A file that defines `model`: a Model, or a function returning one whose arguments all have defaults. Or a file
+        of a robot: .urdf, or .xml, which is MJCF or URDF.
     **keywords
-        Arguments of that function. Text is parsed to the type of the default, as for `-D` on the command line.
+        Arguments of that function, parsed from text to the type of the default, as for `-D` on the command line. For a
+        robot: `base`, `locked` (joints with commas between them) or `name` of `load_urdf` and `load_mjcf`.
 
     Raises
     ------
@@ -43,6 +49,8 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     'chain_3'
     """
     file = _file(path)
+    if file.suffix.lower() in ROBOTS:
+        return _robot(file, keywords)
     with _loading, _importable(file.parent):
         defined = _guarded(file, lambda: _run(file)).get("model")
         if isinstance(defined, Model):
@@ -56,6 +64,20 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     if not isinstance(built, Model):
         raise ModelError(f"{file}: model() returned {_article(built)}, not a Model")
     return built
+
+
+def _robot(file: Path, keywords: Mapping[str, object]) -> Model:
+    """Return the model of a file of a robot."""
+    from ..robots.load import load_mjcf, load_urdf  # noqa: PLC0415, loads SciPy
+
+    load = load_mjcf if re.search(rb"<mujoco[\s/>]", file.read_bytes()) else load_urdf
+    known = [name for name in inspect.signature(load).parameters if name in _TEXTS]
+    if unknown := [name for name in keywords if name not in known]:
+        raise ModelError(f"{file}: a robot has no argument {_quoted(unknown)} for texts; it has {_quoted(known)}")
+    given: dict[str, Any] = dict(keywords)
+    if isinstance(given.get("locked"), str):
+        given["locked"] = given["locked"].split(",")
+    return load(file, **given)
 
 
 def _file(path: object) -> Path:

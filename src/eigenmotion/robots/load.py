@@ -1,0 +1,134 @@
+"""Reading of robots: `read_urdf`, `read_mjcf`, and in one call their models, `load_urdf`, `load_mjcf`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ..codegen.model import Model, ModelError
+from ..codegen.model.normalise import shown
+from . import mjcf, urdf
+from .assembly import robot_of
+from .robot import Robot
+
+Closed = Mapping[str, tuple[str | None, Sequence[float], str | None, Sequence[float]]]
+
+
+def read_urdf(
+    path: str | os.PathLike[str],
+    *,
+    base: str = "fixed",
+    locked: Collection[str] = (),
+    close: Closed | None = None,
+    gravity: Sequence[Any] = (0, 0, -9.81),
+    name: str | None = None,
+) -> Robot:
+    """Read a URDF file and return a `Robot`: its bodies by name, and models of it.
+
+    Parameters
+    ----------
+    path
+        The file. Meshes are not read.
+    base
+        "fixed": the first link is the ground. "floating": it moves freely, with the coordinates base_x, base_y, base_z
+        [m] and base_s1, base_s2, base_s3, modified Rodrigues parameters: tan(angle / 4) times the axis of its rotation.
+    locked
+        Joints, by name, that are held at 0.
+    close
+        Closed loops: a mapping name -> (link_a, point_a, link_b, point_b). The point (3,) [m] of the one link, in its
+        frame, stays at the point of the other, by the position constraints of that name; None is the ground.
+    gravity
+        (3,) acceleration of gravity in the axes of the ground [m / s^2]; numbers, or expressions in parameters.
+    name
+        Name of the model; None for that of the robot.
+
+    Raises
+    ------
+    ModelError
+        yourdfpy is not installed (the extra `robots`), or the file or an argument has a mistake; says where.
+    """
+    if base not in ("fixed", "floating"):
+        raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
+    described = urdf.read(_file(path), base)
+    return robot_of(described, locked=locked, close=close or {}, gravity=gravity, name=name)
+
+
+def read_mjcf(
+    path: str | os.PathLike[str],
+    *,
+    locked: Collection[str] = (),
+    close: Closed | None = None,
+    gravity: Sequence[Any] | None = None,
+    name: str | None = None,
+) -> Robot:
+    """Read an MJCF file by MuJoCo's compiler and return a `Robot`.
+
+    Bodies, joints (with damping, armature, springs) and equality constraints are used; a constraint of two joints that
+    is linear eliminates one of them. Bodies that nothing carries move as their joints say. Contacts, tendons and
+    actuators are not used; `Robot.notes` says so.
+
+    Parameters
+    ----------
+    path
+        The file, and those that it includes.
+    locked, close, name
+        As for `read_urdf`; joints are held where the file has them at the start.
+    gravity
+        As for `read_urdf`; None for that of the file.
+
+    Raises
+    ------
+    ModelError
+        MuJoCo is not installed (the extra `robots`), or refuses the file; says why.
+    """
+    described = mjcf.read(_file(path))
+    given = described.gravity if gravity is None else gravity
+    return robot_of(described, locked=locked, close=close or {}, gravity=given, name=name)
+
+
+def load_urdf(
+    path: str | os.PathLike[str],
+    *,
+    base: str = "fixed",
+    locked: Collection[str] = (),
+    close: Closed | None = None,
+    gravity: Sequence[Any] = (0, 0, -9.81),
+    name: str | None = None,
+) -> Model:
+    """Return the model of a URDF file: `read_urdf(...).model()`.
+
+    Coordinates have the names of joints, and each joint has a torque or force as an input, tau_JOINT. The arguments are
+    those of `read_urdf`.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> model = em.load_urdf("arm.urdf")  # doctest: +SKIP
+    >>> run = em.simulate(em.build(model), (0, 2), inputs={"tau_elbow": 1.5})  # doctest: +SKIP
+    """
+    return read_urdf(path, base=base, locked=locked, close=close, gravity=gravity, name=name).model()
+
+
+def load_mjcf(
+    path: str | os.PathLike[str],
+    *,
+    locked: Collection[str] = (),
+    close: Closed | None = None,
+    gravity: Sequence[Any] | None = None,
+    name: str | None = None,
+) -> Model:
+    """Return the model of an MJCF file: `read_mjcf(...).model()`, with the arguments of `read_mjcf`."""
+    return read_mjcf(path, locked=locked, close=close, gravity=gravity, name=name).model()
+
+
+def _file(path: str | os.PathLike[str]) -> Path:
+    try:
+        file = Path(path)
+        file.read_bytes()
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{shown(path)} is not the path of a file.") from error
+    except OSError as error:
+        raise ModelError(f"{shown(str(path))}: {error.strerror or error}") from error
+    return file
