@@ -48,6 +48,22 @@ def read_urdf(
     ------
     ModelError
         yourdfpy is not installed (the extra `robots`), or the file or an argument has a mistake; says where.
+
+    Examples
+    --------
+    A point mass on a rod, and its height as an output:
+
+    >>> from pathlib import Path
+    >>> import eigenmotion as em
+    >>> bob = '<inertial><origin xyz="0 0 -1"/><mass value="2"/></inertial>'
+    >>> links = f'<link name="base"/><link name="rod">{bob}</link>'
+    >>> pin = '<joint name="pin" type="continuous"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/></joint>'
+    >>> _ = Path("pendulum.urdf").write_text(f'<robot name="pendulum">{links}{pin}</robot>')
+    >>> robot = em.read_urdf("pendulum.urdf")
+    >>> height = robot.bodies["rod"].position((0, 0, -1))[2]
+    >>> system = em.build(robot.model(outputs={"height": height}))
+    >>> print(system.simulate((0, 1), x0={"pin": 0.5}).outputs["height"][0].round(4))
+    -0.8776
     """
     if base not in ("fixed", "floating"):
         raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
@@ -82,6 +98,15 @@ def read_mjcf(
     ------
     ModelError
         MuJoCo is not installed (the extra `robots`), or refuses the file; says why.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import eigenmotion as em
+    >>> rod = '<body name="rod"><joint name="pin" axis="0 1 0"/><geom pos="0 0 -1" size="0.1"/></body>'
+    >>> _ = Path("pendulum.xml").write_text(f"<mujoco><worldbody>{rod}</worldbody></mujoco>")
+    >>> em.read_mjcf("pendulum.xml").notes
+    ('not used: geoms: no contacts, and drawings show lines between joints',)
     """
     described = mjcf.read(_file(path))
     given = described.gravity if gravity is None else gravity
@@ -104,9 +129,15 @@ def load_urdf(
 
     Examples
     --------
+    >>> from pathlib import Path
     >>> import eigenmotion as em
-    >>> model = em.load_urdf("arm.urdf")  # doctest: +SKIP
-    >>> run = em.simulate(em.build(model), (0, 2), inputs={"tau_elbow": 1.5})  # doctest: +SKIP
+    >>> bob = '<inertial><origin xyz="0 0 -1"/><mass value="2"/></inertial>'
+    >>> links = f'<link name="base"/><link name="rod">{bob}</link>'
+    >>> pin = '<joint name="pin" type="continuous"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/></joint>'
+    >>> _ = Path("pendulum.urdf").write_text(f'<robot name="pendulum">{links}{pin}</robot>')
+    >>> system = em.build(em.load_urdf("pendulum.urdf"))
+    >>> system.simulate((0, 1), inputs={"tau_pin": 1.5}).success
+    True
     """
     return read_urdf(path, base=base, locked=locked, close=close, gravity=gravity, name=name).model()
 
@@ -119,7 +150,17 @@ def load_mjcf(
     gravity: Sequence[Any] | None = None,
     name: str | None = None,
 ) -> Model:
-    """Return the model of an MJCF file: `read_mjcf(...).model()`, with the arguments of `read_mjcf`."""
+    """Return the model of an MJCF file: `read_mjcf(...).model()`, with the arguments of `read_mjcf`.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import eigenmotion as em
+    >>> rod = '<body name="rod"><joint name="pin" axis="0 1 0"/><geom pos="0 0 -1" size="0.1"/></body>'
+    >>> _ = Path("pendulum.xml").write_text(f"<mujoco><worldbody>{rod}</worldbody></mujoco>")
+    >>> em.load_mjcf("pendulum.xml").coordinates
+    (pin(t),)
+    """
     return read_mjcf(path, locked=locked, close=close, gravity=gravity, name=name).model()
 
 

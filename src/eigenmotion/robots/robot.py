@@ -38,12 +38,19 @@ class Robot:
 
     Examples
     --------
-    The height of a hand as an output, and a stop at the limits of each joint:
+    A point mass on a rod with a limit, at which it stops:
 
+    >>> from pathlib import Path
     >>> import eigenmotion as em
-    >>> robot = em.read_urdf("arm.urdf")  # doctest: +SKIP
-    >>> hand = robot.bodies["hand"]  # doctest: +SKIP
-    >>> model = robot.model(outputs={"height": hand.position()[2]}, contacts=robot.stops())  # doctest: +SKIP
+    >>> bob = '<inertial><origin xyz="0 0 -1"/><mass value="2"/></inertial>'
+    >>> links = f'<link name="base"/><link name="rod">{bob}</link>'
+    >>> pin = '<joint name="pin" type="revolute"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/>'
+    >>> pin += '<limit lower="-0.5" upper="0.5"/></joint>'
+    >>> _ = Path("pendulum.urdf").write_text(f'<robot name="pendulum">{links}{pin}</robot>')
+    >>> robot = em.read_urdf("pendulum.urdf")
+    >>> run = em.build(robot.model(contacts=robot.stops())).simulate((0, 2), inputs={"tau_pin": 30.0})
+    >>> print(run.x[0, -1].round(6))
+    0.5
     """
 
     name: str
