@@ -1,4 +1,5 @@
 /* em_stepper.c: the stepper, compiled once for all models; it uses a model only through em_model. */
 #define EM_UNIT EM_STEPPER
+#include "dynamics/em_blocks.h"
 #include "loop/em_handle.h"
 #include "batch/em_lane_run.h"

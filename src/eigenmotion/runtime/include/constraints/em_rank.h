@@ -20,6 +20,25 @@
 
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM }; /* the flags that concern constraint rows */
 
+EM_NOINLINE double em_length(int n, const double *r) {
+    double square = 0.0;
+    for (int k = 0; k < n; ++k) square += r[k] * r[k];
+    return sqrt(square);
+}
+
+/* Functions of any number of rows; the comments are below. */
+EM_ANY_SIZE int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row);
+EM_ANY_SIZE void em_ranked_rows(int m, const double *Delta, double *pivot, int *row);
+EM_ANY_SIZE int em_independent_rows(int m, const double *Delta, double tolerance, int *kept);
+EM_ANY_SIZE int em_rank(int m, const double *Delta);
+EM_ANY_SIZE void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z);
+EM_ANY_SIZE void em_remove_rows(int n, int count, const double *Q, double *r);
+EM_ANY_SIZE int em_rows_in_doubt(int m, const double *Delta, int *rows);
+EM_COLD_PATH EM_ANY_SIZE int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row,
+                                                int flags, em_fault *fault);
+
+#if EM_HOLDS_ANY_SIZE
+
 /* Units (m) in which the rows of B have length one; rows that vanish relative to the others keep their unit. */
 EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {
     double largest = 0.0;
@@ -33,7 +52,7 @@ EM_NOINLINE void em_row_units(int m, const double *Delta, double *unit) {
 /* Pivoted Delta = L D L^T by the lower triangle, in the order `row` (m) in which rows add most to those before: L
  * (m, m) indexed by the original rows, ones not stored; D (m) the squares of the added parts, 0 after the last one
  * above `tolerance`. Returns the rank. */
-EM_NOINLINE int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
+EM_ANY_SIZE int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
     double left[m];
     for (int i = 0; i < m; ++i) left[i] = Delta[i * m + i], row[i] = i, D[i] = 0.0;
     for (int k = 0; k < m; ++k) {
@@ -65,14 +84,14 @@ EM_NOINLINE int em_pivoted_units(int m, const double *Delta, const double *unit,
 
 /* pivot, row (m) <- the squares of the parts that rows add to those before, and the rows in the order of the
  * largest. */
-EM_NOINLINE void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
+EM_ANY_SIZE void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
     double L[m * m];
     em_pivoted(m, Delta, 0.0, L, pivot, row);
 }
 
 /* The number of independent rows, judged with all rows at length one. *kept <- their bits, 0 if there are too many
  * rows for bits. */
-EM_NOINLINE int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
+EM_ANY_SIZE int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
     double unit[m], L[m * m], D[m];
     int row[m];
     em_row_units(m, Delta, unit);
@@ -82,7 +101,7 @@ EM_NOINLINE int em_independent_rows(int m, const double *Delta, double tolerance
     return rank;
 }
 
-EM_NOINLINE int em_rank(int m, const double *Delta) {
+EM_ANY_SIZE int em_rank(int m, const double *Delta) {
     int kept;
     return em_independent_rows(m, Delta, EM_DEPENDENT, &kept);
 }
@@ -94,7 +113,7 @@ EM_NOINLINE void em_pivoted_backward(int m, int rank, const double *L, const int
 }
 
 /* z (m) <- the vanishing combination of row number `dependent` of the order, after the first `rank`, and of these. */
-EM_NOINLINE void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
+EM_ANY_SIZE void em_vanishing_combination(int m, int rank, const double *L, const int *row, int dependent, double *z) {
     for (int j = 0; j < m; ++j) z[j] = 0.0;
     for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[dependent] * m + j];
     z[row[dependent]] = 1.0;
@@ -103,7 +122,7 @@ EM_NOINLINE void em_vanishing_combination(int m, int rank, const double *L, cons
 
 /* r (n) <- r without its components along the `count` orthonormal rows of Q; done twice, because once leaves the
  * rounding of what was removed. */
-EM_NOINLINE void em_remove_rows(int n, int count, const double *Q, double *r) {
+EM_ANY_SIZE void em_remove_rows(int n, int count, const double *Q, double *r) {
     for (int pass = 0; pass < 2 * count; ++pass) {
         const double *const q = Q + pass % count * n;
         double along = 0.0;
@@ -113,7 +132,7 @@ EM_NOINLINE void em_remove_rows(int n, int count, const double *Q, double *r) {
 }
 
 /* The number of rows that depend on others; rows (m) <- 1 for those in a vanishing combination, else 0. */
-EM_NOINLINE int em_rows_in_doubt(int m, const double *Delta, int *rows) {
+EM_ANY_SIZE int em_rows_in_doubt(int m, const double *Delta, int *rows) {
     double unit[m], L[m * m], D[m], z[m];
     int order[m];
     memset(L, 0, sizeof L);
@@ -125,12 +144,6 @@ EM_NOINLINE int em_rows_in_doubt(int m, const double *Delta, int *rows) {
         for (int j = 0; j < m; ++j) rows[j] |= fabs(z[j]) > EM_TAKES_PART;
     }
     return m - rank;
-}
-
-EM_NOINLINE double em_length(int n, const double *r) {
-    double square = 0.0;
-    for (int k = 0; k < n; ++k) square += r[k] * r[k];
-    return sqrt(square);
 }
 
 /* x (m) <- x without its components along the `count` rows (m) of `null`, which become orthonormal. */
@@ -174,13 +187,15 @@ EM_COLD_PATH EM_NOINLINE int em_least_norm(int m, const double *Delta, double *r
 }
 
 /* rhs (m) <- least-norm solution of Delta x = rhs if row `row` depends on those before it and the flags allow it. */
-EM_COLD_PATH EM_NOINLINE int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
-                               em_fault *fault) {
+EM_COLD_PATH EM_ANY_SIZE int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row,
+                                                int flags, em_fault *fault) {
     for (int i = 0; i < m; ++i)
         if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
     const int wrong = em_least_norm(m, Delta, rhs, terms);
     return wrong < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, wrong, EM_CONTRADICTION, NAN);
 }
+
+#endif
 
 #endif

@@ -31,6 +31,16 @@ typedef struct em_group {
     int kept;        /* offset in memory of Omega_D and its rate */
 } em_group;
 
+/* Functions of blocks of any size; the comments are below. */
+EM_COLD_PATH EM_ANY_SIZE int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault);
+EM_ANY_SIZE int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault);
+EM_COLD_PATH EM_ANY_SIZE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory,
+                                            em_fault *fault);
+EM_COLD_PATH EM_ANY_SIZE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault);
+EM_ANY_SIZE int em_coincident_block(const em_block *b, const double *y, em_fault *fault);
+EM_ANY_SIZE int em_coincident_group(const em_group *g, const double *y, em_fault *fault);
+EM_ANY_SIZE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first);
+
 EM_INLINE double em_scale(const em_block *b, int i) { return b->scales ? b->scales[b->coordinate[i]] : 1.0; }
 
 /* part (size) <- of `whole` (n) */
@@ -61,27 +71,11 @@ EM_COLD_PATH EM_NOINLINE int em_fail_block(const em_block *b, int singular, doub
     return em_fail(fault, EM_SINGULAR_MASS_MATRIX, b->coordinate[singular], -1, size);
 }
 
-/* c <- both factors of a constant block M (size, size) */
-EM_COLD_PATH EM_NOINLINE int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
-    const int singular = em_prepare_block(b->size, M, c + b->C, c + b->s, c + b->L, c + b->r);
-    return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
-}
-
 /* part (size, size) <- of M (n, n), in units of the block */
 EM_INLINE void em_block_of(const em_block *b, const double *M, double *part) {
     for (int i = 0; i < b->size; ++i)
         for (int j = 0; j < b->size; ++j)
             part[i * b->size + j] = em_scale(b, i) * em_scale(b, j) * M[b->coordinate[i] * b->n + b->coordinate[j]];
-}
-
-/* eta (size) <- L^-T eta, M (n, n) = L L^T */
-EM_NOINLINE int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault) {
-    double part[b->size * b->size], L[b->size * b->size], r[b->size];
-    em_block_of(b, M, part);
-    const int singular = em_cholesky(b->size, part, L, r, EM_SINGULAR_PIVOT);
-    if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
-    em_backward(b->size, L, r, eta);
-    return 0;
 }
 
 /* eta (size) <- the velocities, with a root that is known without computing M(x) (em_root_location) */
@@ -158,16 +152,6 @@ EM_INLINE double em_time_of_block(const em_block *b, const double *Mdot, const d
     return em_time_to_crossing(b->size, y + b->s, mu);
 }
 
-/* y <- with the quasi-velocities of the other root of M (size, size), that of `mode`. 0, or -1 and *fault */
-EM_COLD_PATH EM_NOINLINE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory, em_fault *fault) {
-    double eta[b->size];
-    if (mode && em_keep_root(b, M, memory, fault)) return -1;
-    em_take(b, y + b->n, eta);
-    em_change_root(b->size, mode, y + b->C, y + b->s, memory + b->L, memory + b->r, eta);
-    em_put(b, eta, y + b->n);
-    return 0;
-}
-
 /* B (m, size) <- the rows A (m, size) in terms of eta (28) */
 EM_INLINE void em_rows_of_block(const em_block *b, int mode, int m, const double *y, const double *c,
                                 const double *memory, const double *A, double *B) {
@@ -193,14 +177,6 @@ EM_INLINE int em_settle_group(const em_group *g, int m, const double *Delta, dou
     return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, g->rows[singular], -1, 0.0);
 }
 
-/* The same from scratch. */
-EM_COLD_PATH EM_NOINLINE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
-    double part[g->size * g->size];
-    em_part_of_delta(m, g->size, g->rows, Delta, part);
-    const int singular = em_eigenfactors(g->size, part, y + g->C, y + g->s);
-    return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, g->rows[singular], -1, 0.0);
-}
-
 /* Delta_dot (m, m) += the part of one block (51); Mdot NULL where it is constant */
 EM_INLINE void em_add_delta_rate_of(const em_block *b, int m, const double *y, const double *c, const double *memory,
                                     const double *A, const double *Adot, const double *Mdot, double *Delta_dot) {
@@ -219,6 +195,55 @@ EM_INLINE void em_remember_group(const em_group *g, int m, const double *Delta_d
     em_remember_omega(g->size, y + g->s, beta, elapsed, memory + g->kept);
 }
 
+#if EM_HOLDS_ANY_SIZE
+
+/* c <- both factors of a constant block M (size, size) */
+EM_COLD_PATH EM_ANY_SIZE int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault) {
+    const int singular = em_prepare_block(b->size, M, c + b->C, c + b->s, c + b->L, c + b->r);
+    return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
+}
+
+/* eta (n) <- L^-T eta, with the root of a block of n coordinates */
+EM_INLINE int em_velocity_of_size(int n, const em_block *b, const double *M, double *eta, em_fault *fault) {
+    double part[n * n], L[n * n], r[n];
+    em_block_of(b, M, part);
+    const int singular = em_cholesky_any(n, part, L, r, EM_SINGULAR_PIVOT);
+    if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
+    em_backward(n, L, r, eta);
+    return 0;
+}
+
+/* eta (size) <- L^-T eta, M (n, n) = L L^T. Steps call it: small sizes are constants, for which loops are unrolled. */
+EM_ANY_SIZE int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault) {
+    switch (b->size) {
+    case 1: return em_velocity_of_size(1, b, M, eta, fault);
+    case 2: return em_velocity_of_size(2, b, M, eta, fault);
+    case 3: return em_velocity_of_size(3, b, M, eta, fault);
+    case 4: return em_velocity_of_size(4, b, M, eta, fault);
+    case 6: return em_velocity_of_size(6, b, M, eta, fault);
+    default: return em_velocity_of_size(b->size, b, M, eta, fault);
+    }
+}
+
+/* y <- with the quasi-velocities of the other root of M (size, size), that of `mode`. 0, or -1 and *fault */
+EM_COLD_PATH EM_ANY_SIZE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory,
+                                            em_fault *fault) {
+    double eta[b->size];
+    if (mode && em_keep_root(b, M, memory, fault)) return -1;
+    em_take(b, y + b->n, eta);
+    em_change_root(b->size, mode, y + b->C, y + b->s, memory + b->L, memory + b->r, eta);
+    em_put(b, eta, y + b->n);
+    return 0;
+}
+
+/* y <- with the eigenfactors of Delta (m, m), of these rows, from scratch. 0, or -1 and *fault */
+EM_COLD_PATH EM_ANY_SIZE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault) {
+    double part[g->size * g->size];
+    em_part_of_delta(m, g->size, g->rows, Delta, part);
+    const int singular = em_eigenfactors(g->size, part, y + g->C, y + g->s);
+    return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, g->rows[singular], -1, 0.0);
+}
+
 /* Whether two eigenvalues are equal: the published right-hand side does not exist there. */
 EM_NOINLINE int em_coincident(int size, const double *s, int *first, int *second) {
     for (int i = 0; i < size; ++i)
@@ -227,13 +252,13 @@ EM_NOINLINE int em_coincident(int size, const double *s, int *first, int *second
     return 0;
 }
 
-EM_NOINLINE int em_coincident_block(const em_block *b, const double *y, em_fault *fault) {
+EM_ANY_SIZE int em_coincident_block(const em_block *b, const double *y, em_fault *fault) {
     int i, j;
     if (!em_coincident(b->size, y + b->s, &i, &j)) return 0;
     return em_fail(fault, EM_COINCIDENT_EIGENVALUES, b->coordinate[i], b->coordinate[j], 0.0);
 }
 
-EM_NOINLINE int em_coincident_group(const em_group *g, const double *y, em_fault *fault) {
+EM_ANY_SIZE int em_coincident_group(const em_group *g, const double *y, em_fault *fault) {
     int i, j;
     if (!em_coincident(g->size, y + g->s, &i, &j)) return 0;
     return em_fail(fault, EM_COINCIDENT_EIGENVALUES, -1, g->rows[0], 0.0);
@@ -241,7 +266,7 @@ EM_NOINLINE int em_coincident_group(const em_group *g, const double *y, em_fault
 
 /* The largest error of C and s in the state as eigenfactors of M (n, n), relative to each eigenvalue; *first <- a
  * coordinate of that block. `blocks` ends with NULL. */
-EM_NOINLINE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first) {
+EM_ANY_SIZE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first) {
     double worst = 0.0;
     for (; *blocks; ++blocks) {
         const em_block *const b = *blocks;
@@ -255,5 +280,7 @@ EM_NOINLINE double em_worst_factors(const em_block *const *blocks, const double 
     }
     return worst;
 }
+
+#endif
 
 #endif

@@ -6,6 +6,64 @@
 #include "mass/em_eigen_refinement.h"
 #include "mass/em_jacobi_rotations.h"
 
+/* Functions of matrices of any size; the comments are below. */
+EM_COLD_PATH EM_ANY_SIZE int em_first_unsound_pivot(int n, const double *M);
+EM_ANY_SIZE void em_sweep(int n, const double *M, double *C, double *lambda);
+EM_ANY_SIZE int em_refresh_any(int n, const double *M, double *C, double *s);
+EM_COLD_PATH EM_ANY_SIZE int em_eigenfactors(int n, const double *M, double *C, double *s);
+EM_COLD_PATH EM_ANY_SIZE int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r);
+EM_ANY_SIZE double em_factor_error(int n, const double *M, const double *C, const double *s);
+
+/* Index of the first pivot of M (n, n) with fewer than three correct digits, -1 if there is none; least and largest:
+ * its eigenvalues. A pivot is at most M_ii and at least the least eigenvalue: pivots are only computed if that is
+ * small. */
+EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
+    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_first_unsound_pivot(n, M);
+}
+
+/* s <- the roots of the eigenvalues of M (n, n), which s holds. Returns -1, or an index where M is singular. */
+EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
+    double least = s[0], largest = s[0];
+    for (int i = 0; i < n; ++i) {
+        if (!(s[i] > 0.0)) return i;
+        least = fmin(least, s[i]);
+        largest = fmax(largest, s[i]);
+        s[i] = sqrt(s[i]);
+    }
+    return em_unsound_pivot(n, M, least, largest);
+}
+
+/* C, s <- eigenfactors of M (n, n), close to the given C; eta is rotated with C. Returns -1, or an index where M is
+ * singular. */
+EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s,
+                         double *restrict eta) {
+    double before[n * n];
+    if (eta) em_copy(n * n, C, before);
+    if (!em_refine(n, M, C, s)) em_sweep(n, M, C, s);
+    if (eta) em_turn(n, before, C, eta);
+    return em_roots(n, M, s);
+}
+
+/* whole (n, n) <- with the entries of a block (size, size) at its coordinates */
+EM_INLINE void em_spread(int n, int size, const int *coordinate, const double *block, double *whole) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) whole[coordinate[i] * n + coordinate[j]] = block[i * size + j];
+}
+
+/* block (size, size) <- the entries of `whole` (n, n) at its coordinates */
+EM_INLINE void em_gather(int n, int size, const int *coordinate, const double *whole, double *block) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) block[i * size + j] = whole[coordinate[i] * n + coordinate[j]];
+}
+
+#if EM_HOLDS_ANY_SIZE
+
+/* Index of the first pivot of M (n, n) with fewer than three correct digits; -1: none. */
+EM_COLD_PATH EM_ANY_SIZE int em_first_unsound_pivot(int n, const double *M) {
+    double L[n * n], r[n];
+    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
+}
+
 /* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, repeated
  * until it vanishes. */
 EM_INLINE void em_orthonormalise(int n, double *restrict C) {
@@ -43,18 +101,6 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
     }
 }
 
-/* Index of the first pivot of M (n, n) with fewer than three correct digits, -1 if there is none. */
-EM_COLD_PATH EM_NOINLINE int em_first_unsound_pivot(int n, const double *M) {
-    double L[n * n], r[n];
-    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
-}
-
-/* The same; least and largest: its eigenvalues. A pivot is at most M_ii and at least the least eigenvalue: pivots
- * are only computed if that is small. */
-EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
-    return least > 10.0 * EM_SINGULAR_PIVOT * largest ? -1 : em_first_unsound_pivot(n, M);
-}
-
 /* C, lambda <- those of M (n, n), starting from the given C, which need not be close. */
 EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double Lambda[n * n];
@@ -65,42 +111,22 @@ EM_INLINE void em_sweeps(int n, const double *restrict M, double *restrict C, do
 }
 
 /* The same in a run. */
-EM_NOINLINE void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
+EM_ANY_SIZE void em_sweep(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
 
-/* The same outside of runs, where n is known only at run time. It is optimised for size: a second fast copy would take
- * long to compile. */
-EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) { em_sweeps(n, M, C, lambda); }
-
-/* s <- the roots of the eigenvalues of M (n, n), which s holds. Returns -1, or an index where M is singular. */
-EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
-    double least = s[0], largest = s[0];
-    for (int i = 0; i < n; ++i) {
-        if (!(s[i] > 0.0)) return i;
-        least = fmin(least, s[i]);
-        largest = fmax(largest, s[i]);
-        s[i] = sqrt(s[i]);
-    }
-    return em_unsound_pivot(n, M, least, largest);
+/* The same outside of runs, optimised for size. */
+EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) {
+    em_sweeps(n, M, C, lambda);
 }
 
-/* C, s <- eigenfactors of M (n, n), close to the given C; eta is rotated with C. Returns -1, or an index where M is
+/* C, s <- eigenfactors of M (n, n), starting from the given C, outside of runs. Returns -1, or an index where M is
  * singular. */
-EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
-    double before[n * n];
-    if (eta) em_copy(n * n, C, before);
-    if (!em_refine(n, M, C, s)) em_sweep(n, M, C, s);
-    if (eta) em_turn(n, before, C, eta);
-    return em_roots(n, M, s);
-}
-
-/* The same where n is known at run time only. */
-EM_NOINLINE int em_refresh_any(int n, const double *M, double *C, double *s) {
+EM_ANY_SIZE int em_refresh_any(int n, const double *M, double *C, double *s) {
     em_sweep_any(n, M, C, s);
     return em_roots(n, M, s);
 }
 
 /* Eigenfactors of M from scratch: s ascending; in each row of C the entry of largest magnitude is positive. */
-EM_COLD_PATH EM_NOINLINE int em_eigenfactors(int n, const double *M, double *C, double *s) {
+EM_COLD_PATH EM_ANY_SIZE int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
     const int singular = em_refresh_any(n, M, C, s);
@@ -125,14 +151,14 @@ EM_COLD_PATH EM_NOINLINE int em_eigenfactors(int n, const double *M, double *C, 
 }
 
 /* Both factors of a constant block: M = C^T S^2 C = L L^T. */
-EM_COLD_PATH EM_NOINLINE int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
+EM_COLD_PATH EM_ANY_SIZE int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
     memset(L, 0, sizeof *L * (size_t)(n * n));
     const int singular = em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
     return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
 }
 
 /* The largest |S^-1 C M C^T S^-1 - 1|: the error of C, s as eigenfactors of M, relative to each eigenvalue. */
-EM_NOINLINE double em_factor_error(int n, const double *M, const double *C, const double *s) {
+EM_ANY_SIZE double em_factor_error(int n, const double *M, const double *C, const double *s) {
     double Lambda[n * n], worst = 0.0;
     em_congruence(n, C, M, Lambda);
     for (int i = 0; i < n; ++i)
@@ -140,16 +166,6 @@ EM_NOINLINE double em_factor_error(int n, const double *M, const double *C, cons
     return worst;
 }
 
-/* whole (n, n) <- with the entries of a block (size, size) at its coordinates */
-EM_INLINE void em_spread(int n, int size, const int *coordinate, const double *block, double *whole) {
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j) whole[coordinate[i] * n + coordinate[j]] = block[i * size + j];
-}
-
-/* block (size, size) <- the entries of `whole` (n, n) at its coordinates */
-EM_INLINE void em_gather(int n, int size, const int *coordinate, const double *whole, double *block) {
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < size; ++j) block[i * size + j] = whole[coordinate[i] * n + coordinate[j]];
-}
+#endif
 
 #endif

@@ -102,6 +102,14 @@ EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real 
     return em_factor(n, 1, M, L, r, tolerance);
 }
 
+/* The same where n is known at run time only. */
+EM_INLINE int em_cholesky_any(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+#ifdef EM_PACKED
+    if (n >= EM_LONG) return em_factor_along(n, 1, M, L, r, tolerance);
+#endif
+    return em_cholesky(n, M, L, r, tolerance);
+}
+
 /* M = L D L^T, where no square roots are needed. */
 EM_INLINE int em_ldlt(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
     return em_factor(n, 0, M, L, r, tolerance);

@@ -49,6 +49,16 @@
 #define EM_NOINLINE_KERNEL_EXPORT EM_NOINLINE_KERNEL
 #endif
 
+/* A function of matrices of any size, on no path of a right-hand side: units of a model declare it, and the stepper's
+ * object, which is compiled once for all models, has it (EM_HOLDS_ANY_SIZE). */
+#if defined(EM_UNIT) && !defined(EM_ON_LANES)
+#define EM_ANY_SIZE __attribute__((noinline))
+#define EM_HOLDS_ANY_SIZE EM_HOLDS(EM_STEPPER)
+#else
+#define EM_ANY_SIZE EM_NOINLINE
+#define EM_HOLDS_ANY_SIZE 1
+#endif
+
 /* Before a loop with a constant count: unroll it completely, so that its numbers become constants. */
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not unroll, and warns: slower, not wrong */
