@@ -17,8 +17,7 @@ MARKED = "marked nightly where they are written"
 COMPILER = "other compilers: by day a case that goes by all of them takes one"
 HEAVY_MODEL = "heavy models: by day test_heavy_models.py has them"
 FORMULATION = (
-    "other formulations: by day a file's first case takes eigenfactor and another in turn, the others one of the two, "
-    "models of models_table.py those of DAILY"
+    "other formulations: by day a file's first case takes eigenfactor and another, the others one of the two, in turn"
 )
 
 MODEL = "many models: by day a test that goes by twenty or more takes every other, in turn"
@@ -32,7 +31,7 @@ BY_ALL = ("test_paper_scene", "test_signs")
 """Files that go by every formulation by day, too."""
 
 EVERY_MODEL = ("test_accelerations_and_multipliers",)
-"""What goes by every model by day, too."""
+"""What goes by every model by day, too, and by both formulations that `DAILY` has of it."""
 
 
 def mark_nightly(items: list[pytest.Item]) -> None:
@@ -45,10 +44,11 @@ def mark_nightly(items: list[pytest.Item]) -> None:
     theirs = [item for item in items if not (item.path.stem in BY_ALL or rule_of(item) or _known(item))]
     for item in list(_not_in_turn(theirs, FORMULATIONS[1:])):
         item.add_marker(pytest.mark.nightly(FORMULATION))
-    for item in list(_one_of_two([item for item in theirs if not rule_of(item)])):
-        item.add_marker(pytest.mark.nightly(FORMULATION))
-    for item in list(_every_other_model([item for item in items if not rule_of(item)])):
+    for item in list(_every_other_model([item for item in items if not (_of_every_model(item) or rule_of(item))])):
         item.add_marker(pytest.mark.nightly(MODEL))
+    theirs = [item for item in items if not (item.path.stem in BY_ALL or _of_every_model(item) or rule_of(item))]
+    for item in list(_one_of_two(theirs)):
+        item.add_marker(pytest.mark.nightly(FORMULATION))
 
 
 def rule_of(item: pytest.Item) -> str | None:
@@ -111,10 +111,15 @@ def _every_other_model(items: list[pytest.Item]) -> Iterator[pytest.Item]:
             tests[item.path].setdefault(item.originalname, {}).setdefault(name, []).append(item)
     for path, in_file in tests.items():
         first = sorted(path.parent.glob("test_*.py")).index(path)
-        for turn, (test, by_model) in enumerate(in_file.items(), first):
-            if len(by_model) >= 20 and test not in EVERY_MODEL:
+        for turn, by_model in enumerate(in_file.values(), first):
+            if len(by_model) >= 20:
                 for name in list(by_model)[turn % 2 :: 2]:
                     yield from by_model[name]
+
+
+def _of_every_model(item: pytest.Item) -> bool:
+    """Whether this goes by every model, in both of its formulations of the day."""
+    return getattr(item, "originalname", "") in EVERY_MODEL
 
 
 def _known(item: pytest.Item) -> bool:
