@@ -19,6 +19,9 @@ LIVE   ?= $(basename $(notdir $(MODELS)))
 WORKED := docs/made/tutorial.done
 SHOWN  := $(LIVE:%=docs/made/%.done)
 
+# Of small matrices, as all are here, threads only wait for each other (tests/__init__.py says so to pytest, too)
+quick test fuzz nightly docs check: export OPENBLAS_NUM_THREADS ?= 1
+
 .PHONY: demo quick test fuzz nightly docs check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
