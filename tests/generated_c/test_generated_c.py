@@ -14,6 +14,7 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.kernel.identifiers import c_identifier, c_identifiers
 from eigenmotion.codegen.kernel.kernel import Kernel
+from eigenmotion.codegen.kernel.parts import Part
 from eigenmotion.codegen.program import kernel_roles
 from eigenmotion.codegen.program import program as codegen_program
 from eigenmotion.codegen.program.kernel_roles import Kernels, Stages
@@ -89,7 +90,7 @@ def test_every_function_says_what_it_is(systems):
 # --- templates and the record they get --------------------------------------------------------------------------------
 
 RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": BlockCoordinate, "kernel": Kernel,
-           "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
+           "section": Part, "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
 OTHERS = tuple(kind for kind in {**vars(codegen_program), **vars(kernel_roles)}.values() if is_dataclass(kind))
 
 
