@@ -66,12 +66,12 @@ class _Pieces:
     """
 
     def __init__(self, number: str, statements: Sequence[str], arguments: Mapping[str, str]) -> None:
-        self.number = number
-        load = re.compile(rf"const {number} (\w+) = ({'|'.join(arguments)})\[\d+\];")
+        self.number = number  # where names are long, any space may be the end of a line
+        load = re.compile(rf"const\s+{number}\s+(\w+)\s+=\s+({'|'.join(arguments)})\[\d+\];")
         self.loads = {found[1]: text for text in statements if (found := load.fullmatch(text))}
         self.texts = [text for text in statements if not load.fullmatch(text)]
         self.names = list(map(_names, self.texts))
-        defines = re.compile(rf"const {number} (\w+) = ")
+        defines = re.compile(rf"const\s+{number}\s+(\w+)\s+=\s")
         self.defined = [found[1] if (found := defines.match(text)) else "" for text in self.texts]
         self.at = {name: at for at, name in enumerate(self.defined) if name}
         self.last = {name: at for at, names in enumerate(self.names) for name in names if name in self.at}

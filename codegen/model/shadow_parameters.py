@@ -18,7 +18,7 @@ from .tree.functions import BodyFunction
 
 def with_shadow_events(fields: dict[str, Any]) -> dict[str, Any]:
     """Add an event for each spherical and free joint of the bodies in a model's expressions."""
-    known = {name for name, _ in fields["events"]}
+    known = [name for name, _ in fields["events"]]  # not yet checked: any objects
     made = tuple((name, event) for name, event in map(_event, _rotated(fields)) if name not in known)
     return fields | {"events": (*fields["events"], *made)} if made else fields
 

@@ -73,3 +73,16 @@ def test_cuts_are_where_few_values_are_alive():
     functions, calls = parts.cut("f", "real", statements, ARGUMENTS)
     assert len(functions) > 3
     assert calls[0] == "real kept[1];"
+
+
+def test_names_as_long_as_a_line_are_known():
+    statements = straight_line(5, 600)
+    long = "z" * 150
+    told = [
+        line.replace("z_", f"{long}_").replace("const real ", "const real\n    ").replace(" = ", " =\n    ", 1)
+        for line in statements
+    ]
+    functions, calls = parts.cut("f", "real", statements, ARGUMENTS)
+    longer, same = parts.cut("f", "real", told, ARGUMENTS)
+    assert calls == same
+    assert [len(one.statements) for one in functions] == [len(one.statements) for one in longer]
