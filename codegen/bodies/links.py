@@ -67,7 +67,7 @@ class Links:
     """
 
     def __init__(self, graph: Graph, bodies: Sequence[Link], nodes: Mapping[sympy.Expr, Node]) -> None:
-        self.graph, self._nodes, self._from_sympy = graph, nodes, FromSympy(graph)
+        self.graph, self._from_sympy = graph, FromSympy(graph)
         self.zero = Scalar(graph, graph.zero)
         self.still: Spatial = [self.zero] * 3, [self.zero] * 3
         coordinates = coordinates_of(bodies)

@@ -14,7 +14,7 @@ from ..model.table import TableCall
 from ..model.tree.functions import BodyFunction
 from .coefficients import Number, exact
 from .graph import Graph
-from .node_reference import NodeReference
+from .node_reference import NodeReference, from_number
 from .store import Kind, Node
 from .table_calls import name_of_call, orders_of, table_of
 
@@ -219,13 +219,13 @@ class ToSympy:
     def _convert(self, node: Node) -> sympy.Expr:
         kind, operands = self.graph.records[node]
         if kind is Kind.NUMBER:
-            return _from_number(operands[0])
+            return from_number(operands[0])
         if kind is Kind.SYMBOL:
             return self._symbols[operands[0]]
         if kind is Kind.SUM:
-            return sympy.Add(*(_from_number(factor) * self._value(child) for child, factor in operands))
+            return sympy.Add(*(from_number(factor) * self._value(child) for child, factor in operands))
         if kind is Kind.PRODUCT:
-            return sympy.Mul(*(self._value(child) ** _from_number(power) for child, power in operands))
+            return sympy.Mul(*(self._value(child) ** from_number(power) for child, power in operands))
         if orders := orders_of(operands[0]):
             return self.graph.tables[table_of(operands[0])].function(orders)(*map(self._value, operands[2:]))
         name, *values = operands[0], *map(self._value, operands[1:])
@@ -234,9 +234,3 @@ class ToSympy:
 
 def _condition(value: sympy.Basic) -> Boolean:
     return value if isinstance(value, Boolean) else sympy.Ne(value, 0)
-
-
-def _from_number(value: Number) -> sympy.Number:
-    if isinstance(value, float):
-        return sympy.Float(value)
-    return sympy.Rational(value.numerator, value.denominator)

@@ -39,7 +39,7 @@ class References:
         """Return the expression of a node."""
         kind, operands = self.graph.records[node]
         if kind is Kind.NUMBER:
-            return _number(operands[0])
+            return from_number(operands[0])
         if kind is Kind.SYMBOL:
             return self._symbols[operands[0]]
         arguments = [self._symbols[name] for name in sorted(self.names(node))]
@@ -59,5 +59,8 @@ def _reference(node: Node) -> type[NodeReference]:
     return type(f"node_{node}", (NodeReference,), {"node": node})
 
 
-def _number(value: Number) -> sympy.Number:
-    return sympy.Float(value) if isinstance(value, float) else sympy.Rational(value.numerator, value.denominator)
+def from_number(value: Number) -> sympy.Number:
+    """Return a coefficient as a SymPy number."""
+    if isinstance(value, float):
+        return sympy.Float(value)
+    return sympy.Rational(value.numerator, value.denominator)

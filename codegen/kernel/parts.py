@@ -15,7 +15,7 @@ from itertools import accumulate
 from .line_breaks import folded
 
 PART = 300
-"""Statements of a part. A humanoid's kernels compile and run about as fast with 100 as with 400."""
+"""Statements of a part, within a third."""
 CUT = 450
 """Kernels with more statements are cut."""
 KEPT = "kept"
