@@ -66,11 +66,12 @@ class _Writing:
         drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
         symbols = Symbols(self.places, self.layout.first_constant)
         time_events, tables = time_event_kernel(self.terms, symbols), table_kernel(self.terms, symbols)
+        frames = self.frames(symbols)
         prepared = self.prepared()
         partials = partial_kernels(self.terms, symbols) if whole else None  # last, so that no other kernel changes
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
-                       prepared=prepared, **reactions,
+                       frames=frames, prepared=prepared, **reactions,
                        asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
 
     @property
@@ -328,12 +329,17 @@ class _Writing:
 
     def drawing(self) -> Kernel:
         """Write the numbers of the drawing; each is computed once, since shapes share points."""
-        places: dict[Node, list[str]] = {}
         numbers = (self.terms.node(number) for shape in self.mechanics.drawing for number in shape.numbers)
-        for k, number in enumerate(numbers):
-            places.setdefault(number, []).append(f"[{k}]")
-        entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
-        return self.one("draw", entries, "t", "x", "v", "c", "p")
+        return self.one("draw", _each_once("p", numbers), "t", "x", "v", "c", "p")
+
+    def frames(self, symbols: Symbols) -> Kernel | None:
+        """Write the numbers of the joints of bodies that are not 0; None if the model has no bodies."""
+        trees = self.mechanics.trees
+        if not (trees and trees.placements):
+            return None
+        numbers = (number for body in trees.placements for number in body.frame)
+        entries = [one for one in _each_once("numbers", numbers) if one.node != trees.graph.zero]
+        return written(trees.graph, [Draft("frames", entries, ("c", "numbers"))], symbols, None)[0]
 
     def prepared(self) -> Kernel:
         """Write M of the fixed blocks, then the constants that the other kernels need."""
@@ -344,3 +350,11 @@ class _Writing:
         (kernel,) = written(self.terms.graph, [Draft("prepared_constants", entries, actual={"prepared": "c"})],
                             Symbols(places, first), None)  # fmt: skip
         return kernel
+
+
+def _each_once(array: str, nodes: Iterable[Node]) -> list[Entry]:
+    """Return the assignments of the entries of an array, equal ones in one."""
+    places: dict[Node, list[str]] = {}
+    for k, node in enumerate(nodes):
+        places.setdefault(node, []).append(f"[{k}]")
+    return [Entry(Array(array, ""), tuple(at), node) for node, at in places.items()]

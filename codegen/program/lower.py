@@ -17,7 +17,7 @@ from ..model.table import Table
 from .kernel_roles import Kernels, Stages
 from .kernels import kernels_of
 from .memory_layout import Layout, laid_out
-from .program import BlockView, Declared, EventView, Named, Program, ShapeView, SwitchView, TableView
+from .program import BlockView, BodyView, Declared, EventView, Named, Program, ShapeView, SwitchView, TableView
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation),
-        tables=_tables(defaults), kernels=kernels,
+        tables=_tables(defaults), bodies=_bodies(scene), kernels=kernels,
     )  # fmt: skip
 
 
@@ -129,6 +129,11 @@ def _tables(defaults: Defaults) -> tuple[TableView, ...]:
                   tuple(map(repr, table.pieces.numbers())), isinstance(table, PrescribedInput))
         for table in defaults.tables
     )  # fmt: skip
+
+
+def _bodies(scene: Scene) -> tuple[BodyView, ...]:
+    trees = scene.mechanics.trees
+    return tuple(BodyView(b.name, b.parent, b.joint, b.coordinates) for b in trees.placements) if trees else ()
 
 
 def _over(scene: Scene, switch: Switch, number: Mapping[str, int]) -> int:

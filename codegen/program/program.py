@@ -171,6 +171,16 @@ class TableUseView:
 
 
 @dataclass(frozen=True, slots=True)
+class BodyView:
+    """A body: its name, its parent's number, the kind of its joint, the numbers of its coordinates."""
+
+    name: str
+    parent: int
+    joint: str
+    coordinates: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Program:
     """All data that the files of one model contain.
 
@@ -253,6 +263,7 @@ class Program:
     n_prepared: int
     costs: tuple[str, ...]
     tables: tuple[TableView, ...]
+    bodies: tuple[BodyView, ...]
     kernels: Kernels
 
     @property

@@ -17,7 +17,14 @@ from ..support.stepping import COMPILER, INCLUDE
 from ..support.structures import KINDS, NUMBERS, enumerators
 
 RUNTIME = INCLUDE.parent
-HEADERS = ("stddef.h", "eigenmotion.h", "loop/em_start_check.h", "batch/em_lane_scheduler.h", "tableaux/em_butcher.h")
+HEADERS = (
+    "stddef.h",
+    "eigenmotion.h",
+    "loop/em_start_check.h",
+    "kinematics/em_forward_kinematics.h",
+    "batch/em_lane_scheduler.h",
+    "tableaux/em_butcher.h",
+)
 
 
 def refused(folder: Path, *lines: str) -> str:
@@ -29,9 +36,9 @@ def refused(folder: Path, *lines: str) -> str:
 
 
 def statements() -> Iterator[tuple[int, str]]:
-    """(indentation, text) of every declaration of abi.pxd, start.pxd and ensemble.pxd, on one line each."""
+    """(indentation, text) of every declaration of the files of declarations, on one line each."""
     held = ""
-    for name in ("abi.pxd", "start.pxd", "ensemble.pxd"):
+    for name in ("abi.pxd", "start.pxd", "kinematics.pxd", "ensemble.pxd"):
         for line in (RUNTIME / name).read_text(encoding="utf-8").splitlines():
             held = f"{held} {line.strip()}" if held else line.rstrip()
             if held.count("(") == held.count(")"):

@@ -16,6 +16,7 @@ from ...model.recursion_depth import expressions_in
 from ...model.statement.mechanism import Mechanism
 from ...model.tree.body import coordinates_of
 from ...model.tree.functions import BodyFunction
+from .placements import Placement, placements
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +34,13 @@ class Trees:
 
     graph : that of all terms
     recursions : one for each tree
+    placements : all bodies, those that only outputs or drawings contain too
     T, V : the other terms of the energies [J]
     """
 
     graph: Graph
     recursions: tuple[Recursion, ...]
+    placements: tuple[Placement, ...]
     T: Node
     V: Node
 
@@ -85,7 +88,7 @@ def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr
         places = tuple(numbers[q] for q in coordinates_of(quantity.bodies))
         recursions.append(Recursion(dynamics, places, dynamics.links.scalars(vector)))
     rest = model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)
-    return Trees(expansion.graph, tuple(recursions), *map(node, rest))
+    return Trees(expansion.graph, tuple(recursions), placements(model, node), *map(node, rest))
 
 
 def _terms(energy: sympy.Expr, kind: str) -> list[BodyFunction]:

@@ -30,6 +30,7 @@ class Link:
     mass [kg]; center : (3,) mass centre in the body's frame [m]
     inertia : (6,) xx, xy, xz, yy, yz, zz about the mass centre, in the body's axes [kg m^2]
     ratio, offset : a revolute or prismatic joint with the coordinate q is at ratio q + offset
+    is_part : whether this is a part of a joint made of several, and no body of the user
 
     The body's frame is the joint's frame, moved by the joint.
     """
@@ -46,6 +47,7 @@ class Link:
     inertia: tuple[sympy.Expr, ...]
     ratio: sympy.Expr = sympy.S.One
     offset: sympy.Expr = sympy.S.Zero
+    is_part: bool = False
 
     @property
     def ancestors(self) -> Iterator[Link]:

@@ -17,6 +17,7 @@ from ..presentation.notebook import table
 from ..runtime import CompiledModel, EvaluationError, Prepared
 from ..runtime.variations import motion_derivatives
 from . import at_state
+from .bodies import last_axis, many_positions, number_of_body, point_of
 from .description import Description
 from .eigenfactor_derivatives import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .projection import ConsistentState, Projection
@@ -195,6 +196,57 @@ class CompiledSystem(Description):
         """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
         A, b = self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
         return A[:, : self.n], b
+
+    def pose(self, body: Any, x: Coordinates, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
+        """Return R (3, 3) and p (3,) [m] of a body: a point y of its frame is at p + R y in the frame of the ground.
+
+        Parameters
+        ----------
+        body
+            Its name, one of `bodies`.
+        x
+            (n,), or positions (n, k): then R is (3, 3, k) and p (3, k).
+        t
+            Not used: places depend on time by x alone.
+
+        Raises
+        ------
+        ModelError
+            There is no such body; names those that there are.
+        """
+        number(t, "t")
+        c, place, rows = self._compiled, number_of_body(self._compiled, body), many_positions(self._compiled, x)
+        R, p = c.pose_rows(place, self._x(x)[None] if rows is None else rows, self.prepare(parameters))
+        return last_axis(R, rows is not None), last_axis(p, rows is not None)
+
+    def jacobian_of(
+        self, body: Any, point: ArrayLike, x: Coordinates, t: float = 0.0, parameters: Parameters = None
+    ) -> Vector:
+        """Return J (6, n): J @ v is the velocity of a point of a body [m / s], then its angular velocity [rad / s].
+
+        Both are in the axes of the ground. Columns belong to the coordinates, so that v is their rates, of modified
+        Rodrigues parameters too. J[:3].T @ force + J[3:].T @ torque are the forces on the coordinates.
+
+        Parameters
+        ----------
+        body
+            Its name, one of `bodies`.
+        point
+            (3,) [m] in the body's frame.
+        x
+            (n,), or positions (n, k): then J is (6, n, k).
+        t
+            Not used: places depend on time by x alone.
+
+        Raises
+        ------
+        ModelError
+            There is no such body; names those that there are.
+        """
+        number(t, "t")
+        c, place, rows = self._compiled, number_of_body(self._compiled, body), many_positions(self._compiled, x)
+        at = self._x(x)[None] if rows is None else rows
+        return last_axis(c.body_jacobian_rows(place, point_of(point), at, self.prepare(parameters)), rows is not None)
 
     def acceleration(
         self,

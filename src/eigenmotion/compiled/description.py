@@ -3,6 +3,7 @@
 from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
 from ..runtime import CompiledModel
+from .bodies import names_of_bodies
 
 
 class Description:
@@ -62,6 +63,11 @@ class Description:
     def states(self) -> tuple[str, ...]:
         """Names of the first-order states z."""
         return names_of_states(self._compiled)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Names of the bodies of its trees, parents before their children; () if its energies are expressions."""
+        return names_of_bodies(self._compiled)
 
     @property
     def parameters(self) -> dict[str, float]:

@@ -135,6 +135,9 @@ cdef extern from "eigenmotion.h" nogil:
         int order
         int timed
 
+    ctypedef struct em_body:
+        const char *name
+
     ctypedef struct em_model:
         int abi
         const char *name
@@ -240,3 +243,6 @@ cdef extern from "eigenmotion.h" nogil:
         const em_table_use *table_uses
         void (*table_arguments)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_states
+        int n_bodies
+        const em_body *bodies
+        void (*frames)(const double *, double *) noexcept nogil

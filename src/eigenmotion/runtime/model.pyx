@@ -10,6 +10,7 @@ from libc.string cimport memcpy
 from .abi cimport em_fault
 from .arrays cimport Numbers, blank, floats, zeros
 from .assumptions cimport em_check_declared
+from .kinematics cimport EM_FRAME, em_body_jacobian, em_body_pose
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
 
@@ -44,6 +45,36 @@ cdef class CompiledModel(PointModel):
     def check_inputs(self, u):
         """As `check_parameters`, for u (n_inputs)."""
         self.refuse(self.model.n_parameters + self.n, self.n_inputs, u, "inputs")
+
+    @property
+    def bodies(self):
+        """Names of the bodies; "" of a part of a joint made of several."""
+        return tuple([self.model.bodies[k].name.decode("utf-8") for k in range(self.model.n_bodies)])
+
+    cdef Numbers frames(self, Prepared c):
+        """The numbers (n_bodies, EM_FRAME) of the joints."""
+        cdef Numbers numbers = zeros((self.model.n_bodies, EM_FRAME))
+        self.model.frames(c.c, numbers.data)
+        return numbers
+
+    def pose_rows(self, int body, x, Prepared c not None):
+        """R (k, 3, 3), p (k, 3) of a body, given by its number."""
+        cdef Py_ssize_t i, k = len(x)
+        cdef Numbers q = floats(x, (k, self.n), "x"), R = zeros((k, 3, 3)), p = zeros((k, 3)), numbers = self.frames(c)
+        with nogil:
+            for i in range(k):
+                em_body_pose(self.model, body, q.row(i), numbers.data, R.row(i), p.row(i))
+        return R.array, p.array
+
+    def body_jacobian_rows(self, int body, point, x, Prepared c not None):
+        """J (k, 6, n) of a point (3) of a body, without the columns of first-order states."""
+        cdef Py_ssize_t i, k = len(x)
+        cdef Numbers q = floats(x, (k, self.n), "x"), at = floats(point, (3,), "point"), numbers = self.frames(c)
+        cdef Numbers J = zeros((k, 6, self.n_coordinates))
+        with nogil:
+            for i in range(k):
+                em_body_jacobian(self.model, body, at.data, q.row(i), numbers.data, self.n_coordinates, J.row(i))
+        return J.array
 
     def state_rows(self, t, x, v, Prepared c not None):
         """y (k, n_state), published meaning; eigenfactors are continuous from row to row."""

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 29 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 30 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -76,6 +76,16 @@ typedef struct em_table {
 typedef struct em_table_use {
     int table, axis, order, timed;
 } em_table_use;
+
+/* A body of a tree: its name ("": a part of a joint made of several); the number of the body that carries it, less than
+ * its own, or -1: the ground; the kind of its joint, and the coordinates of that. */
+typedef struct em_body {
+    const char *name;
+    int parent, joint, count, coordinates[6];
+} em_body;
+
+enum { EM_FIXED, EM_REVOLUTE, EM_PRISMATIC, EM_SPHERICAL, EM_FREE }; /* kinds of joints, as in codegen/model/tree/body.py */
+enum { EM_FRAME = 17 }; /* numbers of a joint: at (3), R (3, 3), axis (3), ratio, offset (em_forward_kinematics.h) */
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
  * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).
@@ -220,6 +230,9 @@ typedef struct em_model {
     int n_states;                /* the number of first-order states z, which are the last of the n coordinates:
                                     coordinates[k] is the name of z, v[k] its value, x[k] its integral, initial_v[k]
                                     its initial value */
+    int n_bodies;
+    const em_body *bodies;                             /* (n_bodies), those that carry others before these */
+    void (*frames)(const double *c, double *numbers);  /* (n_bodies, EM_FRAME) those that are not 0; NULL: no bodies */
 } em_model;
 
 #endif

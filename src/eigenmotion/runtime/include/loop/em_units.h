@@ -43,6 +43,7 @@ void observe(double t, const double *x, const double *v, const double *a, const 
              const double *u, double *out);
 void quasi(double t, const double *x, const double *v, const double *c, double *y);
 void draw(double t, const double *x, const double *v, const double *c, double *p);
+void frames(const double *c, double *numbers);
 void impacts(double t, const double *x, const double *v, const double *c, const double *u, double *impact_data);
 void resets(double t, const double *x, const double *v, const double *c, const double *u, double *after);
 void levels(double t, const double *x, const double *v, const double *c, const double *u, double *level);
