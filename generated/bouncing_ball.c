@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:851b3047f1e9bfa10393f2d689741b554939c67787a6fba461cac5178c5e30b4 */
+/* body sha256:2b0018dbb30e6228be6f0dbdd1b27b4ea9046536950017bf1179fa39e45ba3a8 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -488,12 +488,15 @@ EM_EXPORT const int resets_quasi[] = { 0 };
 EM_EXPORT const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -1, -1, -1, -1, 0, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
+#if !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
+#endif
+#if EM_HOLDS(EM_ASIDE)
+#include "contact/em_event_actions.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
-#include "contact/em_event_actions.h"
+#include "contact/em_event_directions.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -722,6 +725,8 @@ const em_model bouncing_ball_model = {
     .event_actions = event_actions,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .n_impacts = N_IMPACTS,
+    .impacts = impacts,
     .lanes = &bouncing_ball_lanes,
     .open = open_run,
     .advance = em_handle_advance,

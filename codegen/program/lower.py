@@ -46,14 +46,14 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
     """Lay out state and memory, and write the kernels.
 
-    `whole` includes derivatives. They are always included if events act or Omega is extrapolated, which needs them.
+    `whole` includes derivatives. They are always included if Omega is extrapolated, which needs them.
     """
     layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
     blocks, groups = layout.blocks, layout.row_groups
     turning = [block for block in blocks if block.turning and eigen]
     coupled = [group for group in groups if group.size > 1]
     extrapolates = layout.couples and choices.extrapolate
-    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates or _acts(scene))
+    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates)
     return Program(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",

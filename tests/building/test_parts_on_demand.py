@@ -118,6 +118,17 @@ def test_who_needs_a_part_asks_for_it(formulation, what, monkeypatch):
     assert set(asked) <= {part}
 
 
+def test_impacts_need_no_derivatives_but_their_sensitivities_do(own_cache, units, monkeypatch):
+    """A run through impacts compiles none; sensitivities load the maps across impacts, and the run stays the same."""
+    system = em.build(model_of("bouncing_ball"))
+    before = system.simulate((0.0, 1.0))
+    assert before.t_events[0].size > 0
+    assert "derivatives" not in units
+    after = system.simulate((0.0, 1.0), sensitivities=["z"])
+    assert units.count("derivatives") == 1
+    np.testing.assert_array_equal(after.x[:, -1], before.x[:, -1])
+
+
 def test_a_run_that_carries_interpolants_elsewhere(monkeypatch):
     """A solution by an implicit method is unpickled where its derivatives are not compiled in yet."""
     system = em.build(model_of("pendulum"))

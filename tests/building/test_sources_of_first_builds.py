@@ -20,7 +20,9 @@ def without_derivatives(text: str) -> str:
     return before + rest.partition(ENDS)[2]
 
 
-@pytest.mark.parametrize("model", ["dual_link", "rolling_disk", "four_bar", "quaternion_top", "slider_crank"])
+@pytest.mark.parametrize(
+    "model", ["dual_link", "rolling_disk", "four_bar", "quaternion_top", "slider_crank", "bouncing_ball"]
+)
 def test_the_rest_is_the_same_text(model):
     asked = request(model_of(model))
     whole, first = (sources.files for sources in (asked.sources(), asked.sources(whole=False)))
@@ -28,11 +30,6 @@ def test_the_rest_is_the_same_text(model):
     assert "#error" not in whole[1].text
     assert without_derivatives(first[1].text) == without_derivatives(whole[1].text)
     assert all(one.text == two.text for one, two in zip(first, whole, strict=True) if not one.name.endswith(".c"))
-
-
-def test_what_events_do_needs_derivatives():
-    asked = request(model_of("bouncing_ball"))
-    assert asked.sources(whole=False) == asked.sources()
 
 
 @pytest.mark.skipif(ALL_AT_FIRST, reason="there a first run has all")

@@ -26,8 +26,8 @@ WORDS: Mapping[str, str] = MappingProxyType({
 ALL_AT_FIRST = not sys.platform.startswith("linux")
 """Whether all units must be linked at first, since undefined symbols are allowed only in ELF objects."""
 _AT_FIRST = ("model", "rhs", "lanes", "aside")
-_DERIVED = {"#define EM_ACTS", '#include "dynamics/em_close_eigenvalues.h"'}
-"""Lines of a NAME.c that needs derivatives at once: for event actions, or for dM/dx near close eigenvalues."""
+_DERIVED = '#include "dynamics/em_close_eigenvalues.h"'
+"""Line of a NAME.c that needs derivatives at once: dM/dx near close eigenvalues."""
 _DIFFERENTIATES = '#include "dynamics/em_rate_jacobian.h"'
 
 
@@ -35,7 +35,7 @@ def at_first(text: str) -> tuple[str, ...]:
     """Return the units of a NAME.c that a first run may need."""
     if ALL_AT_FIRST:
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
-    first = {*_AT_FIRST, "derivatives"} if _DERIVED.intersection(text.splitlines()) else _AT_FIRST
+    first = {*_AT_FIRST, "derivatives"} if _DERIVED in text.splitlines() else _AT_FIRST
     return tuple(unit for unit in UNITS if unit in first)
 
 

@@ -92,7 +92,7 @@ cdef class PointModel:
             mine.jacobian, mine.tangent = found.jacobian, found.tangent
             mine.constraint_partials, mine.output_partials = found.constraint_partials, found.output_partials
             mine.event_partials, mine.time_event_partials = found.event_partials, found.time_event_partials
-            mine.quasi_partials = found.quasi_partials
+            mine.quasi_partials, mine.act_along = found.quasi_partials, found.act_along
             mine.motion_jacobian = found.motion_jacobian
 
     cdef int need_derivatives(self) except -1:

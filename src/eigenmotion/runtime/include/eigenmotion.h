@@ -154,6 +154,9 @@ typedef struct em_model {
     const em_event_action *event_actions;          /* (n_events), or NULL: events change nothing */
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
+    int n_impacts;
+    void (*impacts)(double t, const double *x, const double *v, const double *c, const double *u,
+                    double *data); /* (n_impacts, n + 2): N = dphi/dx, dphi/dt, the restitution; NULL without impacts */
 
     const em_lanes *lanes; /* NULL: the right-hand side has no version for lanes */
     /* Opens a run for steps in lanes, at its start, and sets its mode. NULL: lanes cannot compute this run, and only its

@@ -95,6 +95,7 @@ EM_NOINLINE void em_mode_of(const double *c, em_state_of_switch *mode) {
     }
 }
 
+#if EM_HOLDS(EM_ASIDE)
 /* g (n_events) <- with the conditions of the mode: the margin of a multiplier before release, of an idle row before
  * it moves. 0, or -1 and *fault. */
 EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
@@ -131,6 +132,7 @@ EM_EXPORT int em_acceleration_with_idle(double t, const double *x, const double 
     }
     return 0;
 }
+#endif
 
 /* --- the rows of contacts and frictions, in any mode --- */
 
@@ -250,7 +252,7 @@ EM_NOINLINE void em_friction_row(em_mixed *s, int k, const double *level, const 
     if (rate) em_side_of_slip(friction, rate, c, s->side + friction->row);
 }
 
-#ifdef EM_CONES
+#if defined(EM_CONES) && EM_HOLDS(EM_ASIDE)
 /* lambda (m) <- with the largest reserve, if rows that hold are dependent (em_force_sharing.h). Delta: of the mode. */
 EM_EXPORT void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u,
                                     const double *Delta, double *lambda) {

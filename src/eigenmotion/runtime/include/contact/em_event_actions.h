@@ -8,7 +8,6 @@
 
 #include "dynamics/em_projection.h"
 #include "contact/em_impacts.h"
-#include "contact/em_switch_partials.h"
 
 #define EM_AT_LIMIT 1e-9 /* a force counts as at its limit if it is below it by at most this part */
 
@@ -85,14 +84,12 @@ EM_NOINLINE int em_reset(em_acting *a, int event) {
     const double *const at = after + number * 2 * N;
     for (int k = 0; k < 2 * N; ++k)
         if (!isfinite(at[k])) return em_fail(a->fault, EM_NON_FINITE_STATE, k % N, -1, NAN);
-    if (a->along) em_reset_along(a->along, a->t, a->x, a->v, a->c, a->u, number);
+    if (a->along) a->along->reset(a, number);
     memcpy(a->x, at, N * sizeof *at);
     if (!resets_quasi[number]) memcpy(a->v, at + N, N * sizeof *at);
     else if (em_rates_of_quasi(a->t, a->x, at + N, a->c, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
-#ifdef EM_QUASI
-    if (a->along && resets_quasi[number] && em_quasi_along(a->along, a->t, a->x, a->v, a->c))
+    if (a->along && resets_quasi[number] && a->along->quasi(a))
         return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
-#endif
     a->moved = 1;
     return em_check_reset(a, event);
 }
@@ -249,7 +246,8 @@ EM_NOINLINE int em_approaches(const em_acting *a, const em_all_rows *r) {
     return 0;
 }
 
-EM_NOINLINE int em_act_on_all(em_acting *a, em_pile *pile) {
+/* 0, or -1 and *fault. */
+EM_EXPORT int em_act_on_all(em_acting *a, em_pile *pile) {
     em_pile before[N_EVENTS];
     em_all_rows r;
     memcpy(before, pile, sizeof before);
@@ -268,12 +266,6 @@ EM_NOINLINE int em_act_on_all(em_acting *a, em_pile *pile) {
     return em_settle_modes(a);
 }
 
-EM_NOINLINE int em_none_fired(const int *fired) {
-    for (int i = 0; i < N_EVENTS; ++i)
-        if (fired[i]) return 0;
-    return 1;
-}
-
 /* x, v (n) and c (the mode) <- after the events `fired` (n_events) at t, in the order of the model; if none has fired,
  * at the start of a run. Events whose function jumps are added to `fired`; pile (n_events) belongs to the run. 0, or
  * -1 and *fault. */
@@ -289,34 +281,12 @@ EM_EXPORT int em_act(double t, double *x, double *v, double *c, const double *u,
     return failed;
 }
 
-/* em_model.act_along: the same, with the map of directions across the events. */
-EM_EXPORT int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
-                           em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
-    const em_directions along = {columns, S, P};
-    em_acting a = {.t = t, .x = x, .v = v, .c = c, .u = u, .least_norm = least_norm, .fired = fired, .fault = fault,
-                   .along = &along, .starts = em_none_fired(fired)};
-    if (em_act_on_all(&a, pile)) return -1;
-#ifdef EM_TANGENT_H
-    return em_tangent(t, x, v, c, least_norm, columns, S, P, fault);
-#else
-    return 0;
-#endif
-}
-
 /* em_model.event: g (n_events) in the mode of c; NaN where it has no value */
 EM_EXPORT void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
     em_fault fault;
     model_events(t, x, v, c, u, g);
     if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
-}
-
-/* em_model.event_partials: D (n_events, n_arguments), likewise */
-EM_EXPORT void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u,
-                                   double *D) {
-    event_partials(t, x, v, c, u, D);
-    if (em_watch_partials(t, x, v, c, u, D))
-        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
 }
 
 #endif

@@ -161,8 +161,6 @@ EM_NOINLINE void em_change_by_impact(const em_all_rows *r, const em_impact *b, d
     em_backward(N, r->root.L, r->root.r, change);
 }
 
-#include "contact/em_saltation.h"
-
 /* Applies the impact that has been set up; a fault names `event`. 1, or -1 and *fault. */
 EM_NOINLINE int em_apply_impact(em_acting *a, const em_all_rows *r, em_impact *b, int event) {
     double change[N];
@@ -171,7 +169,7 @@ EM_NOINLINE int em_apply_impact(em_acting *a, const em_all_rows *r, em_impact *b
             return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, EM_BAD_RESTITUTION, b->e[row]);
     if (em_impact_with_landings(b) < 1) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, -1, NAN);
     em_change_by_impact(r, b, change);
-    if (a->along && em_impact_along(a, r, b, change, event)) return -1;
+    if (a->along && a->along->impact(a, r, b, change, event)) return -1;
     for (int k = 0; k < N; ++k) a->v[k] += change[k];
     a->moved = 1;
     return 1;

@@ -23,6 +23,21 @@
                                                changes a row entirely */
 #define EM_IDLE 1e-3                        /* the tolerance of idle rows, as a part of the run's */
 
+struct em_acting;
+struct em_impact;
+
+/* S (2 n, columns) of x, v, and P (n_forcing, columns) of inputs, parameters, time; what maps S across an impact that
+ * changes v by `change`, across a reset, and from quasi-velocities to rates (em_event_directions.h). The maps belong to
+ * derivatives, which a run does not need. */
+typedef struct em_directions {
+    int columns;
+    double *S;
+    const double *P;
+    int (*impact)(struct em_acting *a, const em_all_rows *r, const struct em_impact *b, const double *change, int event);
+    void (*reset)(const struct em_acting *a, int number);
+    int (*quasi)(const struct em_acting *a);
+} em_directions;
+
 /* The event actions at one time, with the state and the mode that they change; `along`: directions that are mapped
  * across them, or NULL. rtol, atol (n): of the run, or NULL; starts: whether the run starts here. */
 typedef struct em_acting {
@@ -45,6 +60,12 @@ typedef struct em_acting {
     double separation_rate[EM_SOME_SWITCHES]; /* rates below which contacts stay closed, unless an impact has separated
                                                  them */
 } em_acting;
+
+EM_NOINLINE int em_none_fired(const int *fired) {
+    for (int i = 0; i < N_EVENTS; ++i)
+        if (fired[i]) return 0;
+    return 1;
+}
 
 /* The change of a row that a change of x (or of v, with the same scale) within tolerances causes. */
 EM_NOINLINE double em_reach(const em_acting *a, const double *row, const double *z, double times, double rtol) {

@@ -1,4 +1,4 @@
-/* em_reset.h: resets: states that events set, in rates or in quasi-velocities, and their directional derivatives. */
+/* em_reset.h: resets: states that events set, in rates or in quasi-velocities. */
 #ifndef EM_RESET_H
 #define EM_RESET_H
 
@@ -7,22 +7,6 @@
 #define EM_RESET_TOLERANCE 1e-8 /* the part of its terms by which a reset may violate a constraint */
 
 enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
-
-/* S (2 n, columns) of x, v, and P (n_forcing, columns) of inputs, parameters, time. */
-typedef struct em_directions {
-    int columns;
-    double *S;
-    const double *P;
-} em_directions;
-
-/* W (rows, columns) <- D (rows, n_arguments) along the directions. */
-EM_NOINLINE void em_along(const em_directions *d, int rows, const double *D, double *W) {
-    memset(W, 0, (size_t)rows * d->columns * sizeof *W);
-    for (int row = 0; row < rows; ++row) {
-        em_add_products(1, 2 * N, d->columns, D + row * N_ARGUMENTS, d->S, W + row * d->columns);
-        em_add_products(1, N_FORCING, d->columns, D + row * N_ARGUMENTS + 2 * N, d->P, W + row * d->columns);
-    }
-}
 
 #ifdef EM_QUASI
 /* v (n) <- P^-1 v by elimination with partial pivoting. 0, or -1: P (n, n) is singular. */
@@ -71,27 +55,6 @@ EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, co
 #endif
 }
 
-#ifdef EM_QUASI
-/* Directions of v after a reset has set the quasi-velocities y = P v: P dv = dy - dP v. S holds dy in place of dv. */
-EM_NOINLINE int em_quasi_along(const em_directions *d, double t, const double *x, const double *v, const double *c) {
-    double by[N * N_ARGUMENTS], P[N * N], W[N * d->columns];
-    quasi_partials(t, x, v, c, by);
-    for (int j = 0; j < d->columns; ++j) {
-        double column[N];
-        for (int i = 0; i < N; ++i) {
-            const double *const row = by + i * N_ARGUMENTS;
-            column[i] = d->S[(N + i) * d->columns + j];
-            for (int k = 0; k < N; ++k) P[i * N + k] = row[N + k], column[i] -= row[k] * d->S[k * d->columns + j];
-            for (int k = 0; k < N_FORCING; ++k) column[i] -= row[2 * N + k] * d->P[k * d->columns + j];
-        }
-        if (em_eliminate(P, column)) return -1;
-        for (int i = 0; i < N; ++i) W[i * d->columns + j] = column[i];
-    }
-    memcpy(d->S + N * d->columns, W, sizeof W);
-    return 0;
-}
-#endif
-
 /* Checks that resets, the last of which is that of `event`, have not moved x beyond the surface of an impact, further
  * than at `from` and by more than rounding. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
@@ -111,16 +74,6 @@ EM_NOINLINE int em_check_apart(double t, const double *from, const double *x, co
         if (fabs(g[i]) > reach) return em_fail(fault, EM_RESET_INSIDE, event, i, g[i] * event_actions[i].keeps_apart);
     }
     return 0;
-}
-
-/* Directions after reset `number` of x, v; those of rates are directions of the quasi-velocities if these are set. */
-EM_NOINLINE void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
-                            const double *u, int number) {
-    double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];
-    if (N_RESETS == 0) return;
-    reset_partials(t, x, v, c, u, by);
-    em_along(d, 2 * N, by + number * 2 * N * N_ARGUMENTS, W);
-    memcpy(d->S, W, sizeof W);
 }
 
 #endif

@@ -6,6 +6,17 @@
 #ifndef EM_SALTATION_H
 #define EM_SALTATION_H
 
+#include "contact/em_impacts.h"
+
+/* W (rows, columns) <- D (rows, n_arguments) along the directions. */
+EM_NOINLINE void em_along(const em_directions *d, int rows, const double *D, double *W) {
+    memset(W, 0, (size_t)rows * d->columns * sizeof *W);
+    for (int row = 0; row < rows; ++row) {
+        em_add_products(1, 2 * N, d->columns, D + row * N_ARGUMENTS, d->S, W + row * d->columns);
+        em_add_products(1, N_FORCING, d->columns, D + row * N_ARGUMENTS + 2 * N, d->P, W + row * d->columns);
+    }
+}
+
 /* Derivatives, along the directions, of the terms of an impact. */
 typedef struct em_impact_partials {
     double *balance, *rates, *levels, *impacts; /* (n + m), (h + m), levels, impacts: each by columns */
@@ -66,7 +77,7 @@ EM_NOINLINE int em_impact_along(em_acting *a, const em_all_rows *r, const em_imp
     const em_directions *const d = a->along;
     const int columns = d->columns;
     double D[(N + N_ROWS) * N_ARGUMENTS], impulse[EM_SOME_ROWS];
-    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS] = {0.0}, I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS];
+    double L[EM_LEVELS * EM_SOME_SWITCHES * N_ARGUMENTS] = {0.0}, I[EM_SOME_IMPACTS * EM_IMPACT_SIZE * N_ARGUMENTS] = {0.0};
     double balance[(N + N_ROWS) * columns], rates[(N_POSITIONS + N_ROWS + 1) * columns], G[EM_IMPACT_ROWS * columns];
     double level[EM_LEVELS * EM_SOME_SWITCHES * columns], impact_data[EM_SOME_IMPACTS * EM_IMPACT_SIZE * columns];
     const em_impact_partials of = {balance, rates, level, impact_data};

@@ -112,11 +112,12 @@ static int em_has_contacts(const em_model *model) {
 /* Whether an impact's phi grows: a start that is inside by rounding then causes no impact. */
 static int em_leaves_contact(const em_model *model, int event, double t, const double *x, const double *v,
                              const double *c) {
-    const int n = model->n, width = model->n_arguments;
-    double D[model->n_events * width];
-    model->event_partials(t, x, v, c, model->input_defaults, D);
-    double rate = D[event * width + width - 1];
-    for (int k = 0; k < n; ++k) rate += D[event * width + k] * v[k];
+    const int n = model->n, width = n + 2;
+    double data[model->n_impacts * width];
+    model->impacts(t, x, v, c, model->input_defaults, data);
+    const double *const own = data + model->event_actions[event].impact * width;
+    double rate = own[n];
+    for (int k = 0; k < n; ++k) rate += own[k] * v[k];
     return model->event_actions[event].keeps_apart * rate > 0.0;
 }
 

@@ -55,6 +55,17 @@ void reaction_rates(double t, const double *x, const double *v, const double *la
 void reaction_rate_partials(double t, const double *x, const double *v, const double *lambda, const double *c,
                             const double *u, double *by);
 void pushes(double t, const double *x, const double *v, const double *c, const double *u, double *P);
+struct em_acting;
+int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm,
+           const em_act_limits *within, int *fired, em_pile *pile, em_fault *fault);
+int em_act_on_all(struct em_acting *a, em_pile *pile);
+void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u, const double *Delta,
+                          double *lambda);
+int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
+                   em_fault *fault);
+int em_acceleration_with_idle(double t, const double *x, const double *v, const double *c, const double *u,
+                              int least_norm, double *a, double *lambda, em_fault *fault);
+void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 
 /* --- of EM_DERIVATIVES --- */
 
@@ -78,17 +89,8 @@ int em_motion_along(double t, const double *x, const double *v, const double *c,
                     int columns, const double *S, const double *P, double *a, double *lambda, double *W, em_fault *fault);
 int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns, double *S,
                const double *P, em_fault *fault);
-int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm,
-           const em_act_limits *within, int *fired, em_pile *pile, em_fault *fault);
 int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                  int columns, double *S, const double *P, em_fault *fault);
-void em_share_multipliers(double t, const double *x, const double *v, const double *c, const double *u, const double *Delta,
-                          double *lambda);
-int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm, double *g,
-                   em_fault *fault);
-int em_acceleration_with_idle(double t, const double *x, const double *v, const double *c, const double *u,
-                              int least_norm, double *a, double *lambda, em_fault *fault);
-void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
 
 /* --- of the stepper, compiled once for all models (em_stepper.c): for the table em_model --- */
@@ -133,6 +135,8 @@ EM_LATER(em_tangent);
 EM_LATER(constraint_partials);
 EM_LATER(output_partials);
 EM_LATER(event_partials);
+EM_LATER(em_act_along);
+EM_LATER(em_watched_partials);
 EM_LATER(time_event_partials);
 EM_LATER(quasi_partials);
 #endif

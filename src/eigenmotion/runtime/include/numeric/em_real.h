@@ -33,8 +33,8 @@
  * (docs/architecture.md). Functions that units share are then not static; the linked library hides them
  * (-fvisibility=hidden). */
 #define EM_MODEL 1       /* functions that every step calls, except right-hand sides */
-#define EM_ASIDE 2       /* functions that no step calls */
-#define EM_DERIVATIVES 4 /* partial derivatives, and event actions */
+#define EM_ASIDE 2       /* functions that no step calls, and event actions */
+#define EM_DERIVATIVES 4 /* partial derivatives, also across event actions */
 #define EM_STEPPER 8     /* runs, if the stepper is not an object of its own (em_stepper.c) */
 #define EM_RHS 32        /* right-hand sides */
 #ifdef EM_UNIT
