@@ -11,7 +11,7 @@ GAPS = (1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15)
 OFF = (0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.02)
 
 
-@pytest.fixture(scope="module", **each((1, 2, 3, 5, 8, 16), by_night=()))
+@pytest.fixture(scope="module", **each((1, 2, 3, 5, 6, 7, 8, 16), by_night=()))
 def compiled(request, tmp_path_factory):
     return kernels_of("refine", *request.param, tmp_path_factory.mktemp("kernels"))
 

@@ -37,6 +37,8 @@ EM_ANY_SIZE int em_velocity_of_root(const em_block *b, const double *M, double *
 EM_COLD_PATH EM_ANY_SIZE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory,
                                             em_fault *fault);
 EM_COLD_PATH EM_ANY_SIZE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault);
+EM_ANY_SIZE int em_eigenfactors_of_blocks(const em_block *const *blocks, const double *M, double *C, double *s,
+                                          em_fault *fault);
 EM_ANY_SIZE int em_coincident_block(const em_block *b, const double *y, em_fault *fault);
 EM_ANY_SIZE int em_coincident_group(const em_group *g, const double *y, em_fault *fault);
 EM_ANY_SIZE double em_worst_factors(const em_block *const *blocks, const double *M, const double *y, int *first);
@@ -126,7 +128,7 @@ EM_INLINE int em_keep_root(const em_block *b, const double *M, double *memory, e
         r[0] = 1.0 / L[0];
         return 0;
     }
-    const int singular = em_cholesky(b->size, M, L, r, EM_SINGULAR_PIVOT);
+    const int singular = em_cholesky_aside(b->size, M, L, r, EM_SINGULAR_PIVOT);
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
 
@@ -242,6 +244,25 @@ EM_COLD_PATH EM_ANY_SIZE int em_begin_group(const em_group *g, int m, const doub
     em_part_of_delta(m, g->size, g->rows, Delta, part);
     const int singular = em_eigenfactors(g->size, part, y + g->C, y + g->s);
     return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, g->rows[singular], -1, 0.0);
+}
+
+/* C (n, n), s (n) of M (n, n), block by block; close to the given C, or from scratch if C is 0. `blocks` ends with
+ * NULL. */
+EM_ANY_SIZE int em_eigenfactors_of_blocks(const em_block *const *blocks, const double *M, double *C, double *s,
+                                          em_fault *fault) {
+    for (; *blocks; ++blocks) {
+        const em_block *const b = *blocks;
+        const int n = b->size;
+        double part[n * n], part_C[n * n], part_s[n], size = 0.0;
+        em_gather(b->n, n, b->coordinate, M, part);
+        em_gather(b->n, n, b->coordinate, C, part_C);
+        for (int k = 0; k < n * n; ++k) size += fabs(part_C[k]);
+        const int singular = size > 0.0 ? em_refresh_any(n, part, part_C, part_s) : em_eigenfactors(n, part, part_C, part_s);
+        if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
+        em_spread(b->n, n, b->coordinate, part_C, C);
+        em_put(b, part_s, s);
+    }
+    return 0;
 }
 
 /* Whether two eigenvalues are equal: the published right-hand side does not exist there. */

@@ -30,7 +30,7 @@ EM_NOINLINE int em_root_at(double t, const double *x, const double *c, em_root *
     double M[N * N];
     factored(t, x, c, M);
     memset(root->L, 0, sizeof root->L);
-    const int singular = em_cholesky(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
+    const int singular = em_cholesky_aside(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
     if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
     pfaffian(t, x, c, root->B, root->b);
     for (int row = 0; row < N_ROWS; ++row) {
@@ -143,23 +143,12 @@ EM_NOINLINE int em_correct(em_root *root, double *x, double *residual, const dou
     return 0;
 }
 
-/* C (n, n), s (n) of M(x) in units of `scales`, block by block; close to the given C, or from scratch if C is 0. */
+/* C (n, n), s (n) of M(x) in units of `scales`; close to the given C, or from scratch if C is 0. */
 EM_NOINLINE int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
-    double M[N * N], Mb[N * N], Cb[N * N], sb[N];
+    double M[N * N];
     factored(t, x, c, M);
     for (int k = 0; k < N * N; ++k) M[k] *= scales[k / N] * scales[k % N];
-    for (const em_block *const *next = blocks; *next; ++next) {
-        const em_block *const b = *next;
-        double size = 0.0;
-        em_gather(N, b->size, b->coordinate, M, Mb);
-        em_gather(N, b->size, b->coordinate, C, Cb);
-        for (int k = 0; k < b->size * b->size; ++k) size += fabs(Cb[k]);
-        const int singular = size > 0.0 ? em_refresh_any(b->size, Mb, Cb, sb) : em_eigenfactors(b->size, Mb, Cb, sb);
-        if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
-        em_spread(N, b->size, b->coordinate, Cb, C);
-        em_put(b, sb, s);
-    }
-    return 0;
+    return em_eigenfactors_of_blocks(blocks, M, C, s, fault);
 }
 
 /* out (n_outputs) at x, v */

@@ -109,7 +109,7 @@ EM_NOINLINE em_truth em_refine(int n, em_truth going, const real *restrict M, re
 
 /* C, lambda <- those of M (n, n), if C is close enough and eigenvalues are separated; otherwise 0, and C is still
  * close. */
-EM_NOINLINE int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
+EM_INLINE int em_refine_of(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double limit = EM_REFINABLE;
     for (;;) {
         double T[n * n], R[n * n], W[n * n], Lambda[n * n];
@@ -126,6 +126,8 @@ EM_NOINLINE int em_refine(int n, const double *restrict M, double *restrict C, d
         limit = EM_CONTRACTS * size;
     }
 }
+
+EM_NOINLINE int em_refine(int n, const double *M, double *C, double *lambda) { return em_refine_of(n, M, C, lambda); }
 
 #endif
 

@@ -9,6 +9,7 @@
 /* Functions of matrices of any size; the comments are below. */
 EM_COLD_PATH EM_ANY_SIZE int em_first_unsound_pivot(int n, const double *M);
 EM_ANY_SIZE void em_sweep(int n, const double *M, double *C, double *lambda);
+EM_ANY_SIZE int em_refresh_shared(int n, const double *M, double *C, double *s, double *eta);
 EM_ANY_SIZE int em_refresh_any(int n, const double *M, double *C, double *s);
 EM_COLD_PATH EM_ANY_SIZE int em_eigenfactors(int n, const double *M, double *C, double *s);
 EM_COLD_PATH EM_ANY_SIZE int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r);
@@ -37,6 +38,7 @@ EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
  * singular. */
 EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s,
                          double *restrict eta) {
+    if (EM_IS_SHARED_SIZE(n)) return em_refresh_shared(n, M, C, s, eta);
     double before[n * n];
     if (eta) em_copy(n * n, C, before);
     if (!em_refine(n, M, C, s)) em_sweep(n, M, C, s);
@@ -116,6 +118,16 @@ EM_ANY_SIZE void em_sweep(int n, const double *M, double *C, double *lambda) { e
 /* The same outside of runs, optimised for size. */
 EM_COLD_PATH EM_NOINLINE void em_sweep_any(int n, const double *M, double *C, double *lambda) {
     em_sweeps(n, M, C, lambda);
+}
+
+/* em_refresh of shared sizes. Sweeps are seldom: n need not be a constant there. */
+EM_ANY_SIZE int em_refresh_shared(int n, const double *M, double *C, double *s, double *eta) {
+    double before[n * n];
+    em_copy(n * n, C, before);
+    if (!(n == 6 ? em_refine_of(6, M, C, s) : em_refine_of(7, M, C, s))) em_sweep(n, M, C, s);
+    if (eta && n == 6) em_turn(6, before, C, eta);
+    else if (eta) em_turn(7, before, C, eta);
+    return em_roots(n, M, s);
 }
 
 /* C, s <- eigenfactors of M (n, n), starting from the given C, outside of runs. Returns -1, or an index where M is

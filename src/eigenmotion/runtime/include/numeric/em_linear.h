@@ -110,6 +110,18 @@ EM_INLINE int em_cholesky_any(int n, const real *restrict M, real *restrict L, r
     return em_cholesky(n, M, L, r, tolerance);
 }
 
+EM_ANY_SIZE int em_cholesky_shared(int n, const real *M, real *L, real *r, double tolerance);
+#if EM_HOLDS_ANY_SIZE
+EM_ANY_SIZE int em_cholesky_shared(int n, const real *M, real *L, real *r, double tolerance) {
+    return n == 6 ? em_cholesky(6, M, L, r, tolerance) : em_cholesky(7, M, L, r, tolerance);
+}
+#endif
+
+/* em_cholesky on no path of a right-hand side. */
+EM_INLINE int em_cholesky_aside(int n, const real *M, real *L, real *r, double tolerance) {
+    return EM_IS_SHARED_SIZE(n) ? em_cholesky_shared(n, M, L, r, tolerance) : em_cholesky(n, M, L, r, tolerance);
+}
+
 /* M = L D L^T, where no square roots are needed. */
 EM_INLINE int em_ldlt(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
     return em_factor(n, 0, M, L, r, tolerance);

@@ -50,13 +50,17 @@
 #endif
 
 /* A function of matrices of any size, on no path of a right-hand side: units of a model declare it, and the stepper's
- * object, which is compiled once for all models, has it (EM_HOLDS_ANY_SIZE). */
+ * object, which is compiled once for all models, has it (EM_HOLDS_ANY_SIZE). Functions
+ * that steps call need constant sizes to be fast. Units leave them to that object for the sizes of arms and of free
+ * bodies (EM_IS_SHARED_SIZE), and compile them themselves for other sizes. */
 #if defined(EM_UNIT) && !defined(EM_ON_LANES)
 #define EM_ANY_SIZE __attribute__((noinline))
 #define EM_HOLDS_ANY_SIZE EM_HOLDS(EM_STEPPER)
+#define EM_IS_SHARED_SIZE(n) ((n) == 6 || (n) == 7)
 #else
 #define EM_ANY_SIZE EM_NOINLINE
 #define EM_HOLDS_ANY_SIZE 1
+#define EM_IS_SHARED_SIZE(n) 0
 #endif
 
 /* Before a loop with a constant count: unroll it completely, so that its numbers become constants. */
