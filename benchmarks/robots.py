@@ -1,11 +1,12 @@
 """Comparison of robots from files with Pinocchio and MuJoCo: mass matrix, inverse and forward dynamics.
 
-python benchmarks/robots.py [FOLDER or FILE ...] [--states 100] [--base floating]
+python benchmarks/robots.py [FOLDER or FILE ...] [--states 100] [--base floating] [--poses]
 
 Each URDF (against Pinocchio) and MJCF file (against MuJoCo) is read, and its equations are evaluated at random states.
 A line has the coordinates, the time to read, and the largest error of M, of inverse and of forward dynamics, each
 relative to the largest entry, that of forward dynamics also to the condition of M with a unit diagonal. Without
-arguments: the files of example-robot-data. Pinocchio is the package `pin`.
+arguments: the files of example-robot-data. Pinocchio is the package `pin`. With --poses each robot is built, too, and
+the places and Jacobians of all its links are compared with Pinocchio's.
 """
 
 import argparse
@@ -128,18 +129,35 @@ class Pinocchio:
             self.rows.append((self.m.joints[j], place[q], ratio, float(position.subs(q, 0))))
         self.floating, self.driven = floating, self.m.nv > len(robot.coordinates)
 
-    def reference(self, x: np.ndarray, v: np.ndarray, a: np.ndarray, u: np.ndarray):
-        """Return M, torques at a, accelerations under u."""
-        pin, m, d = self.pin, self.m, self.d
-        q, B, rest = pin.neutral(m), np.zeros((m.nv, len(x))), np.zeros(m.nv)
+    def placed(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return Pinocchio's q, and B."""
+        pin, m = self.pin, self.m
+        q, B = pin.neutral(m), np.zeros((m.nv, len(x)))
         for joint, k, ratio, offset in self.rows:
             angle = ratio * x[k] + offset
             q[joint.idx_q : joint.idx_q + joint.nq] = angle if joint.nq == 1 else (math.cos(angle), math.sin(angle))
             B[joint.idx_v, k] = ratio
         if self.floating:
             q[:3], q[3:7] = x[:3], quaternion(x[3:6])
-            R = pin.Quaternion(q[3:7]).toRotationMatrix()
-            B[:3, :3], B[3:6, 3:6] = R.T, spin(x[3:6])
+            B[:3, :3], B[3:6, 3:6] = pin.Quaternion(q[3:7]).toRotationMatrix().T, spin(x[3:6])
+        return q, B
+
+    def link(self, name: str, x: np.ndarray, point: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return R, p of a link, and the Jacobian (6, n) of a point of it."""
+        pin, m, d = self.pin, self.m, self.d
+        q, B = self.placed(x)
+        frame = m.getFrameId(name, pin.FrameType.BODY)
+        J = pin.computeFrameJacobian(m, d, q, frame, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED)
+        at = pin.updateFramePlacement(m, d, frame)
+        J[:3] -= skew(at.rotation @ point) @ J[3:]
+        return at.rotation, at.translation, J @ B
+
+    def reference(self, x: np.ndarray, v: np.ndarray, a: np.ndarray, u: np.ndarray):
+        """Return M, torques at a, accelerations under u."""
+        pin, m, d, rest = self.pin, self.m, self.d, np.zeros(self.m.nv)
+        q, B = self.placed(x)
+        if self.floating:
+            R = B[:3, :3].T
             rest[:3] = -np.cross(B[3:6, 3:6] @ v[3:6], R.T @ v[:3])
             rest[3:6] = spin_rate(x[3:6], v[3:6]) @ v[3:6]
         M = pin.crba(m, d, q)
@@ -181,7 +199,21 @@ class MuJoCo:
         return M, M @ a + d.qfrc_bias, accelerations
 
 
-def compared(file: Path, count: int, floating: bool) -> str:
+def links_compared(robot: em.Robot, oracle: Pinocchio, x: np.ndarray) -> str:
+    """Return the largest errors of R, p and J of all links at positions (n, k), relative to the largest entry or 1."""
+    start = time.perf_counter()
+    system, errors = em.build(robot.model(), formulation="articulated_body"), np.zeros(3)
+    built, point = time.perf_counter() - start, np.array([0.1, -0.2, 0.3])
+    for name in system.bodies:
+        poses, J = system.pose(name, x), system.jacobian_of(name, point, x)
+        for k in range(x.shape[1]):
+            got = *(one[..., k] for one in poses), J[..., k]
+            for which, (one, other) in enumerate(zip(got, oracle.link(name, x[:, k], point), strict=True)):
+                errors[which] = max(errors[which], np.abs(one - other).max() / max(1.0, np.abs(other).max()))
+    return f"  built {built:4.1f} s  R {errors[0]:.1e}  p {errors[1]:.1e}  J {errors[2]:.1e}"
+
+
+def compared(file: Path, count: int, floating: bool, poses: bool) -> str:
     """Return a line on a file."""
     start = time.perf_counter()
     mjcf = file.suffix == ".xml"
@@ -199,7 +231,8 @@ def compared(file: Path, count: int, floating: bool) -> str:
         one = [worst(*pair) for pair in zip(got, reference, strict=True)]
         errors = np.maximum(errors, [*one, one[2] / condition(reference[0])])
     words = f"n {ours.n:3}  read {read:5.2f} s  nodes {made:5.2f} s  M {errors[0]:.1e}  inverse {errors[1]:.1e}"
-    return f"{words}  forward {errors[2]:.1e} ({errors[3]:.1e} of the condition)"
+    words += f"  forward {errors[2]:.1e} ({errors[3]:.1e} of the condition)"
+    return words + links_compared(robot, oracle, states["q"][:, :5]) if poses and not mjcf else words
 
 
 def example_robots() -> list[Path]:
@@ -216,6 +249,7 @@ def main() -> None:
     options.add_argument("paths", nargs="*", type=Path)
     options.add_argument("--states", type=int, default=100)
     options.add_argument("--base", choices=["fixed", "floating"], default="fixed")
+    options.add_argument("--poses", action="store_true")
     given = options.parse_args()
     logging.getLogger("eigenmotion").setLevel(logging.ERROR)
     files = [file for path in given.paths for file in (sorted(path.rglob("*.urdf")) if path.is_dir() else [path])]
@@ -223,10 +257,12 @@ def main() -> None:
     read = 0
     for file in files:
         try:
-            words = compared(file, given.states, given.base == "floating")
+            words = compared(file, given.states, given.base == "floating", given.poses)
             read += 1
         except em.ModelError as error:
             words = f"refused: {error}"
+        except ZeroDivisionError:
+            words = "not compared: a joint moves no mass"
         except Exception as error:  # the oracle's own
             words = f"not compared: {type(error).__name__}: {error}"
         print(f"{file.name:40} {words}", flush=True)
