@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ..graph.store import Node
 from .branch_factor import BranchFactor
-from .inertia import ArticulatedInertia, Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
+from .inertia import ArticulatedInertia, RigidInertia, Spatial, crossed, crossed_force, spatial_dot, spatial_sum, times
 from .links import Links, Moving
 from .scalar import HALF, Scalar, Vector, dot, total
 
@@ -125,20 +125,35 @@ class Dynamics:
         return result
 
     @cached_property
-    def mass_matrix(self) -> list[list[Scalar]]:
-        """M (n, n) by composite rigid bodies."""
+    def composite(self) -> list[RigidInertia]:
+        """Inertia of each body with all that it carries."""
         moving = self.links.moving
         composite = [body.inertia for body in moving]
-        M = [[self.zero] * self.n for _ in range(self.n)]
         for number in reversed(range(len(moving))):
-            body = moving[number]
-            self._column(M, number, [composite[number] * S for S in body.S])
+            body, inertia = moving[number], composite[number]
             if body.parent >= 0:
-                inertia = composite[number]
                 for step in reversed(body.steps):
                     inertia = step.rigid_up(inertia)
                 composite[body.parent] = composite[body.parent] + inertia
+        return composite
+
+    @cached_property
+    def mass_matrix(self) -> list[list[Scalar]]:
+        """M (n, n) by composite rigid bodies."""
+        M = [[self.zero] * self.n for _ in range(self.n)]
+        for number in reversed(range(len(self.links.moving))):
+            self._column(M, number, [self.composite[number] * S for S in self.links.moving[number].S])
         return M
+
+    @cached_property
+    def carried(self) -> list[Scalar]:
+        """(n,) bounds of the diagonal of M: w.w tr(J) + v.v m of what a coordinate moves, but for moments."""
+        sizes: list[list[Scalar]] = [[self.zero] for _ in range(self.n)]
+        for body, inertia in zip(self.links.moving, self.composite, strict=True):
+            trace = inertia.J[0] + inertia.J[3] + inertia.J[5]
+            for (w, v), k in zip(body.S, body.numbers, strict=True):
+                sizes[k] += [dot(w, w) * trace, dot(v, v) * inertia.mass]
+        return [total(self.graph, terms) for terms in sizes]
 
     def _column(self, M: list[list[Scalar]], number: int, forces: list[Spatial]) -> None:
         """Add the columns of a body: the forces that its accelerations take, on itself and on all that carry it."""

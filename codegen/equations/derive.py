@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -22,6 +22,7 @@ from ..model.statement.mechanism import Mechanism
 from .event_actions import EventActions, Impact, Reset
 from .mass_regularisation import weights
 from .plain_symbols import Names
+from .tree.massless import massless
 from .tree.separation import Trees, separated
 
 
@@ -195,7 +196,18 @@ class _Derivation:
     def weights(self, M: list[list[Node]], A: list[list[Node]], phi: list[Node]) -> list[Node]:
         start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
         constants = {symbol.name: value for symbol, value in self.model.parameters}
-        return weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
+        W = weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
+        if self.trees and all(one == self.graph.zero for one in W):
+            self.refuse_massless(self.trees, M, [*start], constants)
+        return W
+
+    def refuse_massless(self, trees: Trees, M: list[list[Node]], x: list[str], constants: Mapping[str, float]) -> None:
+        place = massless(trees, M, x, constants)
+        if place is not None:
+            raise ModelError(
+                f"model {self.model.name}: {x[place]!r} moves no mass, so that its acceleration is undetermined. Give "
+                "what it moves an inertia, or make its joint fixed (locked=[...] for a robot from a file)."
+            )
 
     def simplified(self, nodes: Iterable[Node]) -> list[Node]:
         """Replace nodes that are identically zero by zero."""

@@ -5,6 +5,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 import sympy
+from eigenmotion.codegen.equations.derive import derive
 from scipy.integrate import solve_ivp
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -171,7 +172,7 @@ def test_articulated_bodies_refuse_what_they_cannot_take():
 
     with pytest.raises(em.ModelError, match="couples one and light"):
         built(tree.kinetic_energy + (a + b).diff(t) ** 2)
-    with pytest.raises(em.ModelError, match="a joint moves bodies without mass"):
+    with pytest.raises(em.ModelError, match="'light' moves no mass"):
         built(tree.kinetic_energy)
     with pytest.raises(em.ModelError, match="for masses in trees of bodies"):
         built(a.diff() ** 2 + b.diff() ** 2)
@@ -289,3 +290,23 @@ def test_bodies_fixed_to_the_ground_are_at_numbers():
     assert list(foot.position((1, 0, 0))) == [1, 3, 3]
     assert list(foot.velocity()) == [0, 0, 0]
     assert foot.rotation == sympy.ImmutableDenseMatrix([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+
+
+MASSLESS = {
+    "empty": {"joint": "revolute", "axis": (1, 2, 3)},
+    "on its axis": {"joint": "revolute", "axis": (1, 2, 3), "mass": 1.0, "center": (0.1, 0.2, 0.3)},
+    "a point": {"joint": "spherical", "mass": 1.0, "center": (0.1, 0.2, 0.3)},
+}
+
+
+@pytest.mark.parametrize("kind", MASSLESS)
+def test_a_joint_that_moves_no_mass_is_named(kind):
+    tree = em.Tree()
+    tree.body("arm", joint="revolute", axis="y", mass=1.0, center=(0, 0, -0.5), inertia=(0.1, 0.1, 0.1))
+    tree.body("tip", "arm", at=(0, 0.3, -1), **MASSLESS[kind])
+    model = em.Model(name="massless", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy)
+    with pytest.raises(em.ModelError, match=r"'tip.*' moves no mass"):
+        derive(model)
+    rotors = sum(q.diff() ** 2 for q in tree.coordinates[1:]) / 20
+    geared = em.Model(name="geared", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy + rotors)
+    assert derive(geared).trees is not None

@@ -33,21 +33,15 @@ def articulated_bodies(
     Raises
     ------
     ModelError
-        M is singular, another energy couples coordinates, or a joint moves no mass; names the coordinates.
+        M is singular but for constraints, or another energy couples coordinates; names them.
     """
     if mechanics.augmented:
         raise ModelError(f"model {mechanics.name}: {_NAME} needs a regular M. Choose another formulation.")
     armature = [Scalar(trees.graph, mass) for mass in _armature(mechanics, trees)]
-    try:
-        solver = _Solver(mechanics, trees, armature)
-        moving = solver.solved(forces, lambda tree, own, more: tree.dynamics.accelerations(own, tree.gravity, more))
-        rows = [solver.solved(row, lambda tree, own, more: tree.dynamics.solved(own, more)) for row in P]
-        return ArticulatedBodies(moving, tuple(rows), solver.pivots())
-    except ZeroDivisionError as error:
-        raise ModelError(
-            f"model {mechanics.name}: {_NAME}: a joint moves bodies without mass, or without inertia about its axis, "
-            "whatever the state. Give them some, or choose another formulation."
-        ) from error
+    solver = _Solver(mechanics, trees, armature)
+    moving = solver.solved(forces, lambda tree, own, more: tree.dynamics.accelerations(own, tree.gravity, more))
+    rows = [solver.solved(row, lambda tree, own, more: tree.dynamics.solved(own, more)) for row in P]
+    return ArticulatedBodies(moving, tuple(rows), solver.pivots())
 
 
 def _armature(mechanics: Mechanics, trees: Trees) -> list[Node]:

@@ -16,7 +16,6 @@ from ..codegen.model import ModelError, Tree
 from ..codegen.model.normalise import nearest, shown
 from .description import FREEDOMS, Closure, Description, Part, listed
 from .driven import Drives, reduced
-from .mass_matrix import massless_joint
 from .names import identifier, identifiers
 from .robot import Robot
 from .skeleton import skeleton
@@ -46,15 +45,10 @@ def robot_of(
     Raises
     ------
     ModelError
-        A joint or link is unknown, or a joint moves no mass; says which.
+        A joint or link is unknown, or none moves; says which.
     """
     given, drives = reduced(described, locked)
     closures = (*given.closures, *_closures(given, close))
-    if not (closures or given.polynomials) and (joint := massless_joint(given, drives)):
-        raise ModelError(
-            f"{given.name}: joint {joint!r} moves no mass, so that its acceleration is undetermined. Give its link an "
-            f"inertia, or lock it: locked=[{joint!r}]."
-        )
     flaws = [f"link {part.name!r}: {flaw}" for part in given.parts if part.mass and (flaw := part.mass.flaw())]
     for flaw in flaws:
         _log.warning("%s: %s; computed as written", given.name, flaw)

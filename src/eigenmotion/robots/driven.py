@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
+import numpy as np
+from scipy.spatial.transform import Rotation
+
 from ..codegen.model.normalise import ModelError, nearest
-from .description import FREEDOMS, Description, Joint
-from .mass_matrix import locked as held
+from .description import FREEDOMS, Description, Joint, Part
 
 Drives = Mapping[str, tuple[str, float, float]]
 """Driven joint -> the joint that drives it, ratio and offset; that joint is not driven itself"""
@@ -30,7 +32,7 @@ def reduced(robot: Description, locked: Collection[str]) -> tuple[Description, D
     parts = [replace(part, joint=joints[part.joint.name]) for part in robot.parts]
     for k, (part, before) in enumerate(zip(parts, robot.parts, strict=True)):
         if part.joint.name in still or part.joint is not before.joint:
-            parts[k] = held(before, still.get(part.joint.name, 0.0))
+            parts[k] = _held(before, still.get(part.joint.name, 0.0))
     return replace(robot, parts=tuple(parts)), {name: one for name, one in drives.items() if name not in still}
 
 
@@ -52,3 +54,13 @@ def _source(name: str, joints: Mapping[str, Joint]) -> tuple[str, float, float]:
         if FREEDOMS[joints[one].kind] > 1:
             raise ModelError(f"joint {one!r} is {joints[one].kind}: only joints of one coordinate drive others.")
     return at, ratio, offset
+
+
+def _held(part: Part, displacement: float) -> Part:
+    """Return a part whose joint is held at a displacement."""
+    at, rotation, axis = part.at, part.rotation, np.array(part.joint.axis)
+    if part.joint.kind == "prismatic" and displacement:
+        at = at + displacement * (rotation @ axis)
+    if part.joint.kind == "revolute" and displacement:
+        rotation = rotation @ Rotation.from_rotvec(displacement * axis).as_matrix()
+    return Part(part.name, part.parent, Joint(part.joint.name, "fixed"), at, rotation, part.mass)
