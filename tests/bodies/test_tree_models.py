@@ -310,3 +310,19 @@ def test_a_joint_that_moves_no_mass_is_named(kind):
     rotors = sum(q.diff() ** 2 for q in tree.coordinates[1:]) / 20
     geared = em.Model(name="geared", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy + rotors)
     assert derive(geared).trees is not None
+
+
+def test_a_build_at_a_symmetric_start_is_proved():
+    """A factor of a row is zero there; by recursion it is rounding, in proportion to the other factors of the row."""
+    tree, turn = em.Tree(), {"joint": "revolute", "axis": "y"}
+    trunk = tree.body("trunk", joint="free", mass=12.0, inertia=(0.12, 0.4, 0.5))
+    thigh = tree.body(
+        "hip", trunk, at=(0.25, 0.15, 0), mass=1.0, center=(0, 0, -0.1), inertia=(0.006, 0.006, 0.001), **turn
+    )
+    shank = tree.body("knee", thigh, at=(0, 0, -0.25), mass=0.3, inertia=(0.002, 0.002, 0.001), **turn)
+    model = em.Model(name="symmetric_start", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     nonholonomic_constraints=list(shank.velocity((0, 0, -0.25))[:2]),
+                     initial={tree.coordinates[6]: 0.6, tree.coordinates[7]: -1.2})  # fmt: skip
+    A, _ = em.build(model, formulation="lagrange").pfaffian(model.initial_x)
+    assert abs(A[0, 3]) < 1e-15
+    assert A[0, 6] == pytest.approx(-0.5 * np.cos(0.6))

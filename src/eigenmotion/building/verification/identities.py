@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import name_of
 from ...codegen.model.statement.mechanism import Mechanism
+from ...codegen.model.tree.functions import BodyFunction
 from .arithmetic.rounding_bounds import EPS, Rounded, applied, geometric, rounded
 from .compiled_values import CompiledValues
 from .solve_errors import Errors
@@ -50,7 +51,8 @@ def expressions(model: Mechanism, v: Vector, compiled: CompiledValues, symbolic:
     yield _equal(["potential_energy"], V, symbolic.V[:, None])
     unit = np.sqrt(np.abs(np.einsum("kii->ki", compiled.factored)))[:, None, :]
     heavy = unit * np.abs(compiled.A / unit).max(axis=2, keepdims=True, initial=0.0)
-    yield _equal([f"the factor of {rate} in {row}" for row in rows for rate in rates], compiled.A, symbolic.A, heavy)
+    names = [f"the factor of {rate} in {row}" for row in rows for rate in rates]
+    yield replace(_equal(names, compiled.A, symbolic.A, heavy), more=_turned(model) * flat(rounded(heavy)).bound)
     moving = _summed(rounded(compiled.A) * pace[:, None, :])
     yield Identity(rows, [rounded(compiled.b), -symbolic.row, moving], always=True)
     yield _equal(rows[: model.h], compiled.phi, symbolic.phi)
@@ -76,6 +78,11 @@ def equations(compiled: CompiledValues, symbolic: SymbolicValues) -> list[Rounde
     """Return the terms of d/dt dT/dxdot - dT/dx + dV/dx - Q + A^T lambda, (k, n) each."""
     push = applied(symbolic.A.turned, rounded(compiled.multipliers))
     return [symbolic.momentum_rate, -symbolic.T_x, symbolic.V_x, -symbolic.Q, push]
+
+
+def _turned(model: Mechanism) -> bool:
+    """Whether rows contain functions of bodies. Recursions turn vectors to other axes, which rounds zeros, too."""
+    return any(one.has(BodyFunction) for one in (*model.holonomic_constraints, *model.nonholonomic_constraints))
 
 
 def row_names(model: Mechanism) -> list[str]:
