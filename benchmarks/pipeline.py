@@ -1,6 +1,7 @@
 """Benchmark of the build: time from a model file to a System by stage, with empty caches; and time of commands.
 
-Seconds, medians of repeats. Unlike ratios, they depend on the machine and on its other load.
+Seconds, medians of repeats. Unlike ratios, they depend on the machine and on its other load. With the argument
+`compiler` only the compiler's processor seconds, unit by unit: they are what a change to the C code affects.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("spatial_arm", {"n
 """File, arguments, repeats."""
 GENERATOR = ("derive", "specialise", "lower", "emit")
 COMPILER = {"compile_module": "C of the module", "link": "link"}
+COMPILED = ("dual_link", "four_bar", "puma")
 REPEATS = 3
 
 
@@ -88,6 +90,44 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         for part in PARTS:
             timed(f"later: {WORDS[part]}", load_part, first)(request(model), toolchain(), part)
     return first
+
+
+def spent_by_compilers(seconds: Seconds, name: str, action: Callable[[], Any]) -> Any:
+    """Return what `action` returns; seconds[name] is the processor time of the processes that it started."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    result = action()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds[name] = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return result
+
+
+def compiler_by_unit() -> dict[str, Seconds]:
+    """Return the compiler's processor seconds for the stepper, and for each unit of first builds, one at a time."""
+    found: dict[str, Seconds] = {"stepper": {}, **{file: {"all": 0.0} for file in COMPILED}}
+    compile_unit = Toolchain.compile_unit
+
+    def measured(tools: Toolchain, folder: Path, stem: str, unit: str) -> str:
+        target = spent_by_compilers(found[stem], unit, partial(compile_unit, tools, folder, stem, unit))
+        found[stem]["all"] += found[stem][unit]
+        return target
+
+    with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
+        stack.enter_context(patch.dict(os.environ, {LOCATION: cache}))
+        stack.enter_context(patch.object(shared_library, "cores", lambda: 1))
+        stack.enter_context(patch.object(Toolchain, "compile_unit", measured))
+        spent_by_compilers(found["stepper"], "all", partial(shared_library.stepper, toolchain()))
+        for file in COMPILED:
+            build(load_model(MODELS / f"{file}.py"))
+    return found
+
+
+def compiler_seconds() -> None:
+    """Print these seconds. The stepper is compiled once on a machine, the units with every model."""
+    results = [compiler_by_unit() for _ in range(REPEATS)]
+    print("the compiler's processor seconds by unit")
+    for name, seconds in results[0].items():
+        medians = (f"{unit} {median(one[name][unit] for one in results):.2f}" for unit in seconds)
+        print(f"  {name:<10} {', '.join(medians)}")
 
 
 def command(*words: str, cache: str) -> Spent:
@@ -153,6 +193,9 @@ def commands() -> None:
 
 def main() -> None:
     toolchain().identity  # noqa: B018, computed once in a process, so not part of the first build
+    compiler_seconds()
+    if "compiler" in sys.argv[1:]:
+        return
     for file, definitions, repeats in CASES:
         results = [stages(file, definitions) for _ in range(repeats)]
         title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])

@@ -1,5 +1,6 @@
-/* em_units.h: declarations that the compile units of one NAME.c share (docs/architecture.md). A file that is compiled
- * as a whole needs none.
+/* em_units.h: declarations of what the compile units of one NAME.c call in each other, and in the stepper's object: units
+ * are compiled in parallel, some of them on demand (docs/architecture/building.md). A file that is compiled as a whole
+ * needs none.
  *
  * x, v, y, c, u and the rest are those of em_model (eigenmotion.h). */
 #ifndef EM_UNITS_H

@@ -1,4 +1,5 @@
-/* em_elimination.h: Gaussian elimination of one full system with many right-hand sides.
+/* em_elimination.h: Gaussian elimination of one full system with many right-hand sides. em_lu.h is for small matrices,
+ * also complex ones, whose factors are used for many solutions one after the other.
  *
  * Elimination proceeds by four pivots at a time: the entries to the right of them are updated once for all four, so
  * that a row is read and written a quarter as often. The function is compiled twice, once for the vectors that many

@@ -1,4 +1,5 @@
-/* em_lu.h: LU factors of small full matrices, of real and of complex numbers, with row pivoting.
+/* em_lu.h: LU factors of small full matrices, of real and of complex numbers, with row pivoting. One system with many
+ * right-hand sides at once: em_elimination.h.
  *
  * Rows are compared in units that the caller supplies, so that the choice of pivots does not depend on the units of
  * the unknowns. Matrices are row-major; complex ones are two, of real and of imaginary parts. */
