@@ -10,7 +10,7 @@ from ..calculus.derivatives import Tangent
 from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Kind, Node
-from ..model.tree.body import Link, coordinates_of
+from ..model.tree.body import Link, coordinates_of, rate_of
 from ..model.tree.functions import BodyFunction
 from ..model.tree.quantity import Quantity
 from .frames import applied, transposed
@@ -18,13 +18,15 @@ from .links import Links
 from .recursion import Dynamics
 from .scalar import Scalar, Vector, cross, plus
 
+Nodes = Mapping[sympy.Expr, Node]
+
 
 class Expansion:
-    """Writes quantities of bodies as nodes of one graph; those of the same bodies share their recursions."""
+    """Writes quantities of bodies as nodes of one graph; those of a tree and of chains in it share their recursions."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph = graph
-        self._known: dict[tuple[tuple[Link, ...], tuple[Node, ...]], Dynamics] = {}
+        self._known: dict[tuple[tuple[Link, ...], tuple[Node, ...]], tuple[Nodes, Dynamics]] = {}
         self._derivatives: dict[tuple[Node, str], Node] = {}
 
     def __call__(self, call: BodyFunction, operands: Sequence[Node]) -> Node:
@@ -52,22 +54,30 @@ class Expansion:
 
     def quantity(self, quantity: Quantity, operands: Sequence[Node]) -> Node:
         """Return the node of a quantity at these values of its variables."""
-        dynamics = self.dynamics(quantity.bodies, dict(zip(quantity.variables, operands, strict=True)))
-        vector = dynamics.links.scalars(quantity.vector)
+        nodes = dict(zip(quantity.variables, operands, strict=True))
+        if quantity.kind in _KINDS:
+            dynamics, body = self._with_bodies(quantity.bodies, nodes), quantity.bodies[-1]
+            return _KINDS[quantity.kind](dynamics, body, dynamics.links.scalars(quantity.vector), *quantity.place).node
+        dynamics = self.dynamics(quantity.bodies, nodes)
         if quantity.kind == "kinetic_energy":
             return dynamics.kinetic_energy.node
-        if quantity.kind == "potential_energy":
-            return dynamics.potential_energy(vector).node
-        return _KINDS[quantity.kind](dynamics, quantity.bodies[-1], vector, *quantity.place).node
+        return dynamics.potential_energy(dynamics.links.scalars(quantity.vector)).node
 
-    def dynamics(self, bodies: tuple[Link, ...], nodes: Mapping[sympy.Expr, Node]) -> Dynamics:
+    def dynamics(self, bodies: tuple[Link, ...], nodes: Nodes) -> Dynamics:
         """Return the recursions of bodies; a rate that has no node is a symbol of its own, on which nothing depends."""
-        coordinates = coordinates_of(bodies)
-        every = {q.diff(): self.graph.symbol(f"rate of {q}") for q in coordinates} | dict(nodes)
-        key = bodies, tuple(every[one] for q in coordinates for one in (q, q.diff()))
+        coordinates = [(q, rate_of(q)) for q in coordinates_of(bodies)]
+        every = {rate: self.graph.symbol(f"rate of {q}") for q, rate in coordinates} | dict(nodes)
+        key = bodies, tuple(every[one] for pair in coordinates for one in pair)
         if key not in self._known:
-            self._known[key] = Dynamics(Links(self.graph, bodies, every))
-        return self._known[key]
+            self._known[key] = every, Dynamics(Links(self.graph, bodies, every))
+        return self._known[key][1]
+
+    def _with_bodies(self, bodies: tuple[Link, ...], nodes: Nodes) -> Dynamics:
+        """Return recursions of bodies, or of a tree that has them: the motion of a body depends on its chain alone."""
+        for known, dynamics in self._known.values():
+            if bodies[-1] in dynamics.links.carried and all(known.get(one) == node for one, node in nodes.items()):
+                return dynamics
+        return self.dynamics(bodies, nodes)
 
 
 def _position(dynamics: Dynamics, body: Link, point: Vector, place: int) -> Scalar:

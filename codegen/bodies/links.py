@@ -11,7 +11,7 @@ from ..calculus.derivatives import Tangent
 from ..graph.convert import FromSympy
 from ..graph.graph import Graph
 from ..graph.store import Node
-from ..model.tree.body import FREEDOMS, Link, coordinates_of
+from ..model.tree.body import FREEDOMS, Link, coordinates_of, rate_of
 from .frames import Matrix, Shift, Step, Turn, aligned, applied, matrix, product, transposed, turns
 from .inertia import RigidInertia, Spatial, spatial_sum, times
 from .rotation import MatrixRotation, PlaneRotation
@@ -73,7 +73,7 @@ class Links:
         coordinates = coordinates_of(bodies)
         self._numbers = {q: number for number, q in enumerate(coordinates)}
         self.q = [Scalar(graph, nodes[q]) for q in coordinates]
-        self.v = [Scalar(graph, nodes[q.diff()]) for q in coordinates]
+        self.v = [Scalar(graph, nodes[rate_of(q)]) for q in coordinates]
         pairs = zip(self.q, self.v, strict=True)
         self.along = Tangent(graph, {graph.records[q.node].operands[0]: v.node for q, v in pairs})
         self.moving: list[Moving] = []

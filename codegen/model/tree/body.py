@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 
@@ -65,10 +66,21 @@ class Link:
     @property
     def text(self) -> str:
         """All that it is on its parent, for a digest."""
-        numbers = (*self.geometry, self.mass, *self.center, *self.inertia)
-        return f"{self.name} {self.joint} {self.coordinates} {list(map(sympy.srepr, numbers))}"
+        return _text(self)
+
+
+@cache
+def _text(body: Link) -> str:
+    numbers = (*body.geometry, body.mass, *body.center, *body.inertia)
+    return f"{body.name} {body.joint} {body.coordinates} {list(map(sympy.srepr, numbers))}"
 
 
 def coordinates_of(bodies: Iterable[Link]) -> tuple[sympy.Expr, ...]:
     """Return the coordinates of bodies, each once, in the order of the bodies."""
     return tuple(dict.fromkeys(q for body in bodies for q in body.coordinates))
+
+
+@cache
+def rate_of(coordinate: sympy.Expr) -> sympy.Expr:
+    """Return the derivative of a coordinate with respect to time."""
+    return coordinate.diff()

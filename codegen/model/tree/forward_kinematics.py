@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from .body import Link
+from .body import Link, rate_of
 from .quantity import Quantity
 
 Number = Any
@@ -136,7 +136,7 @@ class ForwardKinematics:
 
     def _moved(self, body: Link, coordinate: sympy.Expr) -> Moving:
         """Return ratio q + offset, and its rate."""
-        q = Moving(self.values[coordinate], self.values.get(coordinate.diff()))
+        q = Moving(self.values[coordinate], self.values.get(rate_of(coordinate)))
         scaled = q if body.ratio == 1 else self.constant(body.ratio) * q
         return scaled if body.offset == 0 else scaled + self.constant(body.offset)
 

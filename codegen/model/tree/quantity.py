@@ -5,10 +5,11 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import sympy
 
-from .body import Link, coordinates_of
+from .body import Link, coordinates_of, rate_of
 
 Variables = tuple[sympy.Expr, ...]
 
@@ -50,14 +51,19 @@ class Quantity:
     @property
     def variables(self) -> Variables:
         """Coordinates, rates where it depends on them, and parameters."""
-        return variables_of(self.bodies, self.vector, rates=KINDS[self.kind] > 0)
+        return _variables(self.bodies, self.vector, KINDS[self.kind] > 0)
 
 
 def variables_of(bodies: Sequence[Link], vector: Sequence[sympy.Expr], *, rates: bool = True) -> Variables:
     """Return the coordinates of bodies, their rates where asked for, and the parameters in bodies and vector."""
+    return _variables(tuple(bodies), tuple(vector), rates)
+
+
+@cache
+def _variables(bodies: tuple[Link, ...], vector: tuple[sympy.Expr, ...], rates: bool) -> Variables:
     coordinates = coordinates_of(bodies)
     numbers = [*vector]
     for body in bodies:
         numbers += [*body.geometry, body.mass, *body.center, *body.inertia]
     parameters = sorted(set().union(*(one.free_symbols for one in numbers)), key=lambda symbol: symbol.name)
-    return (*coordinates, *(q.diff() for q in coordinates if rates), *parameters)
+    return (*coordinates, *(rate_of(q) for q in coordinates if rates), *parameters)

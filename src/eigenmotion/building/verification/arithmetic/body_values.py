@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 import sympy
 
 from ....codegen.model.tree.forward_kinematics import Arithmetic, ForwardKinematics
 from ....codegen.model.tree.functions import BodyFunction
+from ....codegen.model.tree.quantity import KINDS, Quantity
 from .hyperdual import FUNCTIONS, HyperDual
 from .rounding_bounds import EPS, Rounded
 
@@ -18,29 +20,62 @@ _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
 _UNKNOWN = Rounded(np.nan, np.nan)
 
 
-def of_bodies(
-    call: BodyFunction, arguments: Values, evaluate: Callable[[dict[sympy.Basic, HyperDual], sympy.Expr], HyperDual]
-) -> HyperDual:
-    """Return the value of a call.
+class _Kinematics:
+    """Forward kinematics at values of variables, which may come to be known one after the other."""
+
+    def __init__(self, evaluation: Callable[[dict[sympy.Basic, HyperDual]], Any]) -> None:
+        self._known: dict[sympy.Basic, HyperDual] = {}
+        self._evaluate = evaluation(self._known)
+        arithmetic = Arithmetic(
+            self._evaluate, lambda entry: _unit(self._evaluate(entry)), FUNCTIONS["sin"], FUNCTIONS["cos"],
+            lambda number: number.power(Rounded(-1.0, 0.0)),
+        )  # fmt: skip
+        self._forward = ForwardKinematics(arithmetic, self._known)
+
+    def knows(self, known: Mapping[sympy.Basic, HyperDual]) -> bool:
+        """Whether no variable has another value here."""
+        return all(self._known.get(variable, value) is value for variable, value in known.items())
+
+    def __call__(self, quantity: Quantity, known: Mapping[sympy.Basic, HyperDual]) -> HyperDual:
+        """Return the value of a quantity at these values of its variables."""
+        for variable, value in known.items():
+            if variable not in self._known:
+                self._known[variable] = value
+                self._evaluate.define(variable, value)
+        return self._forward.quantity(quantity) or HyperDual(_ZERO)
+
+
+class BodyValues:
+    """Values of functions of bodies; calls at the same values of variables share their kinematics.
 
     Parameters
     ----------
-    evaluate
-        Evaluates an expression with these values of symbols.
+    evaluation
+        Makes an `Evaluation` of expressions with these values of symbols.
     """
 
-    def value(at: Values) -> HyperDual:
-        known = dict(zip(call.quantity.variables, at, strict=True))
-        arithmetic = Arithmetic(
-            partial(evaluate, known), lambda entry: _unit(evaluate(known, entry)), FUNCTIONS["sin"], FUNCTIONS["cos"],
-            lambda number: number.power(Rounded(-1.0, 0.0)),
-        )  # fmt: skip
-        return ForwardKinematics(arithmetic, known).quantity(call.quantity) or HyperDual(_ZERO)
+    def __init__(self, evaluation: Callable[[dict[sympy.Basic, HyperDual]], Any]) -> None:
+        self._evaluation = evaluation
+        self._shared: dict[bool, _Kinematics] = {}
 
-    by = [place for place, order in enumerate(call.orders) for _ in range(order)]
-    if not by:
-        return value(arguments)
-    return _first(value, arguments, by[0]) if len(by) == 1 else _second(value, arguments, by)
+    def __call__(self, call: BodyFunction, arguments: Values) -> HyperDual:
+        """Return the value of a call."""
+        by = [place for place, order in enumerate(call.orders) for _ in range(order)]
+        if not by:
+            return self._value(call.quantity, arguments)
+        value = partial(self._value_alone, call.quantity)
+        return _first(value, arguments, by[0]) if len(by) == 1 else _second(value, arguments, by)
+
+    def _value(self, quantity: Quantity, at: Values) -> HyperDual:
+        known = dict(zip(quantity.variables, at, strict=True))
+        rates = KINDS[quantity.kind] > 0  # where these are not known, the places of bodies have no rates
+        shared = self._shared.get(rates)
+        if shared is None or not shared.knows(known):
+            shared = self._shared[rates] = _Kinematics(self._evaluation)
+        return shared(quantity, known)
+
+    def _value_alone(self, quantity: Quantity, at: Values) -> HyperDual:
+        return _Kinematics(self._evaluation)(quantity, dict(zip(quantity.variables, at, strict=True)))
 
 
 def _unit(entry: HyperDual) -> HyperDual:

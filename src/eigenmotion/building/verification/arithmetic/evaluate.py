@@ -13,7 +13,7 @@ from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, No
 
 from ....codegen.model.table import TableCall
 from ....codegen.model.tree.functions import BodyFunction
-from .body_values import of_bodies
+from .body_values import BodyValues
 from .hyperdual import FUNCTIONS, RELATIONS, HyperDual, doubt, power
 from .rounding_bounds import Part, Rounded, rounded
 from .table_values import of_table
@@ -66,6 +66,7 @@ class Evaluation:
     def __init__(self, values: Mapping[sympy.Basic, HyperDual]) -> None:
         self._known = dict(values)
         self._truths: dict[sympy.Basic, _Truth] = {}
+        self._bodies = BodyValues(Evaluation)
         self.unknown: set[str] = set()
 
     def __call__(self, expression: sympy.Basic) -> HyperDual:
@@ -100,7 +101,7 @@ class Evaluation:
         if isinstance(expression, TableCall):
             return of_table(expression, *values)
         if isinstance(expression, BodyFunction):
-            return of_bodies(expression, values, lambda known, part: Evaluation(known)(part))
+            return self._bodies(expression, values)
         if name in _OF_MANY:
             whole: HyperDual = reduce(_OF_MANY[name], values)
             return whole
