@@ -242,7 +242,7 @@ def _chain(
         links.append(
             Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
                  none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
-                 *(own if last else massless), *linear, is_part=not last)
+                 *(own if last else massless), *linear, not last)
         )  # fmt: skip
     return links
 

@@ -52,7 +52,7 @@ def point_of(point: ArrayLike) -> Vector:
     """Return a point (3,)."""
     values = vector(point, "point")
     if values.shape != (3,) or not np.isfinite(values).all():
-        raise ModelError(f"point is {point}. Give three finite numbers, in the body's frame.")
+        raise ModelError(f"point is {point!r}. Give three finite numbers, in the body's frame.")
     return values
 
 
