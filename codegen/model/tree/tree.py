@@ -237,12 +237,12 @@ def _chain(
         return [Link(name, parent, joint, tuple(one for one, _, _ in q), place[0], place[1], axis, *own, *driven)]
     axes = [axis, axis] if joint == "cylindrical" else [_axis(letter, name) for letter in "xyz"]
     links: list[Link] = []
-    for number, (kind, (one, *linear), along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
+    for number, (kind, (one, ratio, offset), along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
         last = number == len(q) - 1
         links.append(
             Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
                  none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
-                 *(own if last else massless), *linear, not last)
+                 *(own if last else massless), ratio, offset, not last)
         )  # fmt: skip
     return links
 
