@@ -239,10 +239,11 @@ def _chain(
     links: list[Link] = []
     for number, (kind, (one, ratio, offset), along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
         last = number == len(q) - 1
+        mass, center, inertia = own if last else massless
         links.append(
             Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
                  none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
-                 *(own if last else massless), ratio, offset, not last)
+                 mass, center, inertia, ratio, offset, is_part=not last)
         )  # fmt: skip
     return links
 
