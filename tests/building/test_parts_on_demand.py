@@ -257,8 +257,14 @@ def test_what_extrapolates_has_its_derivatives_at_first():
     with pytest.raises(em.ModelError, match="coincide at x0"):
         system.simulate((0.0, 1.0))
     alone = shared_library.system_in(make(request(model_of("pendulum")), toolchain()))
-    with pytest.raises(RuntimeError, match="pendulum has been compiled without derivatives"):
-        alone.mass_matrix_gradient([0.3])
+    for ask in (
+        lambda: alone.mass_matrix_gradient([0.3]),
+        lambda: alone.simulate((0.0, 1.0), method="radau9"),
+        lambda: alone.simulate((0.0, 1.0), sensitivities=["l"]),
+        alone.linearize,
+    ):
+        with pytest.raises(RuntimeError, match="pendulum has been compiled without derivatives"):
+            ask()
 
 
 def test_a_cache_that_cannot_be_used_any_more(own_cache, monkeypatch):

@@ -96,11 +96,14 @@ cdef class PointModel:
             mine.motion_jacobian = found.motion_jacobian
 
     cdef int need_derivatives(self) except -1:
-        return self.need("derivatives") if self.model.motion_jacobian == NULL else 0
+        if self.model.motion_jacobian == NULL:
+            self.need("derivatives")
+        if self.model.motion_jacobian == NULL:
+            raise RuntimeError(f"{self.name} has been compiled without derivatives, and nothing is there to add them")
+        return 0
 
     cdef int need_gradient(self) except -1:
-        if self.need_derivatives() == 0 and self.model.mass_matrix_gradient == NULL:
-            raise RuntimeError(f"{self.name} has been compiled without derivatives, and nothing is there to add them")
+        return self.need_derivatives() if self.model.mass_matrix_gradient == NULL else 0
 
     cdef int need_method(self, int method) except -1:
         """Load the parts that a run with this em_method needs."""

@@ -99,8 +99,6 @@ def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not
     cdef Numbers a = zeros((model.n,)), multipliers = zeros((model.m,))
     cdef Numbers da = zeros((model.n, model.n_arguments)), dm = zeros((model.m, model.n_arguments))
     model.need_derivatives()
-    if model.model.motion_derivatives == NULL:
-        raise ValueError(f"{model.name} states no derivatives")
     if model.model.motion_derivatives(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, da.data,
                                       dm.data, &fault) != 0:
         raise model.failure(&fault)
