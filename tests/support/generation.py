@@ -28,7 +28,7 @@ FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC")
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
-LARGE = ("bicycle", "jansen")
+LARGE = ("bicycle", "humanoid", "jansen", "quadruped")
 """Models with a block of more than six coordinates, whose inverse nothing writes out."""
 
 __all__ = ["FORMULATIONS", "NAMES", "STRICT", "model_of", "relative", "states", "system_for", "system_of"]

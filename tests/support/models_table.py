@@ -105,7 +105,9 @@ SCENARIOS = (
     Scenario("snakeboard", 5.0, reduced.snakeboard, conserved=None, heavy=True),
 )
 
-HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))
+ROBOTS = ("humanoid", "quadruped")
+"""Large trees: what goes by all models has them at night, and so do their tests in `tests/bodies/test_robots.py`."""
+HEAVY = frozenset({*ROBOTS, *(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))})
 ACTING = (
     "block_on_incline",
     "bouncing_ball",
@@ -117,9 +119,17 @@ ACTING = (
 )
 """Models whose events act: `contact/test_impacts.py` and `test_contacts.py` hold their runs against what is known."""
 
-WITH_TESTS_OF_THEIR_OWN = ("cam_follower", "lugre_oscillator", "quick_return_shaper", "robot_arm", "servo_pendulums")
+WITH_TESTS_OF_THEIR_OWN = (
+    "cam_follower",
+    "gripper",
+    "lugre_oscillator",
+    "quick_return_shaper",
+    "robot_arm",
+    "servo_pendulums",
+    *ROBOTS,
+)
 """Models with states or trees, or whose tables, contacts or bearings rub: `oracles.Lagrange` knows none of these. Each
-has a file of its name in `tests/states/`, `tests/tables/` or `tests/bodies/`."""
+has a file of its name in `tests/states/`, `tests/tables/` or `tests/bodies/`; robots share one."""
 
 DAILY = {
     name: {"eigenfactor", ("cholesky", "lagrange", "inverse")[row % 3]}
