@@ -174,8 +174,8 @@ cdef class Run:
         table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
         times = run.t_start, run.t_end, run.t_reached
         segments = (<char *> run.segments.y)[:run.segments.count * run.segments.width * sizeof(double)] if run.segments.count else b""
-        return _kept, (self.keep_alive[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table,
-                       segments)
+        return _restored_run, (self.keep_alive[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense,
+                               steps, table, segments)
 
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
@@ -200,8 +200,8 @@ cdef class Run:
         return low
 
 
-def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
-          bytes steps, bytes table, bytes segments=b""):
+def _restored_run(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
+                  bytes steps, bytes table, bytes segments=b""):
     """A finished run, restored from its interpolants."""
     if not 0 <= method <= EM_RADAU9:
         raise ValueError(f"{prepared.model.name}: a run of another version, by a method (number {method}) that is no more")
