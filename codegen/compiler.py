@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import asdict, astuple
+from dataclasses import asdict, astuple, replace
 
 from .choices import STANDARD, Choices
 from .equations.derive import derive
 from .equations.specialise import ALL_SAVINGS, Saving, specialise
+from .equations.tree.separation import masses_in_trees
 from .model import Model, ModelError
 from .model.check.assumptions import ANY, allowed, declared
 from .model.normalise import name_of
@@ -41,6 +42,11 @@ def generate(
     """
     made = program(model, choices, savings, whole=whole)
     return emit(made, origin or _origin(model, choices), input_hash(model, choices))
+
+
+def suited(model: Model, choices: Choices) -> Choices:
+    """Return the choices with the formulation for masses in trees of bodies, if this is such a model."""
+    return replace(choices, formulation="articulated_body") if masses_in_trees(model) else choices
 
 
 def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS, *, whole: bool = True) -> Program:

@@ -15,6 +15,8 @@ crank. Input: pull [N], downwards on the plunger; it closes the gripper against 
 Oracles: homogeneous matrices for the places; the parallelograms keep the pads upright; the energy balance.
 """
 
+from typing import Any
+
 from eigenmotion.codegen.model.tree.tree import Body
 from sympy import Matrix, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -32,7 +34,7 @@ class Finger:
     """A crank, a rocker and a pad, which form a parallelogram with the palm, and a rod to the plunger."""
 
     def __init__(self, tree: Tree, plunger: Body, side: str, sign: int) -> None:
-        arm = {"mass": 0.02, "center": (0, 0, CRANK / 2), "inertia": (8e-6, 8e-6, 1e-6), "axis": "x"}
+        arm: dict[str, Any] = {"mass": 0.02, "center": (0, 0, CRANK / 2), "inertia": (8e-6, 8e-6, 1e-6), "axis": "x"}
         self.sign, self.plunger = sign, plunger
         self.crank = tree.body(f"{side}_crank", joint="revolute", at=(0, sign * PALM, 0), **arm)
         self.rocker = tree.body(f"{side}_rocker", joint="revolute", at=(0, sign * (PALM + PIN), 0), **arm)

@@ -19,6 +19,7 @@ Oracles: homogeneous matrices for the places; statics of the load on the feet; a
 """
 
 from itertools import pairwise
+from typing import Any
 
 from eigenmotion.codegen.model.tree.tree import Body
 from sympy import Matrix, symbols, sympify
@@ -36,7 +37,7 @@ depth = dynamicsymbols("depth")
 k, d = symbols("k d", positive=True)
 
 
-def rod(mass: float, length: float, radius: float, sign: int = 1) -> dict[str, object]:
+def rod(mass: float, length: float, radius: float, sign: int = 1) -> dict[str, Any]:
     """Return the mass properties of a cylinder from its joint along z, upwards or downwards."""
     across = mass * (3 * radius**2 + length**2) / 12
     return {"mass": mass, "center": (0, 0, sign * length / 2), "inertia": (across, across, mass * radius**2 / 2)}
@@ -46,9 +47,11 @@ class Figure:
     """The tree, the angles at which the controllers hold its joints, and the lines of its drawing."""
 
     def __init__(self) -> None:
-        self.tree, self.targets, self.lines = Tree(), {}, []
+        self.tree = Tree()
+        self.targets: dict[Any, Any] = {}
+        self.lines: list[Any] = []
 
-    def joint(self, name: str, parent: Body | None, axis: str, target: object = 0.0, **more: object) -> Body:
+    def joint(self, name: str, parent: Body | None, axis: str, target: Any = 0.0, **more: Any) -> Body:
         """Add a revolute joint with its target."""
         body = self.tree.body(name, parent, joint="revolute", axis=axis, **more)
         self.targets[body.coordinates[0]] = sympify(target)
@@ -88,7 +91,7 @@ def model() -> Model:
     )
 
 
-def left_leg(figure: Figure, lean: object) -> Body:
+def left_leg(figure: Figure, lean: Any) -> Body:
     """Add the left leg from the ground upwards, and return the pelvis."""
     roll = figure.joint("left_ankle_roll", None, "x", at=(0, 0, ANKLE))
     shin = figure.joint("left_ankle", roll, "y", lean, **rod(4.0, SHIN, 0.05))
@@ -103,7 +106,7 @@ def left_leg(figure: Figure, lean: object) -> Body:
     return pelvis
 
 
-def right_leg(figure: Figure, pelvis: Body, lean: object) -> Body:
+def right_leg(figure: Figure, pelvis: Body, lean: Any) -> Body:
     """Add the right leg from the pelvis downwards, and return its foot, whose origin is on the ground."""
     yaw = figure.joint("right_hip_yaw", pelvis, "z", at=(0, -2 * HIP, 0))
     swing = figure.joint("right_hip_roll", yaw, "x")

@@ -40,7 +40,8 @@ def model() -> Model:
     tree = Tree()
     place = dynamicsymbols("x y z s_1 s_2 s_3")
     trunk = tree.body("trunk", joint="free", mass=12.0, inertia=(0.12, 0.4, 0.5), coordinates=place)
-    targets, feet, lines, contacts = {}, {}, [], {}
+    targets, feet, lines = {}, {}, []
+    contacts: dict[str, Contact | Friction] = {}
     for name, (ahead, aside, late) in LEGS.items():
         thigh = tree.body(f"{name}_hip", trunk, joint="revolute", axis="y", at=(ahead * LENGTH, aside * WIDTH, 0),
                           mass=1.0, center=(0, 0, -0.1), inertia=(0.006, 0.006, 0.001))  # fmt: skip

@@ -33,9 +33,12 @@ class Expansion:
         """Return the node of a call from those of its arguments."""
         quantity = call.quantity
         named = [self.graph.records[node].kind is Kind.SYMBOL for node in operands]
-        if all(named) and len(set(operands)) == len(operands):
+        own = all(node == self.graph.symbol(one.name) for one, node in zip(quantity.variables, operands, strict=True)
+                  if isinstance(one, sympy.Symbol))  # fmt: skip
+        if own and all(named) and len(set(operands)) == len(operands):
             return self._derived(call, operands)
-        names = [f"{quantity.label}.{k}" for k in range(len(operands))]
+        names = [one.name if isinstance(one, sympy.Symbol) else f"{quantity.label}.{k}"
+                 for k, one in enumerate(quantity.variables)]  # fmt: skip
         node = self._derived(call, [self.graph.symbol(name) for name in names])
         return Substitution(self.graph, dict(zip(names, operands, strict=True)))(node)
 

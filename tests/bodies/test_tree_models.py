@@ -326,3 +326,37 @@ def test_a_build_at_a_symmetric_start_is_proved():
     A, _ = em.build(model, formulation="lagrange").pfaffian(model.initial_x)
     assert abs(A[0, 3]) < 1e-15
     assert A[0, 6] == pytest.approx(-0.5 * np.cos(0.6))
+
+
+def test_a_parameter_of_a_body_is_replaced_in_an_expression():
+    """A place with another length is that of a body of this length."""
+    l, k = symbols("l k", positive=True)
+    tree = em.Tree(gravity=(0, 0, 0))
+    rod = tree.body("rod", joint="revolute", axis="z", mass=1.0, inertia=(0, 0, 1.0))
+    tip = tree.body("tip", rod, joint="fixed", at=(l, 0, 0), mass=0)
+    place = tip.position()[0]
+    (q,) = tree.coordinates
+    model = em.Model(name="replaced", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     potential_energy=0, parameters={l: 2.0, k: 3.0}, initial={q: 0.5},
+                     outputs={"as stated": place, "k": place.subs(l, k), "twice": place.subs(l, 2 * l),
+                              "k + l": place.subs(l, k + l), "slope": place.diff(l).subs(l, k)})  # fmt: skip
+    values = em.build(model).simulate((0, 0.1)).outputs
+    for name, length in {"as stated": 2.0, "k": 3.0, "twice": 4.0, "k + l": 5.0, "slope": 1.0}.items():
+        assert values[name][0] == pytest.approx(length * np.cos(0.5), rel=1e-14)
+
+
+def test_trees_are_articulated_bodies_unless_another_mass_couples():
+    """The default formulation; a formulation that is asked for is taken."""
+    tree = em.Tree()
+    for name in "ab":
+        tree.body(name, joint="prismatic", axis="x", mass=1.0)
+    a, b = (q.diff() for q in tree.coordinates)
+
+    def formulation(T, **options):
+        model = em.Model(name="two", coordinates=tree.coordinates, kinetic_energy=T, potential_energy=0)
+        return em.build(model, **options).formulation
+
+    assert formulation(tree.kinetic_energy + a**2 + b**2) == "articulated_body"
+    assert formulation(tree.kinetic_energy + (a + b) ** 2) == "eigenfactor"
+    assert formulation(a**2 + b**2) == "eigenfactor"
+    assert formulation(tree.kinetic_energy, formulation="eigenfactor") == "eigenfactor"

@@ -91,6 +91,14 @@ def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr
     return Trees(expansion.graph, tuple(recursions), placements(model, node), *map(node, rest))
 
 
+def masses_in_trees(model: Mechanism) -> bool:
+    """Whether the masses are those of trees, and others couple no two coordinates, as articulated bodies need it."""
+    trees = _terms(model.kinetic_energy, "kinetic_energy")
+    rates = {q.diff() for q in model.coordinates}
+    others = sympy.Add.make_args(sympy.expand(model.kinetic_energy - sympy.Add(*trees)))
+    return bool(trees) and all(len(rates & term.atoms(sympy.Derivative)) <= 1 for term in others)
+
+
 def _terms(energy: sympy.Expr, kind: str) -> list[BodyFunction]:
     """Return the energies of trees that are terms of an energy, with the factor 1 and in their own coordinates."""
     return [

@@ -27,7 +27,7 @@ _log = logging.getLogger("eigenmotion")
 def build(
     model: Model | str | PathLike[str],
     *,
-    formulation: str = "eigenfactor",
+    formulation: str | None = None,
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
     output: str | PathLike[str] | None = None,
@@ -45,7 +45,8 @@ def build(
     model
         A Model, or the path of a file that defines one.
     formulation
-        "eigenfactor", "cholesky", "lagrange" or "inverse"; "articulated_body" for models of a `Tree`.
+        "eigenfactor", "cholesky", "lagrange" or "inverse"; "articulated_body" for models of a `Tree`. None:
+        "articulated_body" if the masses are those of a `Tree`, else "eigenfactor".
     close_eigenvalues
         "bounded" or "extrapolate": the treatment of (32) near coincident eigenvalues.
     schur

@@ -10,7 +10,7 @@ from os import PathLike
 from pathlib import Path
 
 from ..codegen.choices import STANDARD, Choices
-from ..codegen.compiler import explain, generate, input_hash
+from ..codegen.compiler import explain, generate, input_hash, suited
 from ..codegen.model import Model, ModelError
 from ..codegen.render.emit import Sources
 from ..garbage import uncollected
@@ -59,7 +59,7 @@ def request(
     source: Model | str | PathLike[str],
     definitions: Mapping[str, object] | None = None,
     *,
-    formulation: str = "eigenfactor",
+    formulation: str | None = None,
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
 ) -> Request:
@@ -69,21 +69,25 @@ def request(
     ----------
     definitions
         Arguments of the file's function `model`.
+    formulation
+        None: "articulated_body" for masses in trees of bodies, "eigenfactor" for all others.
 
     Raises
     ------
     ModelError
         The file or the model has a mistake, or has no such arguments.
     """
-    choices = Choices(formulation, close_eigenvalues, schur)
+    choices = Choices(formulation or STANDARD.formulation, close_eigenvalues, schur)
     keywords = definitions or {}
     if isinstance(source, Model):
         if keywords:
             from ..arguments.named_values import unknown  # noqa: PLC0415, loads NumPy, for which compilers would wait
 
             raise ModelError(f"model {source.name}: {unknown('option', keywords, OPTIONS)} A Model takes no keywords.")
-        return Request(source, choices)
-    return Request(load_model(source, **keywords), choices, _command(Path(source).name, keywords, choices))
+        return Request(source, choices if formulation else suited(source, choices))
+    model = load_model(source, **keywords)
+    choices = choices if formulation else suited(model, choices)
+    return Request(model, choices, _command(Path(source).name, keywords, choices))
 
 
 def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:

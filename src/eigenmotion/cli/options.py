@@ -43,7 +43,7 @@ class Shape:
     """The options of the generated code."""
 
     define: tuple[str, ...]
-    formulation: str
+    formulation: str | None
     close_eigenvalues: str
     schur: str
 
@@ -86,8 +86,9 @@ def shaping(command: Command) -> Command:
                      help="Factorisation of Delta, the matrix of the constraints."),
         click.option("--close-eigenvalues", type=click.Choice(CLOSE_EIGENVALUES), default="bounded",
                      show_default=True, help="Treatment of close eigenvalues of M: ours, or the paper's."),
-        click.option("--formulation", type=click.Choice((*FORMULATIONS, *OF_TREES)), default="eigenfactor",
-                     show_default=True, help="The equations of motion to generate."),
+        click.option("--formulation", type=click.Choice((*FORMULATIONS, *OF_TREES)), default=None,
+                     help="The equations of motion to generate. By default articulated_body for masses in trees of "
+                     "bodies, and eigenfactor for all others."),
         define,
     ):  # fmt: skip
         command = option(command)

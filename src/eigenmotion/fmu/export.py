@@ -75,7 +75,7 @@ def export_fmu(
     model: Model | str | PathLike[str],
     path: str | PathLike[str],
     *,
-    formulation: str = "eigenfactor",
+    formulation: str | None = None,
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
     method: str = "dop853",

@@ -55,7 +55,7 @@ def show(
     t_end: float = 10.0,
     rtol: float = 1e-9,
     atol: float = 1e-9,
-    formulation: str = "eigenfactor",
+    formulation: str | None = None,
     **keywords: Any,
 ) -> Page:
     """Return an interactive page of a model: one file that contains its C as WebAssembly and needs no network.
