@@ -96,12 +96,37 @@ EM_NOINLINE void em_mode_of(const double *c, em_state_of_switch *mode) {
 }
 
 #if EM_HOLDS(EM_ASIDE)
+/* Whether a friction idles without force. */
+EM_NOINLINE int em_idles_unloaded(const em_switch *s, const double *c) {
+    return !em_is_contact(s) && !em_is_cone(s) && em_is_idle(s, c) && c[s->slides] == 0.0;
+}
+
+/* g (n_events) <- the slips of frictions that idle without force: their own functions have a factor that is zero. 0,
+ * or -1 and *fault. */
+EM_NOINLINE int em_watch_unloaded(double t, const double *x, const double *v, const double *c, const double *u, double *g,
+                                  em_fault *fault) {
+    em_state_of_switch mode[EM_SOME_SWITCHES];
+    double as_if[N_PREPARED + 1], own[N_EVENTS];
+    int some = 0;
+    em_mode_of(c, mode);
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_idles_unloaded(&switches[k], c)) mode[k].slides = 1, some = 1;
+    if (!some) return 0;
+    memcpy(as_if, c, N_PREPARED * sizeof *c);
+    if (em_set_mode(as_if, mode, fault)) return -1;
+    model_events(t, x, v, as_if, u, own);
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (em_idles_unloaded(&switches[k], c)) g[switches[k].event] = own[switches[k].event];
+    return 0;
+}
+
 /* g (n_events) <- with the conditions of the mode: the margin of a multiplier before release, of an idle row before
  * it moves. 0, or -1 and *fault. */
 EM_EXPORT int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
                              int least_norm, double *g, em_fault *fault) {
     double a[N], lambda[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
     int some = 0;
+    if (em_watch_unloaded(t, x, v, c, u, g, fault)) return -1;
     for (int k = 0; k < N_SWITCHES; ++k) {
         double *const own = g + switches[k].event;
         some |= em_holds(&switches[k], c);

@@ -16,7 +16,9 @@
  * forces are independent; or, if cones stick, all rows with shared forces (em_force_sharing.h).
  *
  * If several modes are consistent (Painleve), the result is the one that changes the fewest of the initial choices, and
- * among those the first in the order of rows. If none is, `clash` has the conditions that conflict. */
+ * among those the first in the order of rows. Of many rows one change at most is tried before pivoting,
+ * whose result may be far from these choices: frictions that begin to slide together, one event after the other, would
+ * stick again at each. If no mode is consistent, `clash` has the conditions that conflict. */
 #ifndef EM_COMPLEMENTARITY_H
 #define EM_COMPLEMENTARITY_H
 
@@ -40,8 +42,8 @@ typedef enum em_row_kind {
 } em_row_kind;
 
 /* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <=
- * 0. */
-typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE } em_choice;
+ * 0; EM_IDLES: p = 0 and w = 0, because rows that hold keep it at rest. */
+typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE, EM_IDLES } em_choice;
 
 typedef struct em_mixed em_mixed;
 
@@ -188,6 +190,7 @@ EM_NOINLINE double em_violation(const em_mixed *s, int i) {
     if (s->kind[i] == EM_ROW_CONTACT) return s->choice[i] == EM_HOLDS_ROW ? -s->p[i] : -s->w[i];
     if (s->kind[i] == EM_ROW_CONE) return em_cone_violation(s, i);
     if (s->choice[i] == EM_HOLDS_ROW) return fabs(s->p[i]) - em_limit_of_row(s, i, 1);
+    if (s->choice[i] == EM_IDLES) return fabs(s->w[i]);
     return s->choice[i] == EM_FORWARD ? -s->w[i] : s->w[i];
 }
 
@@ -312,8 +315,9 @@ EM_NOINLINE int em_solve_mixed(em_mixed *s) {
         const int bars = pass < 2;
         s->tolerance = pass % 2 == 0 ? EM_MODE_EXACT : EM_MODE_VERIFIED;
         memcpy(s->choice, given, sizeof given);
-        if (choices > EM_ENUMERATED && !em_any_rooted(s) && em_pivot_modes(s, bars)) {
-            found = em_is_consistent(s);
+        if (choices > EM_ENUMERATED && !em_any_rooted(s)) {
+            found = em_try_changes(s, 0, 0, bars) || em_try_changes(s, 0, 1, bars) ||
+                    (em_pivot_modes(s, bars) && em_is_consistent(s));
             if (found) break;
         }
         found = em_enumerate_modes(s, bars);

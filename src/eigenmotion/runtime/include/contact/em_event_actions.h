@@ -9,8 +9,6 @@
 #include "dynamics/em_projection.h"
 #include "contact/em_impacts.h"
 
-#define EM_AT_LIMIT 1e-9 /* a force counts as at its limit if it is below it by at most this part */
-
 /* Detects events that accumulate: each follows the one before without time passing. 0, or -1 and *fault. */
 EM_NOINLINE int em_check_pile(const em_acting *a, em_pile *pile) {
     enum { MANY = 200 };

@@ -22,6 +22,7 @@
 #define EM_NEIGHBOUR_DISTANCE 3e-4          /* distance of a neighbouring position, as a part of the displacement that
                                                changes a row entirely */
 #define EM_IDLE 1e-3                        /* the tolerance of idle rows, as a part of the run's */
+#define EM_AT_LIMIT 1e-9                    /* a force counts as at its limit if it is below it by at most this part */
 
 struct em_acting;
 struct em_impact;
@@ -263,15 +264,88 @@ EM_NOINLINE int em_depends_on_mode(const em_all_rows *r, const em_mixed *s, int 
     return left * left <= EM_DEPENDENT * length * length;
 }
 
-/* The tolerance of an idle row; 0: it is not idle. */
-EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
+/* Whether the acceleration along a row is zero, to rounding. */
+EM_NOINLINE int em_is_still(const em_mixed *s, int row) {
     double terms = s->size[row];
     for (int j = 0; j < N_ROWS; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
-    if (fabs(s->w[row]) > EM_DEPENDENT_RATE * terms || !em_depends_on_mode(r, s, row)) return 0.0;
+    return !(fabs(s->w[row]) > EM_DEPENDENT_RATE * terms);
+}
+
+/* The tolerance of an idle row; 0: it is not idle. */
+EM_NOINLINE double em_idle_slack(const em_acting *a, const em_all_rows *r, const em_mixed *s, int row, int contact) {
+    if (!em_is_still(s, row) || !em_depends_on_mode(r, s, row)) return 0.0;
     const double slack = EM_ZERO_SPEED * (contact ? r->gap_terms[row] : r->rate_terms[row]);
     if (a->atol == NULL) return fmax(slack, DBL_MIN);
     return fmax(slack + em_reach(a, r->A + row * N, contact ? a->x : a->v, EM_IDLE, EM_IDLE * a->rtol), DBL_MIN);
 }
+
+/* --- dependent frictions along lines: forces within their limits --- */
+
+/* Whether a friction along a line sticks with a force at its limit. */
+EM_NOINLINE int em_sticks_at_limit(const em_mixed *s, int i) {
+    if (s->kind[i] != EM_ROW_FRICTION || !em_row_holds(s, i)) return 0;
+    return fabs(s->p[i]) >= (1.0 - EM_AT_LIMIT) * em_limit_of_row(s, i, 1);
+}
+
+/* Whether a friction along a line has a force at its limit, but neither slip nor an acceleration along it. */
+EM_NOINLINE int em_stays_at_limit(const em_mixed *s, int i) {
+    return s->kind[i] == EM_ROW_FRICTION && em_limit_sign(s, i) != 0.0 && em_is_still(s, i);
+}
+
+/* The number of frictions whose events rounding decides, without any motion: that stick with forces at their limits, or
+ * stay at them though no row that holds keeps them. */
+EM_NOINLINE int em_undecided(const em_all_rows *r, const em_mixed *s) {
+    int count = 0;
+    for (int i = 0; i < N_ROWS; ++i)
+        count += em_sticks_at_limit(s, i) || (em_stays_at_limit(s, i) && !em_depends_on_mode(r, s, i));
+    return count;
+}
+
+/* Whether the accelerations along all rows are those of `before`: then the motion is, since forces act along rows. */
+EM_NOINLINE int em_moves_as(em_mixed *s, const em_mixed *before) {
+    const double within = EM_MODE_VERIFIED * em_rates_of_mode(s);
+    for (int i = 0; i < s->k; ++i)
+        if (!(fabs(s->w[i] - before->w[i]) <= within)) return 0;
+    return 1;
+}
+
+/* Whether the rows that `less` changes are within their conditions, without being at a limit. */
+EM_NOINLINE int em_is_decided(const em_acting *a, const em_all_rows *r, const em_mixed *less, const em_mixed *s) {
+    for (int i = 0; i < N_ROWS; ++i) {
+        if (less->choice[i] == s->choice[i]) continue;
+        const int idles = less->choice[i] == EM_IDLES;
+        if (idles ? em_idle_slack(a, r, less, i, 0) == 0.0 : em_sticks_at_limit(less, i)) return 0;
+    }
+    return 1;
+}
+
+/* Frictions in rows `from` to `to` that stay at their limits <- stick, or idle without force if they depend on rows
+ * that hold; if then fewer are undecided, and the motion is the same. Returns whether they do. */
+EM_NOINLINE int em_leave_limits(const em_acting *a, const em_all_rows *r, em_mixed *s, int from, int to) {
+    em_mixed less = *s;
+    int any = 0;
+    for (int i = from; i < to; ++i) {
+        if (!em_stays_at_limit(s, i)) continue;
+        less.choice[i] = em_depends_on_mode(r, &less, i) ? EM_IDLES : EM_HOLDS_ROW, any = 1;
+    }
+    if (!any || !em_is_consistent(&less) || !em_moves_as(&less, s) || !em_is_decided(a, r, &less, s)) return 0;
+    if (em_undecided(r, &less) >= em_undecided(r, s)) return 0;
+    *s = less;
+    return 1;
+}
+
+/* p <- without frictions that load each other up to their limits. Forces of dependent rows are not unique, and in a
+ * basic solution those of idle frictions are at their limits. Where normal forces are equal, as under a symmetric body,
+ * they bring frictions that stick to their limits, too: rounding then decides whether these let go, again and again. */
+EM_NOINLINE void em_relieve_frictions(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+    em_scale_mixed(s, 0);
+    s->tolerance = EM_MODE_VERIFIED;
+    if (em_undecided(r, s) > 0 && !em_any_cone_sticks(s) && !em_leave_limits(a, r, s, 0, N_ROWS))
+        for (int i = 0; i < N_ROWS; ++i) em_leave_limits(a, r, s, i, i + 1);
+    em_scale_mixed(s, 1);
+}
+
+/* --- the mode --- */
 
 /* The slip below which a cone has stopped: the tolerances cannot distinguish it from zero. If the slip is a
  * difference of speeds, its errors are parts of these speeds: steps would alternate around zero. */
@@ -308,7 +382,7 @@ EM_NOINLINE em_state_of_switch em_switch_after(const em_acting *a, const em_all_
     em_state_of_switch after = {.holds = em_row_holds(s, row)};
     if (s->kind[row] == EM_ROW_OUT || after.holds || em_is_unloaded(s, row)) return after;
     if (em_is_cone(one)) return em_cone_slides(a, r, s, one, &after), after;
-    if (!contact) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
+    if (!contact && s->choice[row] != EM_IDLES) after.slides = em_limit_sign(s, row) < 0.0 ? 1 : -1;
     if (em_is_choice_row(s, row)) after.idles = em_idle_slack(a, r, s, row, contact);
     return after;
 }
@@ -332,6 +406,7 @@ EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
         const int first = em_event_of_row(s.clash[0]), second = found < 0 ? EM_TOO_MANY_MODES : em_event_of_row(s.clash[1]);
         return em_fail(a->fault, EM_CONTACTS_CLASH, first, first < 0 && second == -1 ? EM_JAMMED : second, NAN);
     }
+    em_relieve_frictions(a, r, &s);
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
     return em_set_mode(a->c, mode, a->fault);
 }
