@@ -6,101 +6,67 @@
 #ifndef EM_FIXED_STEPS_H
 #define EM_FIXED_STEPS_H
 
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
-#include "numeric/em_real.h"
 #include "eigenmotion.h"
-#include "tableaux/em_butcher.h"
+#include "methods/em_explicit_stages.h"
+#include "tableaux/em_step_control.h"
 
 enum { EM_LOCKSTEP_STAGES = 4 };
 
-/* Working memory of a step, for one thread: tables (..., EM_MOST_LANES), aligned to 64 bytes. */
+/* Working memory of a step, for one thread; y_new, argument, K are aligned to 64 bytes. */
 typedef struct em_fixed_steps {
     const em_model *model;
     const em_tableau *rk;
-    double size; /* upper bound of step sizes */
-    double *t_stage, *t_new, *h, *sound; /* sound: 0 where y_new is finite, else NaN */
-    double *y_new, *argument, *K;        /* (n_state, ...), (n_state, ...), (4, n_state, ...) */
+    int width;                    /* lanes */
+    double size;                  /* upper bound of step sizes */
+    const double *c, *u;          /* (n_prepared, width), (n_inputs, width) of the motions in progress */
+    em_fault *fault;              /* of a motion alone */
+    double *y_new, *argument, *K; /* (n_state, width), (n_state, width), (4, n_state, width) */
+    double t[EM_MOST_LANES], t_new[EM_MOST_LANES], h[EM_MOST_LANES];
+    double sound[EM_MOST_LANES];  /* 0 where y_new is finite, else NaN */
 } em_fixed_steps;
 
-/* The number of doubles in these tables. */
+/* The number of doubles in y_new, argument, K. */
 static size_t em_fixed_numbers(const em_model *model) {
-    return (4 + (2 + EM_LOCKSTEP_STAGES) * (size_t)model->n_state) * EM_MOST_LANES;
+    return (2 + EM_LOCKSTEP_STAGES) * (size_t)model->n_state * EM_MOST_LANES;
 }
 
-static em_fixed_steps em_fixed_at(const em_model *model, const em_tableau *rk, double size, double *place) {
+static em_fixed_steps em_fixed_at(const em_model *model, const em_tableau *rk, int width, double size, double *place) {
     const size_t states = (size_t)model->n_state * EM_MOST_LANES;
-    em_fixed_steps w = {.model = model, .rk = rk, .size = size, .t_stage = place, .t_new = place + EM_MOST_LANES};
-    w.h = place + 2 * EM_MOST_LANES;
-    w.sound = place + 3 * EM_MOST_LANES;
-    w.y_new = place + 4 * EM_MOST_LANES;
-    w.argument = w.y_new + states;
-    w.K = w.argument + states;
-    return w;
+    return (em_fixed_steps){.model = model, .rk = rk, .width = width, .size = size, .y_new = place,
+                            .argument = place + states, .K = place + 2 * states};
 }
 
-/* ceil, without a call of the C library. */
-EM_INLINE double em_fixed_ceil(double a) {
-    if (!(fabs(a) < 0x1p52)) return a;
-    const double whole = (double)(long long)a;
-    return whole < a ? whole + 1.0 : whole;
+/* t_new and h of one motion's next step towards t_goal: one of equal parts of the interval. */
+static void em_fixed_aim(em_fixed_steps *w, int lane, double t_goal) {
+    const double t = w->t[lane], size = em_equal_part(fabs(t_goal - t), w->size);
+    em_aim_step(t_goal < t ? -1.0 : 1.0, t, size, t_goal, w->t_new + lane, w->h + lane);
 }
 
-/* t_new and h of one motion's next step towards t_goal: one of equal parts of the interval (em_step.h). */
-static void em_fixed_aim(const em_fixed_steps *w, int lane, double t, double t_goal) {
-    const double direction = t_goal < t ? -1.0 : 1.0, way = fabs(t_goal - t), count = em_fixed_ceil(way / w->size - 1e-6);
-    const double t_new = t + direction * (count > 1.0 ? way / count : 2.0 * way);
-    w->t_new[lane] = direction * (t_new - t_goal) > 0.0 ? t_goal : t_new;
-    w->h[lane] = w->t_new[lane] - t;
-}
-
-/* out <- y + h sum_j a_j K_j over j < stages */
-EM_INLINE void em_fixed_combine(const int width, const em_fixed_steps *w, const double *a, int stages, const double *y,
-                                   double *out) {
-    const int n = w->model->n_state;
-    for (int k = 0; k < n; ++k) {
-        double sum[EM_MOST_LANES] = {0.0};
-        for (int j = 0; j < stages; ++j) {
-            const double *const K = w->K + (j * n + k) * width;
-            if (a[j] == 0.0) continue;
-            for (int lane = 0; lane < width; ++lane) sum[lane] += a[j] * K[lane];
-        }
-        for (int lane = 0; lane < width; ++lane) out[k * width + lane] = y[k * width + lane] + w->h[lane] * sum[lane];
-    }
-}
-
-/* K (n_state, width) <- the rates; in one lane by the scalar code: 0, or -1 and *fault. */
-EM_INLINE int em_fixed_rate(const int width, const em_model *model, const double *t, const double *y, const double *c,
-                            const double *u, double *K, em_fault *fault) {
-    if (width == 1) return model->rhs(*t, y, c, u, K, fault);
-    model->lanes->rhs(0, t, y, c, u, 0, K);
+/* em_explicit_rate: of all lanes, or of one by the scalar code, which names a fault. */
+EM_INLINE int em_fixed_rate(void *steps, const double *t, const double *y, double *dy) {
+    const em_fixed_steps *const w = steps;
+    if (w->width == 1) return w->model->rhs(*t, y, w->c, w->u, dy, w->fault);
+    w->model->lanes->rhs(0, t, y, w->c, w->u, 0, dy);
     return 0;
 }
 
-/* y_new <- a step from y at t; NaN in lanes that fail. 0, or -1 as em_fixed_rate. */
-EM_INLINE int em_fixed_step(const int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
-                            const double *u, em_fault *fault) {
-    const em_tableau *const rk = w->rk;
-    for (int stage = 0; stage < rk->stages; ++stage) {
-        double *const K = w->K + stage * w->model->n_state * width;
-        for (int lane = 0; lane < width; ++lane) w->t_stage[lane] = t[lane] + rk->c[stage] * w->h[lane];
-        if (stage > 0) em_fixed_combine(width, w, rk->a[stage], stage, y, w->argument);
-        if (em_fixed_rate(width, w->model, w->t_stage, stage > 0 ? w->argument : y, c, u, K, fault)) return -1;
-    }
-    em_fixed_combine(width, w, rk->a[rk->stages], rk->stages, y, w->y_new);
-    for (int lane = 0; lane < width; ++lane) w->sound[lane] = 0.0;
-    for (int k = 0; k < w->model->n_state; ++k) /* NaN and infinity survive a product with zero */
-        for (int lane = 0; lane < width; ++lane) w->sound[lane] += 0.0 * w->y_new[k * width + lane];
-    return 0;
+/* sound <- 0 in lanes whose numbers of y_new are finite, else NaN: NaN and infinity survive a product with zero. */
+static void em_fixed_test(em_fixed_steps *w, int size) {
+    memset(w->sound, 0, sizeof w->sound);
+    for (int k = 0; k < size; ++k) w->sound[k & (w->width - 1)] += 0.0 * w->y_new[k];
 }
 
-static void em_fixed_any(int width, const em_fixed_steps *w, const double *t, const double *y, const double *c,
-                            const double *u) {
-    if (width == 8) em_fixed_step(8, w, t, y, c, u, NULL);
-    else if (width == 4) em_fixed_step(4, w, t, y, c, u, NULL);
-    else em_fixed_step(2, w, t, y, c, u, NULL);
+/* y_new <- a step from y (padded to a pack); NaN in lanes that fail. In one lane: 0, or -1 and w->fault. */
+static int em_fixed_step(em_fixed_steps *w, const double *y) {
+    const int size = em_padded(w->model->n_state * w->width);
+    const em_explicit s = {size, size, w->width, 0, w->t, w->h, y, w->K, w->argument, w->y_new};
+    for (int k = w->width; k < EM_MOST_LANES; ++k) w->h[k] = w->h[k - w->width];
+    const int failed = w->rk == &EM_RK4_TABLEAU ? em_explicit_step(&EM_RK4_TABLEAU, &s, 0, em_fixed_rate, w)
+                                                : em_explicit_step(&EM_MIDPOINT_TABLEAU, &s, 0, em_fixed_rate, w);
+    em_fixed_test(w, size);
+    return failed;
 }
 
 /* Copies the numbers of one lane out of a table (count, width). */
@@ -113,20 +79,21 @@ static void em_lane_in(int width, int lane, int count, const double *numbers, do
 }
 
 /* Makes one lane's step by the scalar code, into y_new. 0, or -1 and *fault. */
-EM_NOINLINE int em_fixed_alone(int width, int lane, const em_fixed_steps *w, double t, const double *y, const double *c,
-                              const double *u, em_fault *fault) {
+EM_NOINLINE int em_fixed_alone(em_fixed_steps *w, int lane, const double *y, em_fault *fault) {
     const em_model *const model = w->model;
     const int n = model->n_state;
-    double place[em_fixed_numbers(model)], before[n], constants[model->n_prepared + 1], inputs[model->n_inputs + 1];
-    const em_fixed_steps one = em_fixed_at(model, w->rk, w->size, place);
-    em_lane_out(width, lane, n, y, before);
-    em_lane_out(width, lane, model->n_prepared, c, constants);
-    em_lane_out(width, lane, model->n_inputs, u, inputs);
-    *one.h = w->h[lane];
-    if (em_fixed_step(1, &one, &t, before, constants, inputs, fault)) return -1;
+    double place[em_fixed_numbers(model)], before[em_padded(n)], c[model->n_prepared + 1], u[model->n_inputs + 1];
+    em_fixed_steps one = em_fixed_at(model, w->rk, 1, w->size, place);
+    one.c = c, one.u = u, one.fault = fault;
+    memset(before, 0, sizeof before);
+    em_lane_out(w->width, lane, n, y, before);
+    em_lane_out(w->width, lane, model->n_prepared, w->c, c);
+    em_lane_out(w->width, lane, model->n_inputs, w->u, u);
+    *one.t = w->t[lane], *one.h = w->h[lane];
+    if (em_fixed_step(&one, before)) return -1;
     for (int k = 0; k < n; ++k)
-        if (!isfinite(one.y_new[k])) return *fault = (em_fault){EM_NON_FINITE_STATE, k % model->n, -1, t}, -1;
-    em_lane_in(width, lane, n, one.y_new, w->y_new);
+        if (!isfinite(one.y_new[k])) return *fault = (em_fault){EM_NON_FINITE_STATE, k % model->n, -1, w->t[lane]}, -1;
+    em_lane_in(w->width, lane, n, one.y_new, w->y_new);
     return 0;
 }
 

@@ -7,9 +7,6 @@
 #include "mass/em_jacobi_rotations.h"
 #include "mass/em_root_switching.h"
 
-EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
-EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
-
 /* Bound on the sum of the squares of the remaining rotations, below which em_refine continues. */
 #define EM_LANE_CONVERGED 1e-6
 
@@ -44,8 +41,8 @@ EM_INLINE em_truth em_refresh(int n, const real *restrict M, real *restrict C, r
     if (eta) em_turn(n, before, C, eta);
     real least = s[0], largest = s[0];
     for (int i = 0; i < n; ++i) {
-        least = em_lane_min(s[i], least);
-        largest = em_lane_max(s[i], largest);
+        least = em_min(s[i], least);
+        largest = em_max(s[i], largest);
         s[i] = sqrt(s[i]);
     }
     return found & (least > 10.0 * EM_SINGULAR_PIVOT * largest);

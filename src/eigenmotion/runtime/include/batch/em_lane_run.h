@@ -68,7 +68,8 @@ EM_COLD_PATH static void em_member_read_stages(em_run_state *w, const em_lane_gr
     const int width = w->lanes->width, last = rk->stages - 1;
     for (int stage = 1; stage < rk->stages; ++stage)
         for (int k = 0; k < w->n_state; ++k) w->K[stage][k] = EM_LANE(f->K, stage * w->width + k);
-    em_combine(w, rk->a[last], last, 0, w->h, 0, w->y, w->argument);
+    const em_explicit s = em_explicit_of(w);
+    em_combine(rk, &s, last, w->argument);
 }
 
 /* Reads the ends of the step, and the counts of the run. */
@@ -110,7 +111,8 @@ EM_COLD_PATH static int em_member_check_settled(em_run_state *w, const em_lane_g
     if (w->n_events > 0 || em_needs_interpolant(w)) {
         const em_tableau *const rk = &EM_DOP853_TABLEAU;
         em_member_read_stages(w, f, lane);
-        em_combine(w, rk->a[rk->solution], rk->stages, 0, w->h, 0, w->y, w->y_raw);
+        const em_explicit s = em_explicit_of(w);
+        em_combine(rk, &s, rk->solution, w->y_raw);
     }
     if ((!w->bare && em_check_singularity(w)) || em_check_energy(w) || (w->n_events > 0 && em_detect_events(w))) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;

@@ -8,11 +8,12 @@
 
 #include "batch/em_lane_singularity.h"
 #include "batch/em_lane_factors.h"
-#include "tableaux/em_butcher.h"
+#include "methods/em_explicit_stages.h"
+#include "tableaux/em_step_control.h"
 
 enum {
-    EM_TOGETHER = 4, /* states whose sums are computed together */
-    EM_GROUP_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
+    EM_PARTS = 4, /* partial sums that do not depend on each other */
+    EM_GROUP_STATE = (N_STATE + 3) / 4 * 4,
     EM_GROUP_STAGES = 12,
     EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
     EM_ATTEMPTS_PER_POLL = 64 /* attempts between two checks whether the caller has requested an end */
@@ -20,6 +21,7 @@ enum {
 
 /* The arrays of a lane group (em_lanes.h), as vectors. */
 typedef struct em_lane_state {
+    const em_lane_group *group;
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_GROUP_STATE];
     real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs;
@@ -32,40 +34,17 @@ typedef struct em_lane_state {
 #endif
 
 /* How many numbers of a state change within a step: in mode 1 C and s are constant. */
-EM_INLINE int em_group_moving(const em_lane_group *f) {
-    return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_GROUP_STATE;
-}
-
-/* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, for the states from k on */
-EM_INLINE void em_group_sum(const double *a, int n, real (*K)[EM_GROUP_STATE], int k, real *sum) {
-    for (int i = 0; i < EM_TOGETHER; ++i) sum[i] = a[0] * K[0][k + i];
-    EM_UNROLL
-    for (int j = 1; j < n; ++j) {
-        if (a[j] == 0.0) continue;
-        for (int i = 0; i < EM_TOGETHER; ++i) sum[i] += a[j] * K[j][k + i];
-    }
-}
-
-/* out <- y + h sum_j a_j K_j over j < n */
-EM_INLINE void em_group_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_GROUP_STATE], real *out) {
-    for (int k = 0; k < moving; k += EM_TOGETHER) {
-        real sum[EM_TOGETHER];
-        em_group_sum(a, n, K, k, sum);
-        for (int i = 0; i < EM_TOGETHER; ++i) out[k + i] = y[k + i] + h * sum[i];
-    }
-}
+EM_INLINE int em_group_moving(const em_lane_group *f) { return f->mode ? 2 * N : N_STATE; }
 
 /* The smallest step of a lane: ten spacings of its time. */
-EM_INLINE real em_group_least(real t) { return 10.0 * DBL_EPSILON * em_lane_max(fabs(t), em_real(DBL_MIN / DBL_EPSILON)); }
+EM_INLINE real em_group_least(real t) { return 10.0 * DBL_EPSILON * em_max(fabs(t), em_real(DBL_MIN / DBL_EPSILON)); }
 
 /* t_new and h of the current step: of the chosen size, up to t_end at most. */
 EM_INLINE void em_group_aim(const em_lane_group *f, em_lane_state *w) {
     const real end = em_real(f->task->t_end), least = em_group_least(*w->t);
-    const real first = em_lane_max(least, em_lane_min(*w->h_next, em_real(f->task->max_step)));
+    const real first = em_max(least, em_min(*w->h_next, em_real(f->task->max_step)));
     const real size = em_where(*w->retries > 0.0, *w->h_next, first);
-    const real aimed = *w->t + f->direction * size;
-    *w->t_new = em_where(f->direction * (aimed - end) > 0.0, end, aimed);
-    *w->h = *w->t_new - *w->t;
+    em_aim_step(f->direction, *w->t, size, end, w->t_new, w->h);
 }
 
 /* How many numbers contribute to the error norm: eigenfactors do where they are integrated (em_error_norm.h). */
@@ -75,55 +54,37 @@ EM_INLINE int em_group_counted(const em_lane_group *f) { return f->mode == 0 ? N
 EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, real *weight) {
     const real *const v_new = w->K[EM_DOP853_TABLEAU.velocity_stage];
     for (int k = 0; k < N; ++k) {
-        const real x = em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])), v = em_lane_max(fabs(w->K[0][k]), fabs(v_new[k]));
-        weight[k] = 1.0 / (f->task->atol[k] + f->rtol * x + DBL_MIN);
-        weight[N + k] = 1.0 / (f->task->atol[k] + f->rtol * v + DBL_MIN);
+        weight[k] = em_weight(f->task->atol[k], f->rtol, w->y[k], w->y_new[k]);
+        weight[N + k] = em_weight(f->task->atol[k], f->rtol, w->K[0][k], v_new[k]);
     }
     for (int k = 2 * N; k < em_group_counted(f); ++k) {
         const int scales = (k >= 2 * N + N_C && k < 2 * N + N_C + N_S) || k >= N_STATE - N_SD;
-        const real size = scales ? em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])) : em_real(1.0);
+        const real size = scales ? em_max(fabs(w->y[k]), fabs(w->y_new[k])) : em_real(1.0);
         weight[k] = 1.0 / (f->rtol * size + DBL_MIN);
     }
 }
 
-/* Both errors (EM_TOGETHER) of the states from k on, so that each number is read once. */
-EM_INLINE void em_group_errors(real (*K)[EM_GROUP_STATE], int k, real *fifth, real *third) {
-    const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    for (int i = 0; i < EM_TOGETHER; ++i) {
-        fifth[i] = rk->e[0][0] * K[0][k + i];
-        third[i] = rk->e[1][0] * K[0][k + i];
-    }
-    EM_UNROLL
-    for (int j = 1; j < rk->stages; ++j) {
-        if (rk->e[0][j] == 0.0 && rk->e[1][j] == 0.0) continue;
-        for (int i = 0; i < EM_TOGETHER; ++i) {
-            fifth[i] += rk->e[0][j] * K[j][k + i];
-            third[i] += rk->e[1][j] * K[j][k + i];
-        }
-    }
-}
-
-/* The sum of EM_TOGETHER partial sums, which do not depend on each other. */
+/* The sum of EM_PARTS partial sums. */
 EM_INLINE real em_group_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
 
 /* sum_k (a_k b_k)^2 */
 EM_INLINE real em_group_squares(int n, const real *a, const real *b) {
-    real part[EM_TOGETHER] = {{0.0}};
-    for (int k = 0; k < n; ++k) part[k % EM_TOGETHER] += (a[k] * b[k]) * (a[k] * b[k]);
+    real part[EM_PARTS] = {{0.0}};
+    for (int k = 0; k < n; ++k) part[k % EM_PARTS] += (a[k] * b[k]) * (a[k] * b[k]);
     return em_group_whole(part);
 }
 
 /* The norm of the error (em_runge_kutta.h). */
-EM_INLINE void em_group_norm(const em_lane_group *f, em_lane_state *w, const real *weight) {
+EM_INLINE void em_group_norm(const em_lane_group *f, em_lane_state *w, const em_explicit *s, const real *weight) {
     real sum[2], error[2][EM_GROUP_STATE], v[N];
-    for (int k = 0; k < em_group_moving(f); k += EM_TOGETHER) em_group_errors(w->K, k, error[0] + k, error[1] + k);
+    real *const both[] = {error[0], error[1]};
+    em_combine_rates(s, 2, EM_DOP853_TABLEAU.e, EM_DOP853_TABLEAU.stages, 0, both);
     for (int e = 0; e < 2; ++e) {
         EM_VELOCITY(f->mode, w->y, w->c, w->memory, error[e] + N, v);
         em_copy(N, v, error[e] + N);
         sum[e] = em_group_squares(em_group_counted(f), error[e], weight);
     }
-    const real under = sum[0] + 0.01 * sum[1];
-    *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
+    *w->error = em_error_of_two(*w->h, sum[0], sum[1], 2.0 * N);
 }
 
 /* Settles y_new in the lanes where *done stays set; v (n) <- the velocities before. */
@@ -159,13 +120,15 @@ EM_INLINE real em_group_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const 
 
 /* Whether all numbers are finite: NaN and infinity survive a product with zero. */
 EM_INLINE em_truth em_group_finite(const real *a) {
-    real part[EM_TOGETHER] = {{0.0}};
-    for (int k = 0; k < N_STATE; ++k) part[k % EM_TOGETHER] += 0.0 * a[k];
+    real part[EM_PARTS] = {{0.0}};
+    for (int k = 0; k < N_STATE; ++k) part[k % EM_PARTS] += 0.0 * a[k];
     return em_group_whole(part) == 0.0;
 }
 
-EM_INLINE void em_group_rate(const em_lane_group *f, const em_lane_state *w, const real *t, const real *y, real *dy) {
-    rhs_on_lanes(f->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
+EM_INLINE int em_group_rate(void *lane_state, const real *t, const real *y, real *dy) {
+    const em_lane_state *const w = lane_state;
+    rhs_on_lanes(w->group->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
+    return 0;
 }
 
 /* stiff <- whether stability limits the step size, in the lanes where this is due (em_rk_judge); argument: of the last
@@ -180,7 +143,7 @@ EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real
         apart += state * state;
         driven += rate * rate;
     }
-    const em_truth stiff = *w->h * *w->h * driven > EM_DOP853_STABLE * EM_DOP853_STABLE * apart;
+    const em_truth stiff = em_is_stiff(EM_DOP853_STABLE, *w->h, apart, driven);
     *w->stiff = em_where(judged, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
 }
 
@@ -190,34 +153,26 @@ typedef struct em_attempts {
     real moved, error, factor; /* distance of settling; log of the error; ratio of the next step size */
 } em_attempts;
 
-/* error and factor, as in em_step_size.h */
+/* error and factor */
 EM_INLINE void em_group_control(const em_lane_state *w, em_attempts *found) {
-    enum { ORDER = 8 };
-    const real error = log(em_lane_max(*w->error, em_real(1e-300)));
-    const real log_factor = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
-    const real factor = em_lane_min(em_real(4.0), em_lane_max(em_real(0.2), 0.9 * exp(log_factor / (double)ORDER)));
-    found->error = error;
-    found->factor = em_where(*w->retries > 0.0, em_lane_min(em_real(1.0), factor), factor);
+    const em_size_control control = EM_RUNGE_KUTTA_CONTROL(EM_DOP853_TABLEAU);
+    found->error = log(em_max(*w->error, em_real(1e-300)));
+    const real factor = em_size_ratio(&control, found->error, *w->last_error);
+    found->factor = em_where(*w->retries > 0.0, em_min(em_real(1.0), factor), factor);
 }
 
 /* Makes an attempt at a step in every lane. */
 static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
-    const em_tableau *const rk = &EM_DOP853_TABLEAU;
     em_attempts found = {.settled = ~(em_truth){0}};
     real argument[EM_GROUP_STATE], weight[N_STATE], v[N];
-    for (int k = em_group_moving(f); k < EM_GROUP_STATE; ++k) w->y_new[k] = w->y[k];
-    EM_UNROLL
-    for (int stage = 1; stage < rk->stages; ++stage) {
-        const real t = *w->t + rk->c[stage] * *w->h;
-        em_group_combine(em_group_moving(f), rk->a[stage], stage, *w->h, w->y, w->K, argument);
-        em_group_rate(f, w, &t, argument, w->K[stage]);
-    }
-    em_group_combine(em_group_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
+    const em_explicit s = {em_group_moving(f), EM_GROUP_STATE, 1, 0, w->t, w->h, w->y, w->K[0], argument, w->y_new};
+    for (int k = em_group_moving(f); k < N_STATE; ++k) w->y_new[k] = w->y[k];
+    em_explicit_step(&EM_DOP853_TABLEAU, &s, 1, em_group_rate, w);
     em_group_weigh(f, w, weight);
-    em_group_norm(f, w, weight);
+    em_group_norm(f, w, &s, weight);
     em_group_control(w, &found); /* here, where its latency overlaps with settling */
     em_group_settle(f, w, v, &found.settled);
-    em_group_rate(f, w, w->t_new, w->y_new, w->f_new);
+    em_group_rate(w, w->t_new, w->y_new, w->f_new);
     em_group_judge(w, argument, weight);
     found.moved = em_group_moved(w, v, weight);
     found.sound = em_group_finite(w->y_new) & (em_group_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
@@ -251,7 +206,7 @@ static void em_group_commit(em_lane_state *w, em_truth tried, em_truth took) {
     }
     for (int k = 0; k < EM_REMEMBERED; ++k) w->memory[k] = em_where(took, w->memory_new[k], w->memory[k]);
     *w->t = em_where(took, *w->t_new, *w->t);
-    *w->longest = em_where(took, em_lane_max(*w->longest, fabs(*w->h)), *w->longest);
+    *w->longest = em_where(took, em_max(*w->longest, fabs(*w->h)), *w->longest);
     *w->n_stiff += em_where(took, *w->stiff, none);
     const em_truth tested = took & (*w->n_steps >= *w->next_stiffness_check);
     *w->next_stiffness_check += em_where(tested, em_real(EM_STIFF_EVERY), none);
@@ -275,7 +230,7 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
     const em_truth small = found.sound & (*w->error < 1.0), live = em_group_live(f);
     const em_truth due = f->check_always ? small : small & (em_group_needs_check(f, w, small) | ~found.settled);
     *w->h_next = fabs(*w->h) * found.factor;
-    *w->last_error = em_where(small, em_lane_max(found.error, em_real(-9.2)), *w->last_error);
+    *w->last_error = em_where(small, em_max(found.error, em_real(EM_LEAST_ERROR)), *w->last_error);
     const em_truth lost = em_group_lost(f, w, &found, small), checked = live & (lost | due);
     em_truth stays = live & ~checked;
     for (int lane = 0; lane < EM_LANES && em_any(checked); ++lane) {
@@ -289,7 +244,7 @@ static void em_group_step(em_lane_group *f, em_lane_state *w) {
  * lanes. */
 static void em_group_run(em_lane_group *f) {
     em_lane_state w = {
-        (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,
+        f, (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_GROUP_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
         (real *)f->longest, (real *)f->n_steps, (real *)f->n_rejected, (real *)f->retries, (real *)f->n_rhs,
         (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_stiffness_check, (real *)f->next_check, (real *)f->t_check,

@@ -41,18 +41,13 @@ static int em_steppers_width(const em_model *model, const em_run *task) {
     return lanes->width == 2 || lanes->width == 4 || lanes->width == 8 ? lanes->width : 1;
 }
 
-static size_t em_steppers_scratch(const em_steppers *s) {
-    const size_t numbers = em_fixed_numbers(s->model);
-    return (numbers + 7) / 8 * 8;
-}
-
 /* Allocates the tables of lanes, aligned to cache lines. 0, or -1 without memory. */
 static int em_steppers_tables(em_steppers *s) {
     enum { LINE = 8 };
     const em_model *const model = s->model;
     const size_t members = (s->count + EM_MOST_LANES - 1) / EM_MOST_LANES * EM_MOST_LANES;
     const size_t y = (size_t)model->n_state, c = (size_t)model->n_prepared + 1, u = (size_t)model->n_inputs + 1;
-    const size_t scratch = em_steppers_scratch(s) * (size_t)s->workers;
+    const size_t scratch = em_fixed_numbers(s->model) * (size_t)s->workers;
     double *const block = calloc(members * (y + c + u) + scratch + LINE, sizeof *block);
     if (block == NULL) return -1;
     s->block = block;
@@ -109,16 +104,14 @@ static void em_steppers_put(em_steppers *s, size_t member, double t, const doubl
 }
 
 /* Accepts the step of one lane, or ends its member. Returns whether the member has not reached its target time. */
-static int em_steppers_take_step(em_steppers *s, const em_fixed_steps *w, size_t member, double t_goal, const double *y,
-                            const double *c, const double *u) {
+static int em_steppers_take_step(em_steppers *s, em_fixed_steps *w, size_t member, double t_goal, double *y) {
     const int lane = (int)(member % (size_t)s->width), n = s->model->n_state;
     s->n_rhs[member] += w->rk->stages;
-    if (w->sound[lane] != 0.0 &&
-        em_fixed_alone(s->width, lane, w, s->t[member], y, c, u, &s->fault[member])) {
+    if (w->sound[lane] != 0.0 && em_fixed_alone(w, lane, y, &s->fault[member])) {
         s->ended[member] = 1;
         return 0;
     }
-    for (int k = 0; k < n; ++k) ((double *)y)[k * s->width + lane] = w->y_new[k * s->width + lane];
+    for (int k = 0; k < n; ++k) y[k * s->width + lane] = w->y_new[k * s->width + lane];
     s->t[member] = w->t_new[lane];
     ++s->n_steps[member];
     return s->t[member] != t_goal;
@@ -148,15 +141,14 @@ static int em_steppers_stop_group(em_steppers *s, size_t first, int *live, em_st
 }
 
 /* Advances one group to its members' times. */
-static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t first, const double *t_goal,
+static void em_steppers_group(em_steppers *s, em_fixed_steps *w, size_t first, const double *t_goal,
                               struct timespec *polled) {
     enum { STEPS_PER_POLL = 256 };
     const em_model *const model = s->model;
     const int width = s->width;
     double *const y = em_steppers_of(s, s->Y, first, model->n_state), *const u = em_steppers_of(s, s->U, first, model->n_inputs + 1);
-    const double *const c = em_steppers_of(s, s->C, first, model->n_prepared + 1);
-    double t[EM_MOST_LANES] = {0.0};
     int live[EM_MOST_LANES] = {0}, n_live = 0;
+    w->c = em_steppers_of(s, s->C, first, model->n_prepared + 1), w->u = u;
     for (int lane = 0; lane < width && first + (size_t)lane < s->count; ++lane) {
         const size_t member = first + (size_t)lane;
         live[lane] = !s->ended[member] && s->t[member] != t_goal[member];
@@ -166,13 +158,13 @@ static void em_steppers_group(em_steppers *s, const em_fixed_steps *w, size_t fi
     }
     for (long step = 1; n_live > 0; ++step) {
         for (int lane = 0; lane < width; ++lane) {
-            t[lane] = first + (size_t)lane < s->count ? s->t[first + (size_t)lane] : 0.0;
+            w->t[lane] = first + (size_t)lane < s->count ? s->t[first + (size_t)lane] : 0.0;
             w->h[lane] = 0.0;
-            if (live[lane]) em_fixed_aim(w, lane, t[lane], t_goal[first + (size_t)lane]);
+            if (live[lane]) em_fixed_aim(w, lane, t_goal[first + (size_t)lane]);
         }
-        em_fixed_any(width, w, t, y, c, u);
+        em_fixed_step(w, y);
         for (int lane = 0; lane < width; ++lane)
-            if (live[lane] && !em_steppers_take_step(s, w, first + (size_t)lane, t_goal[first + (size_t)lane], y, c, u))
+            if (live[lane] && !em_steppers_take_step(s, w, first + (size_t)lane, t_goal[first + (size_t)lane], y))
                 live[lane] = 0, --n_live;
         if (n_live > 0 && step >= s->task.max_steps) n_live = em_steppers_stop_group(s, first, live, EM_TOO_MANY_STEPS);
         if (n_live > 0 && step % STEPS_PER_POLL == 0 && em_steppers_stopped(s, polled))
@@ -269,8 +261,8 @@ static void em_steppers_advance(em_steppers *s, size_t first, size_t last, int w
         return;
     }
     const em_tableau *const rk = s->task.method == EM_RK4 ? &EM_RK4_TABLEAU : &EM_MIDPOINT_TABLEAU;
-    double *const place = s->scratch + em_steppers_scratch(s) * (size_t)worker;
-    const em_fixed_steps w = em_fixed_at(s->model, rk, s->task.first_step, place);
+    double *const place = s->scratch + em_fixed_numbers(s->model) * (size_t)worker;
+    em_fixed_steps w = em_fixed_at(s->model, rk, s->width, s->task.first_step, place);
     for (size_t member = first; member < last && !em_steppers_stopped(s, &polled); member += (size_t)s->width)
         em_steppers_group(s, &w, member, t_goal, &polled);
 }

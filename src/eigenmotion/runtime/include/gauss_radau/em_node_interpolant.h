@@ -34,7 +34,7 @@ static int em_nodes_interpolate(em_run_state *w) {
 /* If a state within the step is requested, the step must be short enough for that, too: to order 10. */
 static void em_nodes_within(em_run_state *w) {
     w->error_norm = em_max(w->error_norm, w->nodes.within);
-    w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.error_order + 1) / 10.0));
+    w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.control.error_order + 1) / 10.0));
 }
 
 static int em_nodes_sketch(em_run_state *w) { return em_nodes_interpolate(w), w->scheme.terms; }

@@ -13,20 +13,11 @@
 
 static double em_spacing(const em_run_state *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
 
-/* Steps of fixed size divide the interval into equal parts, none longer than `size`; the last one overshoots and is
- * cut, so that rounding does not matter. */
-static double em_equal_part(double way, double size) {
-    const double count = ceil(way / size - 1e-6);
-    return count > 1.0 ? way / count : 2.0 * way;
-}
-
 /* t_new and h of a step of size `size`, up to the target time and the end of the smooth interval at most. */
 static void em_aim(em_run_state *w, double size) {
     const double bound = w->direction * (w->pieces_end - w->t_goal) < 0.0 ? w->pieces_end : w->t_goal;
     if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
-    w->t_new = w->t + w->direction * size;
-    if (w->direction * (w->t_new - bound) > 0.0) w->t_new = bound;
-    w->h = w->t_new - w->t;
+    em_aim_step(w->direction, w->t, size, bound, &w->t_new, &w->h);
 }
 
 /* Whether a state inside the step is requested. */
@@ -94,7 +85,8 @@ static int em_step_forward(em_run_state *w) {
         w->retries = rejected;
         const int failed = em_attempt(w) != 0;
         if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_CONTINUE;
-        const double factor = em_size_factor(w, failed);
+        if (!failed) w->log_size = log(w->size_norm);
+        const double factor = failed ? 0.25 : em_size_ratio(&w->scheme.control, w->log_size, w->last_error);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (!failed && w->error_norm < 1.0) {
             if (!rough || !em_passes_join(w, &search, least)) break;

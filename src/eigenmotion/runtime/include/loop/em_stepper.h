@@ -51,7 +51,7 @@ static void em_run_state_prepare(em_run_state *w) {
     const em_run *run = w->run;
     memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* a smaller tolerance cannot be met */
-    w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
+    w->stretch = pow(w->rtol, -1.0 / (w->scheme.control.error_order + 1));
     w->fresh = EM_FIRST_SEGMENT;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;

@@ -22,12 +22,12 @@ EM_RUNGE_KUTTA(rk4, EM_RK4_TABLEAU, NULL)
 EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_STEP_SIZE_ORDER, 1.0, 0.3, 3.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
+    return (em_scheme){{EM_STEP_SIZE_ORDER, 1.0, 0.3, 3.0}, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
                        em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
 }
 
 static em_scheme em_collocation(const em_radau_iia *rk) {
-    return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
+    return (em_scheme){{rk->stages, 1.0, 0.0, 8.0}, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
                        em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL};
 }
 

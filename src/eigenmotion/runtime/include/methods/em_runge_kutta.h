@@ -1,101 +1,47 @@
-/* em_runge_kutta.h: explicit Runge-Kutta methods: a step, its error and its interpolant.
- *
- * EM_INLINE functions are inlined once for each method, with its tableau a constant. The loops over stages and
- * coefficients then unroll, zero coefficients vanish, and vector loops over the states remain. */
+/* em_runge_kutta.h: explicit Runge-Kutta methods: a step of a run, its error and its interpolant. */
 #ifndef EM_RUNGE_KUTTA_H
 #define EM_RUNGE_KUTTA_H
 
 #include "stepper/em_error_norm.h"
-#include "tableaux/em_butcher.h"
+#include "methods/em_explicit_stages.h"
 
-/* out <- y, or 0, + h sum_j a_j K_j over j < n, with a constant. If the rates of K_(n - 1) are `fresh`, just written
- * one by one, a vector load would wait until all of them have reached the cache (store forwarding). They are then
- * read one by one, which volatile enforces. */
-EM_INLINE void em_combine(const em_run_state *w, const double *restrict a, int n, int fresh, double h,
-                          int from_zero, const double *restrict y, double *restrict out) {
-    const int width = w->width;
-    const double *const restrict K = w->K[0];
-    const volatile double *const last = K + (n - 1) * width;
-    const int motion = fresh ? 2 * w->n : 0;
-    for (int k = 0; k < width; k += EM_PACK) {
-        em_pack sum = {0.0};
-        EM_UNROLL
-        for (int j = 0; j < n; ++j) {
-            if (a[j] == 0.0) continue;
-            if (j == n - 1 && k < motion) sum += a[j] * (em_pack){last[k], last[k + 1], last[k + 2], last[k + 3]};
-            else sum += a[j] * *(const em_pack *)&K[j * width + k];
-        }
-        *(em_pack *)(out + k) = (from_zero ? (em_pack){0.0} : EM_PACK_AT(y + k)) + h * sum;
-    }
-}
-
-/* one <- sum_j a_j K_j and two <- sum_j b_j K_j over j < n, reading each number once. */
-EM_INLINE void em_combine_both(const em_run_state *w, const double *restrict a, const double *restrict b, int n,
-                               double *restrict one, double *restrict two) {
-    const int width = w->width;
-    const double *const restrict K = w->K[0];
-    for (int k = 0; k < width; k += EM_PACK) {
-        em_pack sum[2] = {{0.0}};
-        EM_UNROLL
-        for (int j = 0; j < n; ++j) {
-            if (a[j] != 0.0) sum[0] += a[j] * EM_PACK_AT(K + j * width + k);
-            if (b[j] != 0.0) sum[1] += b[j] * EM_PACK_AT(K + j * width + k);
-        }
-        EM_PUT_PACK(one + k, sum[0]);
-        EM_PUT_PACK(two + k, sum[1]);
-    }
-}
-
-/* K_first .. K_last; if stage `solution` is among them its argument is y_new. */
-EM_INLINE int em_stages(const em_tableau *rk, em_run_state *w, int first, int last) {
-    const int plain = em_is_plain(w);
-    EM_UNROLL
-    for (int i = first; i <= last; ++i) {
-        double *argument = i == rk->solution ? w->y_new : w->argument;
-        em_combine(w, rk->a[i], i, 1, w->h, 0, w->y, argument);
-        if (em_stage_rate(w, plain, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
-    }
-    return 0;
+/* The current step of a run. */
+EM_INLINE em_explicit em_explicit_of(em_run_state *w) {
+    w->plain = em_is_plain(w);
+    return (em_explicit){w->width, w->width, 1, 2 * w->n, &w->t, &w->h, w->y, w->K[0], w->argument, w->y_new};
 }
 
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
 EM_INLINE double em_error_norm(const em_tableau *rk, em_run_state *w) {
     em_set_weights_of(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
     if (rk->errors == 0) return 0.0;
-    if (rk->errors == 1) {
-        em_combine(w, rk->e[0], rk->stages, 0, 1.0, 1, w->y, w->error);
-        return fabs(w->h) * sqrt(em_mean(em_squares_of_error(w, w->error), em_norm_count(w)));
-    }
-    double *const first = w->y_raw; /* not used yet at this point */
-    em_combine_both(w, rk->e[0], rk->e[1], rk->stages, first, w->error);
-    const double square = em_squares_of_error(w, first), denominator = square + 0.01 * em_squares_of_error(w, w->error);
-    return denominator == 0.0 ? 0.0 : fabs(w->h) * square / sqrt(denominator * em_norm_count(w));
+    const em_explicit s = em_explicit_of(w);
+    double *const both[] = {w->y_raw, w->error}; /* y_raw is not used yet at this point */
+    em_combine_rates(&s, rk->errors, rk->e, rk->stages, 0, rk->errors == 1 ? both + 1 : both);
+    const double last = em_squares_of_error(w, w->error);
+    if (rk->errors == 1) return fabs(w->h) * sqrt(em_mean(last, em_norm_count(w)));
+    return em_error_of_two(w->h, em_squares_of_error(w, w->y_raw), last, em_norm_count(w));
 }
 
-/* First same as last: the last stage is the rate at the end. */
-EM_INLINE int em_is_fsal(const em_tableau *rk) { return rk->solution < rk->stages; }
-
 EM_INLINE int em_rk_step(const em_tableau *rk, em_run_state *w) {
-    if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
+    const em_explicit s = em_explicit_of(w);
+    if (em_explicit_step(rk, &s, 1, em_stage_rate, w)) return -1;
     w->end_rate = em_is_fsal(rk) ? w->K[rk->solution] : NULL;
-    if (!em_is_fsal(rk)) em_combine(w, rk->a[rk->solution], rk->stages, 1, w->h, 0, w->y, w->y_new);
     w->error_norm = w->size_norm = em_error_norm(rk, w);
     return 0;
 }
 
-/* Whether stability limits the step size (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): the
- * last stage's state and the state at the end of the step give an estimate of the dominant eigenvalue; `stable`
- * bounds the stability region of the method. */
+/* Whether stability limits the step size (em_is_stiff): the last stage's state and the state at the end of the step. */
 EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_run_state *w) {
     if (w->run->n_steps % EM_STIFF_EVERY || w->mode_new != w->mode) return 0;
-    const int last = em_is_fsal(rk) ? rk->solution - 1 : rk->stages - 1;
+    const int last = rk->solution - 1;
     double state[2 * w->n], rate[2 * w->n];
     for (int k = 0; k < 2 * w->n; ++k) {
         state[k] = w->y_new[k] - w->argument[k];
         rate[k] = w->f_new[k] - w->K[last][k];
     }
     const double apart = em_weighted_squares(2 * w->n, state, w->weight), driven = em_weighted_squares(2 * w->n, rate, w->weight);
-    w->stiff = w->h * w->h * driven > stable * stable * apart;
+    w->stiff = em_is_stiff(stable, w->h, apart, driven);
     return 0;
 }
 
@@ -104,10 +50,11 @@ EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_run_state *w) 
 /* F_3 + i = h sum_j d_ij K_j */
 EM_INLINE void em_corrections(const em_tableau *rk, em_run_state *w) {
     const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
+    const em_explicit s = em_explicit_of(w);
     EM_UNROLL
     for (int i = 0; i < rk->corrections; ++i) {
-        em_combine(w, rk->d[i], stages, 0, w->h, 1, w->y, w->argument);
-        memcpy(w->F[4 + i], w->argument, (size_t)w->n_state * sizeof *w->argument);
+        em_combine_rates(&s, 1, rk->d + i, stages, 0, &w->argument);
+        for (int k = 0; k < w->n_state; ++k) w->F[4 + i][k] = w->h * w->argument[k];
     }
 }
 
@@ -133,7 +80,8 @@ EM_INLINE const double *em_raw_end(const em_tableau *rk, em_run_state *w) {
 
 EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_run_state *w) {
     const double *f_raw = em_raw_end(rk, w);
-    if (f_raw == NULL || em_stages(rk, w, rk->solution + 1, rk->last_extra)) return -1;
+    const em_explicit s = em_explicit_of(w);
+    if (f_raw == NULL || em_stages(rk, &s, rk->solution + 1, rk->last_extra, em_stage_rate, w)) return -1;
     em_hermite(w, w->y_raw, f_raw);
     em_corrections(rk, w);
     return 0;
@@ -172,7 +120,7 @@ EM_INLINE int em_rk_sketch(const em_tableau *rk, em_run_state *w) {
     static int em_##name##_interpolate(em_run_state *w) { return em_rk_interpolate(&tableau, w); }            \
     static int em_##name##_sketch(em_run_state *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
-        return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
+        return (em_scheme){EM_RUNGE_KUTTA_CONTROL(tableau), 3 + tableau.corrections,                   \
                            tableau.errors == 0, em_##name##_step, judge,                                 \
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL, NULL}; \
     }

@@ -1,4 +1,4 @@
-/* em_step_size.h: step-size control: the first step, and the factor to the next.
+/* em_step_size.h: the size of the first step; em_step_control.h has those of the others.
  *
  * Errors are measured in x and v. The first step depends on the tolerances and on how rates change, never on the
  * size of coordinates, which depends on the choice of origin. */
@@ -6,21 +6,6 @@
 #define EM_STEP_SIZE_H
 
 #include "stepper/em_error_norm.h"
-
-/* The ratio of the next step size to this one: after an accepted step from its error and that of the one before
- * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one from its error
- * alone. A step that failed otherwise is quartered. */
-static double em_size_factor(em_run_state *w, int failed) {
-    const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
-    if (failed) return 0.25;
-    const double error = w->log_size = log(w->size_norm);
-    const double log_factor = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
-    return em_min(w->scheme.growth, em_max(least, safety * exp(log_factor / order)));
-}
-
-#define EM_LEAST_ERROR -9.2 /* log 1e-4: a smaller error is accidental */
-
-/* --- the first step --- */
 
 #define EM_PROBE_TOO_SHORT 1e-4 /* of the time scale of the motion: second differences over shorter times are rounding, */
 #define EM_PROBE_TOO_LONG 0.5   /* and those over longer times belong to a different part of the motion */
@@ -136,7 +121,7 @@ static double em_first_size(em_run_state *w) {
     const em_start_probe at = em_estimate_first_rates(w, span);
     if (!(at.rate * at.h >= EM_PROBE_TOO_SHORT)) return em_min(em_size_without_rate(w, &at, span), longest);
     const double size = em_max(at.d1, at.d2 / at.rate) / at.rate, far = em_max(100.0 * at.h, 1.0 / at.rate);
-    return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.error_order + 1)) / at.rate, far), longest);
+    return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.control.error_order + 1)) / at.rate, far), longest);
 }
 
 #endif

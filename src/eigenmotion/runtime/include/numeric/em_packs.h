@@ -6,10 +6,6 @@
 
 enum { EM_PACK = 4 }; /* states are padded to a multiple of this, with zeros */
 
-/* fmin and fmax for numbers that are not NaN: inline, where the library's are calls. */
-EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
-EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
-
 /* The length of an array on the stack, which must not be 0; and that of an array accessed by packs. */
 EM_INLINE int em_some(int count) { return count > 0 ? count : 1; }
 EM_INLINE int em_padded(int count) { return (em_some(count) + EM_PACK - 1) / EM_PACK * EM_PACK; }

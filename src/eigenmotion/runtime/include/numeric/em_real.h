@@ -164,10 +164,15 @@ typedef int em_truth;
 
 EM_INLINE real em_real(double a) { return a; }
 EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
+EM_INLINE int em_any(em_truth condition) { return condition; }
 EM_INLINE double em_number(real a) { return a; }
 EM_INLINE real em_inverse(real a) { return 1.0 / a; }
 EM_INLINE int em_fails(EM_UNUSED const real *value, em_truth holds) { return !holds; }
 
 #endif
+
+/* fmin and fmax for numbers that are not NaN: inline, where the library's are calls. */
+EM_INLINE real em_min(real a, real b) { return em_where(em_value(a) < em_value(b), a, b); }
+EM_INLINE real em_max(real a, real b) { return em_where(em_value(a) > em_value(b), a, b); }
 
 #endif

@@ -14,7 +14,7 @@
 #define EM_GOOD_CONTRACTION 1e-3       /* above this contraction the Jacobian is recomputed */
 #define EM_KEPT_SIZE_GROWTH 1.2        /* a step that would grow by less keeps its size */
 #define EM_FAILED_ITERATION_FACTOR 0.5 /* factor of the step size if the iteration does not converge */
-#define EM_SAFETY 0.9                  /* safety factor of em_size_factor */
+#define EM_SAFETY 0.9                  /* safety factor of em_size_ratio */
 #define EM_LEAST_PREVIOUS_ERROR 1e-2   /* a smaller error is accidental */
 
 enum { EM_COUPLED_STEPS = 16 }; /* steps with a Jacobian for each stage, before a shared Jacobian is tried again */

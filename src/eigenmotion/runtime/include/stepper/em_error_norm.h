@@ -18,13 +18,12 @@ EM_INLINE double em_weighted_squares(int n, const double *restrict e, const doub
     return (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;
 }
 
-/* 1 / (atol + rtol max(|before|, |after|)); finite if both tolerances vanish. Computed in packs, the last of which
- * may extend beyond the n numbers. */
+/* The weights of n numbers. Computed in packs, the last of which may extend beyond them. */
 EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const double *restrict before,
                         const double *restrict after, double *restrict weight) {
     for (int k = 0; k < n; k += EM_PACK)
         for (int place = k; place < k + EM_PACK; ++place)
-            weight[place] = 1.0 / (atol[place] + rtol * em_max(fabs(before[place]), fabs(after[place])) + DBL_MIN);
+            weight[place] = em_weight(atol[place], rtol, before[place], after[place]);
 }
 
 /* Weights of eigenfactors, which contribute where nothing settles them: C is of order one, s scales with itself. */

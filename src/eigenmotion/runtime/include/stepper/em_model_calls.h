@@ -121,17 +121,18 @@ EM_NOINLINE int em_any_stage_rate(em_run_state *w, double t, const double *y, do
     return w->near && w->n_positions > 0 ? em_settled_rhs(w, t, y, dy) : em_rhs(w, w->mode, t, y, w->memory, dy);
 }
 
-/* Whether the rates at a state are simply the model's right-hand side there, as in most steps. */
+/* Whether the rates at stages are simply the model's right-hand side there, as in most steps. */
 EM_INLINE int em_is_plain(const em_run_state *w) {
     return w->n_inputs == 0 && !w->between && !w->near && (w->mode != EM_MOTION || em_carries_motion(w->model));
 }
 
-EM_INLINE int em_stage_rate(em_run_state *w, int plain, double t, const double *y, double *dy) {
+EM_INLINE int em_stage_rate(void *run_state, const double *t, const double *y, double *dy) {
+    em_run_state *const w = run_state;
     em_run *const run = w->run;
-    if (!plain) return em_any_stage_rate(w, t, y, dy);
+    if (!w->plain) return em_any_stage_rate(w, *t, y, dy);
     ++run->n_rhs;
-    return w->of->rhs(w->mode, t, y, run->prepared, w->u, w->memory, em_constraint_flags(run), dy, &w->reason)
-               ? em_locate_failure(w, t, y) : 0;
+    return w->of->rhs(w->mode, *t, y, run->prepared, w->u, w->memory, em_constraint_flags(run), dy, &w->reason)
+               ? em_locate_failure(w, *t, y) : 0;
 }
 
 /* Whether all numbers of a state, or of a rate, are finite: NaN and infinity survive a product with zero. */

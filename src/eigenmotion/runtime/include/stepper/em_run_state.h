@@ -8,6 +8,7 @@
 #include "numeric/em_packs.h"
 #include "tableaux/em_radau_nodes.h"
 #include "tableaux/em_radau_iia.h"
+#include "tableaux/em_step_control.h"
 #include "stepper/em_signals.h"
 #include "tableaux/em_butcher.h"
 
@@ -28,10 +29,7 @@ enum { EM_FIRST_SEGMENT = 1, EM_NEXT_SEGMENT }; /* segments of a run, between ev
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and its
  * interpolant. The meaning of the rows of F is up to the method. */
 typedef struct em_scheme {
-    int error_order;                     /* the error that controls the step size is O(h^(error_order + 1)) */
-    double present, past;                /* gains of the PI controller: of the error of this step, and of the one
-                                            before */
-    double growth;                       /* the largest ratio of a step to the one before */
+    em_size_control control;
     int terms;                           /* rows of its interpolant */
     int fixed;                           /* whether steps have the size that the caller sets, whatever their error,
                                             and are attempted once */
@@ -144,6 +142,7 @@ struct em_run_state {
     int refused;                               /* it ended because the motion cannot start */
     int stale;                                 /* K[0] and g are out of date */
     size_t next_t_eval;
+    int plain;                                 /* whether the stages of the step are (em_is_plain) */
     em_run *run;                               /* from here on: belongs to the process, not to the motion */
     const em_model *model;
     const em_dynamics *of;                     /* functions of the model's state */
