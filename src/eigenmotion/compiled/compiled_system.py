@@ -214,10 +214,9 @@ class CompiledSystem(Description):
         ModelError
             There is no such body; names those that there are.
         """
-        number(t, "t")
-        c, place, rows = self._compiled, number_of_body(self._compiled, body), many_positions(self._compiled, x)
-        R, p = c.pose_rows(place, self._x(x)[None] if rows is None else rows, self.prepare(parameters))
-        return last_axis(R, rows is not None), last_axis(p, rows is not None)
+        place, rows, many = self._of_body(body, x, t)
+        R, p = self._compiled.pose_rows(place, rows, self.prepare(parameters))
+        return last_axis(R, many), last_axis(p, many)
 
     def jacobian_of(
         self, body: Any, point: ArrayLike, x: Coordinates, t: float = 0.0, parameters: Parameters = None
@@ -243,10 +242,15 @@ class CompiledSystem(Description):
         ModelError
             There is no such body; names those that there are.
         """
+        place, rows, many = self._of_body(body, x, t)
+        J = self._compiled.body_jacobian_rows(place, point_of(point), rows, self.prepare(parameters))
+        return last_axis(J, many)
+
+    def _of_body(self, body: Any, x: Coordinates, t: float) -> tuple[int, Vector, bool]:
+        """Return the number of a body, positions (k, n), and whether x is an array of them."""
         number(t, "t")
-        c, place, rows = self._compiled, number_of_body(self._compiled, body), many_positions(self._compiled, x)
-        at = self._x(x)[None] if rows is None else rows
-        return last_axis(c.body_jacobian_rows(place, point_of(point), at, self.prepare(parameters)), rows is not None)
+        place, rows = number_of_body(self._compiled, body), many_positions(self._compiled, x)
+        return (place, self._x(x)[None], False) if rows is None else (place, rows, True)
 
     def acceleration(
         self,
