@@ -6,7 +6,7 @@ VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 RUNTIME := src/eigenmotion/runtime
-COMPILED := $(addprefix src/eigenmotion/,runtime arguments compiled)
+COMPILED := $(addprefix src/eigenmotion/,runtime arguments compiled simulation)
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 # What a reader learns from stands in generated/: the paper's mechanism in every formulation, a linkage, a rolling body, a
 # contact, a pendulum. Of all models it holds the sums

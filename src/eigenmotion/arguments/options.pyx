@@ -60,7 +60,7 @@ def no_system(call, argument, more=""):
     )
 
 
-def choice(argument, known, str what):
+cpdef choice(argument, known, str what):
     """Return the value of a keyword option, in upper or lower case; the keys of `known` are in lower case.
 
     Raises
@@ -122,7 +122,7 @@ cdef Numbers array_of(object argument, tuple shape):
     return numbers if sum == 0.0 else None
 
 
-def span(t_span):
+cpdef span(t_span):
     """Return the start and end of a time span, two finite numbers [s]."""
     try:
         start, end = t_span
@@ -131,7 +131,7 @@ def span(t_span):
     return number_of(start, "the start of t_span"), number_of(end, "the end of t_span")
 
 
-def rows_at(t_eval, double start, double end):
+cpdef rows_at(t_eval, double start, double end):
     """Return t_eval (k,), strictly sorted in the direction of time and inside the span."""
     cdef Numbers times
     cdef Py_ssize_t k
@@ -155,7 +155,7 @@ def rows_at(t_eval, double start, double end):
     return times.array
 
 
-def tolerances(PointModel model not None, rtol, atol):
+cpdef tolerances(PointModel model, rtol, atol):
     """Return rtol and atol (n,); coordinates missing from a mapping get 1e-9."""
     cdef Numbers absolute = absolute_tolerances(model, atol)
     cdef double relative = real_of(rtol, "rtol")
@@ -203,7 +203,7 @@ cdef Numbers everywhere(PointModel model, double value):
     return numbers
 
 
-def step_limits(first_step, max_step, max_steps, double length):
+cpdef step_limits(first_step, max_step, max_steps, double length):
     """Return first_step (0: estimated), max_step and max_steps."""
     cdef double first = 0.0, longest, most
     if first_step is not None:

@@ -41,7 +41,9 @@ cdef class PointModel:
     cdef int need_members(self) except -1
     cdef int check_tables(self, const double *parameters) except -1
     cdef tuple acceleration_at(self, double t, Numbers x, Numbers v, Prepared c, const double *u, int least_norm)
+    cdef bint starts(self, double t, Numbers x, Numbers v, Prepared c, double rtol, Numbers atol, Numbers y) noexcept
     cdef int redundant_at(self, double t, const double *x, Prepared c, int *rows) except -1
+    cdef tuple redundant_rows(self, double t, const double *x, Prepared c)
     cdef int treatment(self, double t, const double *x, Prepared c, int option) except -1
     cdef int check_arguments(self, double t, Numbers x, Numbers v, Prepared c, const double *u) except -1
     cdef int check_arguments_at(self, double t, Numbers y, Prepared c, const double *u) except -1

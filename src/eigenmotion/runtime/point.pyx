@@ -265,12 +265,16 @@ cdef class PointModel:
             raise self.failure(&fault)
         return y.array
 
+    cdef bint starts(self, double t, Numbers x, Numbers v, Prepared c, double rtol, Numbers atol, Numbers y) noexcept:
+        """Whether a motion can start at x, v; y (n_state) <- its state there."""
+        return em_start(self.model, t, x.data, v.data, c.c, rtol, atol.data, y.data, NULL, NULL) == 0
+
     def start(self, double t, x, v, Prepared c not None, double rtol, atol):
         """em_refusal, y (n_state), the coordinate without inertia, the residuals of constraint rows (em_start_check.h)."""
         cdef int at
         cdef Numbers q = floats(x, self.vector, "x"), w = floats(v, self.vector, "v"), y = zeros((self.n_state,)), off
         cdef Numbers absolute = floats(atol, self.vector, "atol")
-        if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, NULL, NULL) == 0:
+        if self.starts(t, q, w, c, rtol, absolute, y):
             return 0, y.array, -1, None
         off, y = zeros((self.m,)), zeros((self.n_state,))
         refusal = em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data, &at, off.data)
@@ -371,24 +375,27 @@ cdef class PointModel:
             return 0
         return self.model.redundant(t, x, c.c, rows)
 
+    cdef tuple redundant_rows(self, double t, const double *x, Prepared c):
+        """As `redundant`."""
+        cdef int *rows
+        cdef int depend
+        if self.m == 0 or self.model.redundant == NULL:
+            return 0, ()
+        rows = <int *> calloc(self.m, sizeof(int))
+        if rows == NULL:
+            raise MemoryError
+        depend = self.redundant_at(t, x, c, rows)
+        dependent = tuple([k for k in range(self.m) if rows[k]]) if depend else ()
+        free(rows)
+        return depend, dependent
+
     def redundant(self, double t, x, Prepared c not None):
         """Redundant constraint rows near x.
 
         Returns the number of rows that hold in every mode and depend on others, and the rows whose multipliers are not unique.
         """
-        cdef Numbers q
-        cdef int depend
-        cdef int *rows
-        if self.m == 0:
-            return 0, ()
-        q, rows = floats(x, (self.n,), "x"), <int *> calloc(self.m, sizeof(int))
-        if rows == NULL:
-            raise MemoryError
-        try:
-            depend = self.redundant_at(t, q.data, c, rows)
-            return depend, tuple([k for k in range(self.m) if rows[k]])
-        finally:
-            free(rows)
+        cdef Numbers q = floats(x, (self.n,), "x")
+        return self.redundant_rows(t, q.data, c)
 
     cdef int treatment(self, double t, const double *x, Prepared c, int option) except -1:
         """The treatment of dependent rows (em_dependent); EM_SHARED_FROM_START is resolved as if x were the start."""

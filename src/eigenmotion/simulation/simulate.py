@@ -10,36 +10,20 @@ from numpy.typing import ArrayLike
 from ..arguments.differentiation import differentiated
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.named_values import Vector, unknown
-from ..arguments.options import (
-    DEPENDENT,
-    SCIPY_OPTIONS,
-    SHARED_FROM_START,
-    STABILISATIONS,
-    OptionError,
-    choice,
-    is_system,
-    least_norm_of,
-    no_system,
-    rows_at,
-    span,
-    step_limits,
-    tolerances,
-)
-from ..arguments.prescribed import covering
-from ..arguments.signals import Inputs
+from ..arguments.options import SCIPY_OPTIONS, OptionError, is_system, no_system
 from ..arguments.tasks import TO_DERIVE, Task
-from ..codegen.model.normalise import ModelError, shown, truth
+from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
 from ..results.multiplier_uniqueness import with_shared
 from ..results.solution import DenseOutput, Solution
-from ..runtime import CompiledModel, EvaluationError, Prepared
+from ..runtime import CompiledModel
 from .compiled_run import run_compiled
 from .error_estimate import with_error_estimate
-from .initial_state.consistency import check_direction, start_state
-from .initial_state.restart import restart_state
+from .initial_state.consistency import check_direction
 from .method_selection import automatic_of_run
 from .sampled_inputs import check_forwards
 from .sensitivity.sensitivities import directions, sensitivity
+from .task_of_run import task_of_run
 
 NAMES = {name: name for name in (*METHODS, AUTO)}
 _OPTIONS = (
@@ -143,9 +127,9 @@ def simulate(
     if positional or misspelt or not isinstance(compiled, CompiledModel):
         raise refused("simulate", system, positional, misspelt, _OPTIONS)
     named = method if type(method) is str and method in METHODS else method_of(method, NAMES)
-    task, shared = _task(
-        system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
-        max_steps, stabilisation, dependent_constraints,
+    task, shared = task_of_run(
+        system, compiled, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step,
+        max_step, max_steps, stabilisation, dependent_constraints,
     )  # fmt: skip
     return _run(task, named, shared, v0, estimate_error, sensitivities)
 
@@ -185,52 +169,6 @@ def _run(
         solution["sensitivity"] = sensitivity(task, solution, variables, chosen)
         solution["sol"] = solution["sol"] if dense else None
     return solution
-
-
-def _task(
-    system: CompiledSystem, t_span: Any, x0: Any, v0: Any, argument: Any, parameters: Any, inputs: Any, rtol: Any,
-    atol: Any, t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
-    dependent_constraints: Any,
-) -> tuple[Task, tuple[int, ...]]:  # fmt: skip
-    """Return the task, and the rows whose multipliers are not unique; errors name an invalid argument."""
-    model = system.compiled
-    start, end = span(t_span)
-    relative, absolute = tolerances(model, rtol, atol)
-    limits = step_limits(first_step, max_step, max_steps, abs(end - start))
-    prepared, signals = _inputs(system, parameters, inputs, start, end)
-    y = _begin(system, prepared, start, x0, v0, argument, relative, absolute)
-    stabilise, times = choice(stabilisation, STABILISATIONS, "stabilisation"), rows_at(t_eval, start, end)
-    dense, least_norm = truth(dense_output, "dense_output"), least_norm_of(dependent_constraints)
-    least_norm, shared = _shared(model, prepared, start, y, least_norm) if least_norm and model.m else (least_norm, ())
-    fields = (
-        model, prepared, signals, start, end, y, relative, absolute, times, dense, *limits, stabilise, least_norm
-    )  # fmt: skip
-    return tuple.__new__(Task, fields), shared  # faster than Task(*fields)
-
-
-def _shared(
-    model: CompiledModel, prepared: Prepared, t: float, y: Vector, least_norm: int
-) -> tuple[int, tuple[int, ...]]:
-    """Return the treatment of dependent rows in a run from y, and the rows whose multipliers are not unique."""
-    depend, rows = model.redundant(t, y[: model.n], prepared)
-    if not depend and least_norm == SHARED_FROM_START and not model.has_cones:
-        least_norm = DEPENDENT["refuse"]
-    return least_norm, rows
-
-
-def _begin(
-    system: CompiledSystem, prepared: Any, start: float, x0: Any, v0: Any, argument: Any, rtol: float, atol: Vector
-) -> Vector:
-    """Return the initial y (n_state,): at x0, v0, or at the end of another run."""
-    if argument is None:
-        x, v = system.begin(x0, v0, start, prepared)
-        return start_state(system.compiled, prepared, start, x, v, rtol, atol)
-    if not (x0 is None and v0 is None):
-        raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")
-    t, y = restart_state(system.compiled, prepared, argument, rtol, atol)
-    if t != start:
-        raise ModelError(f"start is a state at t = {t!r}, but t_span begins at {start!r}")
-    return y
 
 
 def refused(
@@ -274,20 +212,3 @@ def _check_sampled(task: Task, estimate_error: Any) -> None:
             "estimate_error asks a controller twice, at states that differ: run without it, and then again with the "
             "inputs that the solution has held"
         )
-
-
-def _inputs(
-    system: CompiledSystem, parameters: Any, inputs: Mapping[Any, Any] | None, start: float, end: float
-) -> tuple[Prepared, Inputs]:
-    """Return the constants of the parameters and of prescribed motions, and the other inputs, which cover the span."""
-    try:
-        if inputs is not None:
-            inputs = covering(system.compiled, inputs, start, end)
-        prepared, inputs = system.prepare_both(parameters, inputs)
-    except EvaluationError as error:
-        raise ModelError(str(error)) from error
-    bound = system.bind(inputs)
-    if inputs is not None and (gap := bound.uncovered(start, end)) is not None:
-        name = tuple(system.inputs)[gap[0]]
-        raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
-    return prepared, bound
