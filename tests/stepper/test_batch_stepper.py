@@ -9,7 +9,9 @@ import time
 import numpy as np
 import pytest
 
-from .environments import ANGLES, FIXED, KINDS, TORQUES, K, in_lanes, kinds, one_by_one, opened, told
+import eigenmotion as em
+
+from .environments import ANGLES, FIXED, KINDS, TORQUES, K, driven, in_lanes, kinds, one_by_one, opened, told
 
 
 def test_what_goes_in_lanes():
@@ -17,6 +19,18 @@ def test_what_goes_in_lanes():
     assert opened("lanes").lanes == (lanes if lanes > 1 else 1)
     assert opened("fixed").lanes == opened("dop853").lanes == 1
     assert in_lanes().steppers(K).lanes == 1  # of steps that are chosen
+
+
+def test_a_state_with_eta_does_not_go_in_lanes_after_an_ensemble():
+    """An ensemble loads lanes, whose state has no velocities here."""
+    system = em.build(driven(), formulation="cholesky")
+    start = {"x0": {"theta": ANGLES}, "parameters": {"l": 2.0}}
+    em.simulate_ensemble(system, (0, 0.1), **start)
+    envs = system.steppers(K, **start, **FIXED)
+    envs.advance(0.35)
+    single = system.stepper(x0={"theta": ANGLES[3]}, parameters={"l": 2.0}, **FIXED)
+    single.advance(0.35)
+    assert np.array_equal(envs.v[3], single.v)
 
 
 @kinds

@@ -35,7 +35,8 @@ typedef struct em_steppers {
 static int em_steppers_width(const em_model *model, const em_run *task) {
     const int fixed = task->method == EM_RK4 || task->method == EM_MIDPOINT;
     const em_lanes *const lanes = model->lanes;
-    if (!fixed || model->m > 0 || model->n_events > 0 || model->n_time_events > 0 || lanes == NULL || lanes->run == NULL) return 1;
+    const int disturbed = model->m > 0 || model->n_events > 0 || model->n_time_events > 0;
+    if (!fixed || !model->dynamics->second_order || disturbed || lanes == NULL || lanes->run == NULL) return 1;
     for (int k = 0; k < model->n_inputs; ++k)
         if (task->inputs != NULL && task->inputs[k].kind != EM_CONSTANT) return 1;
     return lanes->width == 2 || lanes->width == 4 || lanes->width == 8 ? lanes->width : 1;
