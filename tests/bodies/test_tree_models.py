@@ -137,6 +137,15 @@ def test_mistakes_are_named(change, words):
         tree.body(**arguments)
 
 
+def test_an_inertia_is_a_tuple_an_array_or_a_matrix():
+    entries = [1.0, 2.0, 3.0]
+    given = (tuple(entries), np.array(entries), np.diag(entries), sympy.diag(*entries), (1.0, 0, 0, 2.0, 0, 3.0))
+    tree = em.Tree()
+    for number, inertia in enumerate(given):
+        body = tree.body(f"b{number}", joint="revolute", inertia=inertia)
+        assert body.link.inertia == (1, 0, 0, 2, 0, 3)
+
+
 def test_articulated_bodies_take_rotors_and_coordinates_beside_trees():
     """A motor's rotor, a mass outside the tree, a state, friction in a joint: against Lagrange's equations."""
     tree = em.Tree()

@@ -299,7 +299,7 @@ def _matrix(given: Any, what: str) -> sympy.Matrix:
 
 def _inertia(given: Any, what: str) -> tuple[sympy.Expr, ...]:
     name = f"{what}: inertia"
-    if given == 0 and not isinstance(given, (list, tuple)):
+    if isinstance(given, (int, float, sympy.Expr)) and given == 0:
         return (sympy.S.Zero,) * 6
     shape = getattr(given, "shape", None)
     if shape == (3, 3) or (shape is None and any(isinstance(row, (list, tuple)) for row in sequence_of(given, name))):
