@@ -8,6 +8,7 @@ from enum import Enum
 
 import sympy
 
+from ..model.tree.body import ROTATED
 from .derive import Mechanics
 
 
@@ -162,7 +163,8 @@ def _conserves_energy(mechanics: Mechanics) -> bool:
 
 
 def _left_out(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
-    return [*_absent_terms(mechanics), *_absent_coordinates(mechanics), *_absent_factors(mechanics, blocks)]
+    return [*_absent_terms(mechanics), *_absent_coordinates(mechanics), *_absent_factors(mechanics, blocks),
+            *_absent_shadows(mechanics)]  # fmt: skip
 
 
 def _absent_terms(mechanics: Mechanics) -> list[str]:
@@ -209,6 +211,17 @@ def _absent_factors(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str
         elif block.kind is Kind.SINGLE:
             lines.append(f"C, Omega of {names}: one coordinate, s = sqrt(M) in closed form")
     return lines
+
+
+def _absent_shadows(mechanics: Mechanics) -> list[str]:
+    trees = mechanics.trees
+    rotated = [one.coordinates[-3:] for one in trees.placements if one.joint in ROTATED] if trees else []
+    return [
+        f"the shadow set of {', '.join(mechanics.coordinate_names[k] for k in s)}: the equations contain these "
+        "parameters themselves. The rotation stays below a full turn"
+        for s in rotated
+        if trees and s not in trees.rotations
+    ]
 
 
 def _names(mechanics: Mechanics, block: Block) -> str:

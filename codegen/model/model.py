@@ -13,7 +13,6 @@ from .check import checks
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 from .prescribed_inputs import PrescribedInput, with_prescribed_inputs
 from .recursion_depth import expressions_in, with_room
-from .shadow_parameters import with_shadow_events
 from .statement.constraint_rows import KINDS, NamedRows, check_names, numbered, rows_of
 from .statement.contacts import contacts_of, normals_of, with_contacts
 from .statement.drawing import drawing_of
@@ -207,7 +206,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         "notes": tuple(str(note) for note in sequence_of(arguments["notes"], "notes")),
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
-    fields = with_shadow_events(with_prescribed_inputs(fields))
+    fields = with_prescribed_inputs(fields)
     known = normals_of(fields).by_name
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
     fields["states"] = tuple((z, numbered(rate, f"states[{name_of(z)}]", known)) for z, rate in fields["states"])

@@ -80,7 +80,8 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation),
-        tables=_tables(defaults), bodies=_bodies(scene), kernels=kernels,
+        tables=_tables(defaults), bodies=_bodies(scene),
+        rotations=mechanics.trees.rotations if mechanics.trees else (), kernels=kernels,
     )  # fmt: skip
 
 

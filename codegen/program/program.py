@@ -203,6 +203,7 @@ class Program:
     reaction_rates : coordinates of the first-order states whose rates depend on multipliers
     n_impacts, resets, switches : the actions of events; for each reset, whether it is in quasi-velocities
     shapes, dimension : of the drawing; 2 or 3, 0 if there is none
+    rotations : the coordinates that are modified Rodrigues parameters and may be replaced by their shadow set
     n_prepared : length of the prepared parameters, which include the constants that kernels share
     costs : operation counts of the model-specific straight-line part, as text
     """
@@ -264,6 +265,7 @@ class Program:
     costs: tuple[str, ...]
     tables: tuple[TableView, ...]
     bodies: tuple[BodyView, ...]
+    rotations: tuple[tuple[int, ...], ...]
     kernels: Kernels
 
     @property

@@ -1,12 +1,9 @@
 """Models with trees of bodies against the same mechanisms written as energies, and their build's proof."""
 
-from dataclasses import fields
-
 import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.equations.derive import derive
-from scipy.integrate import solve_ivp
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -185,50 +182,6 @@ def test_articulated_bodies_refuse_what_they_cannot_take():
         built(tree.kinetic_energy)
     with pytest.raises(em.ModelError, match="for masses in trees of bodies"):
         built(a.diff() ** 2 + b.diff() ** 2)
-
-
-INERTIA = np.array([1.0, 2.0, 2.5])
-
-
-def quaternion_run(w, t_end, at):
-    """Attitude (k, 4) of a free body by Euler's equations and a unit quaternion w, x, y, z."""
-
-    def rhs(_, y):
-        q, w = y[:4], y[4:]
-        a, v = q[0], q[1:]
-        rate = 0.5 * np.array([-v @ w, *(a * w + np.cross(v, w))])
-        return np.concatenate([rate, np.cross(INERTIA * w, w) / INERTIA])
-
-    start = np.concatenate([[1, 0, 0, 0], w])
-    return solve_ivp(rhs, (0, t_end), start, t_eval=at, rtol=1e-12, atol=1e-13, method="DOP853").y[:4].T
-
-
-@pytest.mark.parametrize("formulation", ["eigenfactor", "articulated_body"])
-def test_a_tumbling_body_passes_its_shadows(formulation):
-    tree = em.Tree(gravity=(0, 0, 0))
-    body = tree.body("box", joint="spherical", mass=1.0, inertia=tuple(INERTIA))
-    w = np.array([0.3, 1.2, -0.05])
-    q = tree.coordinates
-    model = em.Model(name="tumbling", coordinates=q, kinetic_energy=tree.kinetic_energy,
-                     initial=dict(zip([one.diff() for one in q], w / 4, strict=True)),
-                     outputs={f"q{k}": body.quaternion[k] for k in range(4)})  # fmt: skip
-    assert [name for name, _ in model.events] == ["box turns to its shadow"]
-    assert em.Model(**{field.name: getattr(model, field.name) for field in fields(model)}) == model
-    at = np.linspace(0.0, 40.0, 161)
-    run = em.simulate(em.build(model, formulation=formulation), (0, 40), t_eval=at, rtol=1e-10, atol=1e-12)
-    ours = np.column_stack([run.outputs[f"q{k}"] for k in range(4)])
-    expected = quaternion_run(w, 40.0, at)
-    signs = np.sign((ours * expected).sum(axis=1, keepdims=True))
-    assert np.abs(signs * ours - expected).max() < 1e-7
-    assert np.abs(run.x).max() < 1 + 1e-9
-    assert len(run.t_events[0]) > 5
-    h = 1e-5
-    starts = [{q[0].diff(): w[0] / 4 + step * h} for step in (-1, 1)]
-    ends = [em.simulate(em.build(model, formulation=formulation), (0, 9), t_eval=[9.0], rtol=1e-12, atol=1e-13,
-                        v0={"box_1": one[q[0].diff()]}).x[:, -1] for one in starts]  # fmt: skip
-    slope = em.simulate(em.build(model, formulation=formulation), (0, 9), t_eval=[9.0], rtol=1e-10, atol=1e-12,
-                        sensitivities=["box_1'"]).sensitivity["box_1'"].dx[:, -1]  # fmt: skip
-    assert np.abs(slope - (ends[1] - ends[0]) / (2 * h)).max() < 1e-6 * np.abs(slope).max()
 
 
 def test_a_free_body_lands_on_the_ground():

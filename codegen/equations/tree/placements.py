@@ -33,7 +33,7 @@ class Placement:
 
 def placements(model: Mechanism, node: Callable[[sympy.Expr], Node]) -> tuple[Placement, ...]:
     """Return the bodies of which a model contains functions, parents before their children."""
-    bodies = tuple(_bodies(model))
+    bodies = tuple(bodies_of(model))
     places = {body: place for place, body in enumerate(bodies)}
     numbers = {q: number for number, q in enumerate(model.coordinates)}
     return tuple(
@@ -43,7 +43,7 @@ def placements(model: Mechanism, node: Callable[[sympy.Expr], Node]) -> tuple[Pl
     )  # fmt: skip
 
 
-def _bodies(model: Mechanism) -> Iterator[Link]:
+def bodies_of(model: Mechanism) -> Iterator[Link]:
     """Yield bodies whose joints have coordinates of the model: those of the largest trees first."""
     calls = {call for one in expressions_in(model) for call in one.atoms(BodyFunction)}
     chains = {call.quantity.bodies for call in calls if call.args == call.quantity.variables}

@@ -17,6 +17,7 @@ from ...model.statement.mechanism import Mechanism
 from ...model.tree.body import coordinates_of
 from ...model.tree.functions import BodyFunction
 from .placements import Placement, placements
+from .shadow_parameters import rotations
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +36,14 @@ class Trees:
     graph : that of all terms
     recursions : one for each tree
     placements : all bodies, those that only outputs or drawings contain too
+    rotations : modified Rodrigues parameters, three coordinates each, whose shadow set has the same motion
     T, V : the other terms of the energies [J]
     """
 
     graph: Graph
     recursions: tuple[Recursion, ...]
     placements: tuple[Placement, ...]
+    rotations: tuple[tuple[int, ...], ...]
     T: Node
     V: Node
 
@@ -88,7 +91,7 @@ def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr
         places = tuple(numbers[q] for q in coordinates_of(quantity.bodies))
         recursions.append(Recursion(dynamics, places, dynamics.links.scalars(vector)))
     rest = model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)
-    return Trees(expansion.graph, tuple(recursions), placements(model, node), *map(node, rest))
+    return Trees(expansion.graph, tuple(recursions), placements(model, node), rotations(model), *map(node, rest))
 
 
 def masses_in_trees(model: Mechanism) -> bool:

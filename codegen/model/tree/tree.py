@@ -145,7 +145,7 @@ class Tree:
         joint
             "revolute", "prismatic", "cylindrical" (along and about the axis), "planar" (along x and y of the joint's
             frame, and about z), "spherical" (modified Rodrigues parameters), "free" (the place in the parent's frame,
-            then these) or "fixed". At half a turn an event replaces the parameters by their shadow set.
+            then these) or "fixed". Beyond half a turn a run replaces the parameters by their shadow set.
         axis
             (3,) of a revolute, prismatic or cylindrical joint, in the joint's frame: "x", "y", "z", or numbers.
         at, rotation

@@ -99,6 +99,7 @@ cdef extern from "eigenmotion.h" nogil:
         em_rows rows
         em_rows *events
         em_rows *after
+        em_rows charts
         em_rows segments
         em_dense_step *dense_steps
         double *dense_table

@@ -147,6 +147,12 @@ cdef class Run:
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after, modes)
 
     @property
+    def charts(self):
+        """Changes of rotation parameters: t (k,), the states before and after them (k, n_state); k is 0 without dense output."""
+        t, y = self.table(&self.run.charts)
+        return t[::2], y[::2], y[1::2]
+
+    @property
     def n_dense(self):
         """The number of steps stored for dense output."""
         return self.run.n_dense

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 30 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 31 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -236,6 +236,9 @@ typedef struct em_model {
     int n_bodies;
     const em_body *bodies;                             /* (n_bodies), those that carry others before these */
     void (*frames)(const double *c, double *numbers);  /* (n_bodies, EM_FRAME) those that are not 0; NULL: no bodies */
+    int n_rotations;
+    const int (*rotations)[3]; /* (n_rotations) coordinates that are modified Rodrigues parameters. Steppers replace them
+                                  by their shadow set (em_shadow_parameters.h) */
 } em_model;
 
 #endif

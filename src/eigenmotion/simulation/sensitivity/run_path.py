@@ -1,4 +1,7 @@
-"""Path of a run: its rows and events in order of time, with the states before and after event actions."""
+"""Path of a run: its rows and events in order of time, with the states before and after changes of the state.
+
+These are event actions and changes of rotation parameters.
+"""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -9,21 +12,26 @@ from numpy.typing import NDArray
 from ...arguments.named_values import Vector
 from ...arguments.tasks import Task
 from ...results.solution import Solution
-from ...runtime import Prepared
+from ...runtime import Prepared, Run
 from ...runtime.variations import act_along
 
 Occurrence = tuple[int, int]
 """(number of an event, number of its occurrence)"""
 
+CHART_CHANGE = -1
+"""In place of the number of an event: a change of rotation parameters (EM_CHART_CHANGE of em_variation_pass.h)."""
+Charts = tuple[Vector, Vector, Vector]
+"""`Run.charts`."""
 
 _NONE = np.empty(0, dtype=int)
 
 
 class Path(NamedTuple):
-    """The nodes of a run in the order of time; each time has one node, and an event action adds the state after it.
+    """The nodes of a run in the order of time; each time has one node, and a change of the state adds that after it.
 
     t : (k,); z : (k, 2 n) x and v; without events, rows at equal times have separate nodes
-    mark_row, mark_event : (marks,) the node of an occurrence, and its event; the next node is after an event action
+    mark_row, mark_event : (marks,) the node of an occurrence, and its event or CHART_CHANGE; if the state changes, the
+    next node is that after it
     of_rows : the node of each row of the run; of_events : the marks (e,) of each event
     prepared : the prepared parameters in the mode of the first node
     """
@@ -40,9 +48,10 @@ class Path(NamedTuple):
 def path_of(task: Task, solution: Solution) -> Path:
     """Return the path of a solution."""
     start, prepared = _start(task)
-    if not any(len(each) for each in solution.t_events or ()):
+    charts = charts_of(solution)
+    if not any(map(len, (*(solution.t_events or ()), charts[0]))):
         return _undisturbed(task, solution, start, prepared)
-    times, states, marks = _event_nodes(task, solution)
+    times, states, marks = _added_nodes(task, solution, charts)
     sign = 1.0 if task.t_end >= task.t_start else -1.0
     t = np.concatenate([[task.t_start], solution.t, times])
     y = np.concatenate([start[None], solution.y.T, states])
@@ -91,12 +100,24 @@ def _start(task: Task) -> tuple[Vector, Prepared]:
     return c.state(task.t_start, x, v, prepared), prepared
 
 
-def _event_nodes(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tuple[int, Occurrence]]]:
-    """Return the times and states that events add to a path, in order, and the position of each occurrence."""
-    c, states = task.model, solution.y_events or []
-    after = (solution.y_after_events or states) if c.acts else states
+def dense_run(solution: Solution) -> Run | None:
+    """Return the run with its dense output; None if it has no steps."""
+    run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
+    return run if isinstance(run, Run) else None
+
+
+def charts_of(solution: Solution) -> Charts:
+    """Return the changes of rotation parameters of a run with dense output."""
+    run = dense_run(solution)
+    return run.charts if run else (np.empty(0), np.empty((0, 0)), np.empty((0, 0)))
+
+
+def _added_nodes(task: Task, solution: Solution, charts: Charts) -> tuple[Vector, Vector, list[tuple[int, Occurrence]]]:
+    """Return the times and states that events and changes add to a path, in order, and where each occurrence is."""
+    c, states = task.model, [*(solution.y_events or []), charts[1]]
+    after = [*((solution.y_after_events if c.acts else None) or states[:-1]), charts[2]]
     at_once: dict[float, list[Occurrence]] = {}
-    for event, times in enumerate(solution.t_events or ()):
+    for event, times in (*enumerate(solution.t_events or ()), (CHART_CHANGE, charts[0])):
         for time, t in enumerate(times.tolist()):
             at_once.setdefault(t, []).append((event, time))
     t_added: list[float] = []
@@ -104,7 +125,7 @@ def _event_nodes(task: Task, solution: Solution) -> tuple[Vector, Vector, list[t
     marks: list[tuple[int, Occurrence]] = []
     for t, occurrences in at_once.items():
         # an event that ended the run has no state after it
-        acted = [(k, time) for k, time in occurrences if c.acting[k] and time < len(after[k])]
+        acted = [(k, time) for k, time in occurrences if (k == CHART_CHANGE or c.acting[k]) and time < len(after[k])]
         groups = _in_turns(acted, states, after)
         others = [one for one in occurrences if one not in acted]
         marks += [(len(added), one) for one in others]

@@ -12,10 +12,10 @@ from ...arguments.tasks import Task
 from ...codegen.model.normalise import ModelError
 from ...results.sensitivity import Sensitivity, parts_of
 from ...results.solution import Solution
-from ...runtime import CompiledModel, EvaluationError, Run
+from ...runtime import CompiledModel, EvaluationError
 from ...runtime.variations import quasi_partials, tangent, vary
 from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
-from .run_path import Path, path_of
+from .run_path import Path, dense_run, path_of
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
 """Initial step of the variational equations, in steps of the run; their polynomials are of higher degree. Later steps
@@ -151,7 +151,7 @@ def _varied(
     marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
     rows = path.t if len(mesh.stops) < len(path.t) else np.empty(0)
     at_stops, shifts, at_rows, _, fault = vary(
-        c, path.prepared, _dense_run(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
+        c, path.prepared, dense_run(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
         max(task.rtol, _LEAST), together, (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after),
         (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, varied.P, task.stabilise, task.least_norm,
     )  # fmt: skip
@@ -159,12 +159,6 @@ def _varied(
         return at_stops, shifts, fault
     at_rows[mesh.stops] = at_stops
     return at_rows, shifts, fault
-
-
-def _dense_run(solution: Solution) -> Run | None:
-    """Return the run with its dense output; None if it has no steps."""
-    run = getattr(getattr(solution.get("sol"), "_rows_at", None), "__self__", None)
-    return run if isinstance(run, Run) else None
 
 
 def _breaks(task: Task, path: Path) -> Vector:

@@ -136,10 +136,20 @@ EM_COLD_PATH static int em_member_finish_step(em_run_state *w, em_lane_group *f,
     return 0;
 }
 
+/* The lane's state <- that of the run after a change of rotation parameters. */
+EM_COLD_PATH static void em_member_write(const em_run_state *w, em_lane_group *f, int lane) {
+    const int width = w->lanes->width;
+    for (int k = 0; k < w->n_state; ++k) {
+        EM_LANE(f->y_new, k) = w->y[k];
+        EM_LANE(f->f_new, k) = w->K[0][k];
+    }
+    for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory_new, k) = w->memory[k];
+}
+
 /* em_model.check_step: the checks of em_finish_step and em_advance for an accepted step. */
 EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, int lane, em_lane_outcome outcome) {
     em_run_state *const w = run_state;
-    int terminal = 0;
+    int terminal = 0, changed = 0;
     em_member_read(w, f, lane);
     double t_stop = w->t_new;
     if (outcome == EM_UNSETTLED ? em_member_finish_step(w, f, lane) : em_member_check_settled(w, f, lane)) return -1;
@@ -148,7 +158,9 @@ EM_COLD_PATH EM_EXPORT int em_member_check(void *run_state, em_lane_group *f, in
     w->run->t_reached = t_stop;
     if (terminal) w->run->fault.status = EM_TERMINAL_EVENT;
     if (terminal || w->t == w->run->t_end) return 1;
+    if (w->model->n_rotations > 0 && em_change_chart(w, &changed)) return -1;
     if (w->mode != f->mode) return 2;
+    if (changed) em_member_write(w, f, lane);
     em_member_plan_checks(w, f, lane);
     f->n_rhs[lane] += (double)(w->run->n_rhs - (long)f->n_rhs[lane] - EM_DOP853_TABLEAU.stages); /* of the interpolant */
     return 0;

@@ -6,6 +6,7 @@
 #ifndef EM_LANE_RUNGE_KUTTA_H
 #define EM_LANE_RUNGE_KUTTA_H
 
+#include "kinematics/em_shadow_parameters.h"
 #include "batch/em_lane_singularity.h"
 #include "batch/em_lane_factors.h"
 #include "methods/em_explicit_stages.h"
@@ -179,14 +180,27 @@ static em_attempts em_group_attempt(const em_lane_group *f, em_lane_state *w) {
     return found;
 }
 
+/* -1 in lanes where parameters of a rotation have become too large (em_shadow_parameters.h). */
+EM_INLINE em_truth em_group_leaves_chart(EM_UNUSED const em_lane_state *w) {
+    em_truth leaves = {0};
+#ifdef EM_ROTATIONS
+    for (int k = 0; k < N_ROTATIONS; ++k) {
+        const real *const y = w->y_new, a = y[rotations[k][0]], b = y[rotations[k][1]], c = y[rotations[k][2]];
+        leaves |= a * a + b * b + c * c > EM_MOST_RODRIGUES;
+    }
+#endif
+    return leaves;
+}
+
 /* -1 in lanes whose `accepted` step the scalar code must check: the first step, short steps at which a singularity may
- * be near (em_singularity_monitor.h), and steps at which the energy, a row or the end is due. */
+ * be near (em_singularity_monitor.h), and steps at which the energy, a row, the end or a change of rotation parameters
+ * is due. */
 EM_INLINE em_truth em_group_needs_check(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
     em_truth brief = accepted & ((fabs(*w->h) < EM_CHECKED_STEP * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
     if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
 #endif
-    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_check) |
+    return brief | em_group_leaves_chart(w) | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_check) |
            (f->direction * (*w->t_new - *w->t_check) >= 0.0);
 }
 

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "em_control.h"
+#include "kinematics/em_shadow_parameters.h"
 #include "batch/em_fixed_steps.h"
 
 /* The arrays of the first part are the caller's: (count), (count, n), (count, n_inputs). */
@@ -104,6 +105,17 @@ static void em_steppers_put(em_steppers *s, size_t member, double t, const doubl
     em_steppers_copy_out(s, member);
 }
 
+/* Changes parameters of rotations that are too large after a step (em_chart_change.h). y: as in em_steppers_copy_out */
+static void em_steppers_change_chart(em_steppers *s, int lane, double *y) {
+    const int n = s->model->n;
+    double x[n], v[n];
+    em_lane_out(s->width, lane, n, y, x);
+    em_lane_out(s->width, lane, n, y + n * s->width, v);
+    if (!em_turn_to_shadow(s->model, x, v)) return;
+    em_lane_in(s->width, lane, n, x, y);
+    em_lane_in(s->width, lane, n, v, y + n * s->width);
+}
+
 /* Accepts the step of one lane, or ends its member. Returns whether the member has not reached its target time. */
 static int em_steppers_take_step(em_steppers *s, em_fixed_steps *w, size_t member, double t_goal, double *y) {
     const int lane = (int)(member % (size_t)s->width), n = s->model->n_state;
@@ -113,6 +125,7 @@ static int em_steppers_take_step(em_steppers *s, em_fixed_steps *w, size_t membe
         return 0;
     }
     for (int k = 0; k < n; ++k) y[k * s->width + lane] = w->y_new[k * s->width + lane];
+    if (s->model->n_rotations > 0) em_steppers_change_chart(s, lane, y);
     s->t[member] = w->t_new[lane];
     ++s->n_steps[member];
     return s->t[member] != t_goal;

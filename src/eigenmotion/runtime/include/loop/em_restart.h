@@ -2,8 +2,7 @@
 #ifndef EM_RESTART_H
 #define EM_RESTART_H
 
-#include "stepper/em_smooth_intervals.h"
-#include "loop/em_step.h"
+#include "loop/em_chart_change.h"
 
 static int em_begin(em_run_state *w);
 
@@ -62,18 +61,13 @@ static int em_first_segment(em_run_state *w) {
 
 /* Discards the history of earlier steps: it belongs to another motion. */
 static void em_discard_history(em_run_state *w) {
-    memset(&w->nodes, 0, offsetof(em_nodes, Y));
-    memset(w->node_tables, 0, w->node_tables_size);
-    w->c_is_known = 0;
-    w->stages.known = w->stages.accepted = w->stages.sloped = w->stages.own = 0;
+    em_discard_steps(w);
     memset(w->longest, 0, (size_t)w->n_rows * sizeof *w->longest);
     memset(w->row_tolerance, 0, (size_t)w->n_rows * sizeof *w->row_tolerance);
     memset(w->zero, 0, (size_t)w->n_events * sizeof *w->zero);
     memset(w->noise, 0, (size_t)w->n_events * sizeof *w->noise);
-    memset(w->memory, 0, (size_t)w->n_memory * sizeof *w->memory);
     w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
-    w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
-    w->pivots_known = 0;
+    w->rank = w->near = w->run->kept = 0;
     w->next_energy_check = 0;
     w->fresh = EM_NEXT_SEGMENT;
 }

@@ -116,12 +116,13 @@ static int em_accepted_step(em_run_state *w) {
     if (em_step_forward(w)) return EM_END;
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
-    int terminal = 0;
+    int terminal = 0, changed = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;
     if (w->acting) return em_next_segment(w, t_stop, terminal);
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
+    if (w->model->n_rotations > 0 && em_change_chart(w, &changed)) return EM_END;
     return w->t == w->pieces_end && em_enter_interval(w) ? em_enter_next_interval(w) : EM_CONTINUE;
 }
 

@@ -9,6 +9,7 @@
 #ifndef EM_VARIATION_EVENTS_H
 #define EM_VARIATION_EVENTS_H
 
+#include "kinematics/em_shadow_parameters.h"
 #include "sensitivity/em_variation_control.h"
 
 #define EM_EVENT_MARGIN 1e-9 /* of the time between stops: the distance from an event at which both sides are
@@ -144,21 +145,32 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_simultaneous_even
     return 0;
 }
 
+/* z, S <- after a change of rotation parameters at a stop, as in the next stop. That is a map of coordinates: its time
+ * has no effect. */
+static void em_variation_change_chart(em_pass *p, size_t stop) {
+    em_variations *const w = p->of;
+    em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+    em_shadow_along(w->model, p->z, p->z + p->n, p->columns, p->S);
+    memcpy(p->z, w->z + (stop + 1) * 2 * p->n, 2 * p->n * sizeof *p->z);
+}
+
 /* Processes the marks from `mark` on that are at a stop: dt, directions and, if some act, z and the mode of the next
- * stop. Returns the number of events that act, or -1. */
+ * stop. Returns the number of changes of the state, or -1. */
 static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double margin) {
     em_variations *const w = p->of;
     const int k = p->columns;
     const double t = w->t[stop];
     double dt[k], of_act[k], of_pass[k], before[2 * p->n];
-    int fired[w->model->n_events + 1];
+    int changes = 0, fired[w->model->n_events + 1];
     em_simultaneous_events act = {0, -1, -1, of_act}, pass = {0, -1, -1, of_pass};
     memset(fired, 0, sizeof fired);
     em_pass_side(p, t, fabs(margin), 0);
     if (em_rate_on_side(p, t, -margin, before)) return -1;
     em_set_last(p, before);
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
-        const int event = w->mark_event[*mark], acts = w->model->event_actions && w->model->event_actions[event].acts;
+        const int event = w->mark_event[*mark];
+        if (event == EM_CHART_CHANGE && ++changes) continue;
+        const int acts = w->model->event_actions && w->model->event_actions[event].acts;
         em_event_shift(p, t, event, before, dt);
         memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
         for (int j = 0; acts && j < k; ++j)
@@ -168,7 +180,9 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double marg
     }
     if (act.apart >= 0) return em_end_pass(w, EM_EVENTS_MEET, act.event, act.apart);
     if (act.acting) return em_variation_act(p, stop, fired, before, of_act, margin) ? -1 : act.acting;
-    return stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, margin) ? -1 : 0;
+    if (stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, margin)) return -1;
+    if (changes) em_variation_change_chart(p, stop);
+    return changes;
 }
 
 #endif

@@ -17,11 +17,13 @@ enum {
     EM_FORCE_JUMPS, EM_UNRESOLVED
 };
 
+enum { EM_CHART_CHANGE = -1 }; /* in place of the event of a mark: a change of rotation parameters */
+
 enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which elimination is cheaper */ };
 
-/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v. If events act at a stop, the next stop is
- * the state after them. Between two stops are `spans`, intervals from `from` to `to` in which no signal has a kink and
- * no time event happens. Marks are events, in the order of their stops. P (n_forcing, columns). */
+/* Stops are the start, events, changes of rotation parameters, and the end: t, z (n_stops, 2 n) = x, v. If the state
+ * changes at a stop, the next stop is the state after that. Between two stops are `spans`, intervals from `from` to `to` in which no signal has a kink and
+ * no time event happens. Marks are events and such changes, in the order of their stops. P (n_forcing, columns). */
 typedef struct em_variations {
     const em_model *model;
     const em_run *run;       /* its dense output is the motion between stops */
