@@ -5,9 +5,9 @@ from __future__ import annotations
 import hashlib
 from dataclasses import asdict, astuple, replace
 
-from .choices import STANDARD, Choices
+from .choices import OF_TREES, STANDARD, Choices
 from .equations.derive import derive
-from .equations.specialise import ALL_SAVINGS, Saving, specialise
+from .equations.specialise import ALL_SAVINGS, Saving, Scene, specialise
 from .equations.tree.separation import masses_in_trees
 from .model import Model, ModelError
 from .model.check.assumptions import ANY, allowed, declared
@@ -61,7 +61,13 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
 
 def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: bool) -> Program:
     mechanism = as_mechanism(model)
-    return lower(specialise(derive(mechanism), mechanism.scales, savings), _defaults(model), choices, whole)
+
+    def scene(may_loop: bool) -> Scene:
+        return specialise(derive(mechanism, may_loop), mechanism.scales, savings)
+
+    made = scene(choices.formulation in OF_TREES)
+    differentiated = scene(False) if whole and made.in_loops else made
+    return lower(made, _defaults(model), choices, differentiated if whole else None)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:

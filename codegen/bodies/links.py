@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy
 
@@ -24,7 +24,8 @@ class Moving:
 
     parent : its number among the moving bodies; -1 for the ground
     numbers : those of its coordinates; bodies that move together have some in common
-    steps : from the parent's frame to its own
+    steps : from the parent's frame to its own, of which the first `fixed` lead to the joint
+    joint, ratio, offset : the kind of the joint; of one coordinate q, it is at ratio q + offset
     S : a motion for each of its coordinates, at a rate of 1, in its own frame
     rate : Sdot qdot
     inertia : of itself, and of the bodies that are fixed to it
@@ -33,6 +34,10 @@ class Moving:
     parent: int
     numbers: Sequence[int]
     steps: Sequence[Step]
+    fixed: int
+    joint: str
+    ratio: Scalar
+    offset: Scalar
     S: Sequence[Spatial]
     rate: Spatial
     inertia: RigidInertia
@@ -40,6 +45,13 @@ class Moving:
     def velocity(self, rates: Sequence[Scalar], zero: Spatial) -> Spatial:
         """Return S qdot."""
         return spatial_sum(zero, *(times(S, rates[k]) for S, k in zip(self.S, self.numbers, strict=True)))
+
+    def frame(self, unit: Matrix) -> tuple[Vector, Matrix]:
+        """Return the place of the joint on the parent, and its rotation R; `unit` is the unit matrix."""
+        place, columns = [entry * 0 for entry in unit[0]], [list(row) for row in unit]
+        for step in reversed(self.steps[: self.fixed]):
+            place, columns = list(step.point_up(place)), [list(step.vector_up(column)) for column in columns]
+        return place, transposed(columns)
 
 
 Joint = tuple[list[Step], list[Spatial]]
@@ -109,7 +121,10 @@ class Links:
         rates = [self._rate(one) for one in S]
         rate = spatial_sum(self.still, *(times(r, self.v[k]) for r, k in zip(rates, numbers, strict=True)))
         self.carried[body] = Carried(len(self.moving), transposed(T), [self.zero] * 3)
-        self.moving.append(Moving(on.carrier, numbers, [*steps, *moves], S, rate, self.nothing))
+        ratio, offset = self.scalars((body.ratio, body.offset))
+        self.moving.append(
+            Moving(on.carrier, numbers, [*steps, *moves], len(steps), body.joint, ratio, offset, S, rate, self.nothing)
+        )
         self._add_mass(body)
 
     def _joint(self, body: Link, q: Sequence[Scalar]) -> Joint:
@@ -136,7 +151,7 @@ class Links:
             self.fixed = self.fixed + one
             return
         old = self.moving[on.carrier]
-        self.moving[on.carrier] = Moving(old.parent, old.numbers, old.steps, old.S, old.rate, old.inertia + one)
+        self.moving[on.carrier] = replace(old, inertia=old.inertia + one)
 
 
 def _unit(like: Scalar, k: int) -> Vector:

@@ -52,7 +52,8 @@ class Mechanics:
     levels : `level` and `at_rest` of each switch of the model
     reaction_rates : (index, expression) of the rates of first-order states that depend on multipliers; Q is 0 there
     n_states : number of first-order states; these are the last entries of v, and nothing depends on their x
-    trees : the trees of bodies whose energies T and V contain; then all expressions refer to nodes of `trees.graph`
+    trees : the trees of bodies whose energies T and V contain; then all expressions refer to nodes of `trees.graph`.
+    With `trees.table`, M, T and V leave the trees out, and C adds them
     """
 
     name: str
@@ -113,8 +114,10 @@ class Mechanics:
         return tuple(self.M.diff(symbol) for symbol in self.x)
 
 
-def derive(model: Mechanism) -> Mechanics:
+def derive(model: Mechanism, may_loop: bool = False) -> Mechanics:
     """Derive M, G, T0, V, Q, A and b from the energies, forces and constraints.
+
+    `may_loop`: energies and M may leave out large trees of bodies, which C then adds (see `Trees.table`).
 
     T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0. Where M_ij contains
     x_k but does not depend on it, x_k is replaced by a number.
@@ -126,7 +129,10 @@ def derive(model: Mechanism) -> Mechanics:
         (names it), a term divides by velocities, or a number is beyond the range of a double.
     """
     try:
-        return _Derivation(model).mechanics()
+        try:
+            return _Derivation(model, may_loop).mechanics()
+        except _MasslessError:  # whether M is singular along the constraints, too, is decided with all of it
+            return _Derivation(model, may_loop=False).mechanics()
     except ZeroDivisionError as error:
         raise ModelError(
             f"model {model.name}: kinetic_energy or a nonholonomic constraint divides by what is zero at rest; "
@@ -138,16 +144,20 @@ def derive(model: Mechanism) -> Mechanics:
         ) from error
 
 
+class _MasslessError(Exception):
+    """A coordinate moves no mass, in trees that nodes leave out."""
+
+
 class _Derivation:
     """The symbols, graph and operators that the steps of one derivation share."""
 
-    def __init__(self, model: Mechanism) -> None:
+    def __init__(self, model: Mechanism, may_loop: bool) -> None:
         self.model = model
         self.names = Names(model)
         self.graph = Graph(symbol.name for symbol in self.names.parameters)
         self.expansion = Expansion(self.graph)
         self.from_sympy = FromSympy(self.graph, self.expansion)
-        self.trees = separated(model, self.expansion, self.node)
+        self.trees = separated(model, self.expansion, self.node, may_loop)
         back = References if self.trees else ToSympy
         self.to_sympy: Callable[[Node], sympy.Expr] = back(self.graph, self.names.by_name())
         self.zeros = Zeros(self.graph, self.names.signs())
@@ -155,9 +165,22 @@ class _Derivation:
         self.along = {name: Tangent(self.graph, {name: self.graph.one})
                       for name in (*(x.name for x in self.names.x), self.names.time.name)}  # fmt: skip
 
+    @property
+    def in_loops(self) -> bool:
+        """Whether nodes leave out the trees of bodies."""
+        return self.trees is not None and self.trees.table is not None
+
+    def kinetic_energy(self) -> Node:
+        """Return T, without trees that nodes leave out."""
+        return self.trees.T if self.in_loops and self.trees else self.node(self.model.kinetic_energy)
+
+    def potential_energy(self) -> Node:
+        """Return V, without trees that nodes leave out."""
+        return self.trees.V if self.in_loops and self.trees else self.node(self.model.potential_energy)
+
     def mechanics(self) -> Mechanics:
         model, names = self.model, self.names
-        T = self.node(model.kinetic_energy)
+        T = self.kinetic_energy()
         apart = self.trees.T if self.trees else T
         momenta = gradient(self.graph, apart, [v.name for v in names.v])
         M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
@@ -173,7 +196,7 @@ class _Derivation:
             M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
             G=tuple(back(self.simplified(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(apart)),
-            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=P,
+            V=self.to_sympy(self.potential_energy()), Q=tuple(back(Q)), A=A, P=P,
             b=tuple(back(b)), phi=tuple(back(phi)),
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
@@ -196,6 +219,10 @@ class _Derivation:
     def weights(self, M: list[list[Node]], A: list[list[Node]], phi: list[Node]) -> list[Node]:
         start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
         constants = {symbol.name: value for symbol, value in self.model.parameters}
+        if self.in_loops and self.trees:
+            if massless(self.trees, M, [*start], constants) is not None:
+                raise _MasslessError
+            return [self.graph.zero] * len(A)
         W = weights(self.graph, M, A, phi, start | {self.names.time.name: 0.0}, constants)
         if self.trees and all(one == self.graph.zero for one in W):
             self.refuse_massless(self.trees, M, [*start], constants)

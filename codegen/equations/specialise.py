@@ -82,6 +82,11 @@ class Scene:
         return len(self.mechanics.phi)
 
     @property
+    def in_loops(self) -> bool:
+        """Whether M and the energies leave out trees of bodies, which C adds in loops."""
+        return self.mechanics.trees is not None and self.mechanics.trees.table is not None
+
+    @property
     def row_groups(self) -> tuple[tuple[int, ...], ...]:
         """The constraint rows in groups that Delta = B B^T couples: rows on coordinates of the same block."""
         A = self.mechanics.A
@@ -101,7 +106,8 @@ def specialise(
     mechanics: Mechanics, scales: tuple[float, ...] | None = None, savings: frozenset[Saving] = ALL_SAVINGS
 ) -> Scene:
     """Return the scene of a mechanism, from the structural zeros of its terms."""
-    groups = _coupled(mechanics.factored) if Saving.UNCOUPLED in savings else [tuple(range(len(mechanics.x)))]
+    n = len(mechanics.x)
+    groups = _coupled(mechanics.factored, _in_trees(mechanics)) if Saving.UNCOUPLED in savings else [tuple(range(n))]
     blocks = tuple(_block(mechanics, number, group, savings) for number, group in enumerate(groups, 1))
     return Scene(
         mechanics=mechanics,
@@ -112,23 +118,45 @@ def specialise(
     )
 
 
-def _coupled(M: sympy.ImmutableDenseMatrix) -> list[tuple[int, ...]]:
-    """Return the connected components of the graph whose edges are the nonzeros of M, sorted by coordinate."""
-    groups: list[set[int]] = []
-    for i in range(M.rows):
-        joined = {i} | {j for j in range(M.cols) if M[i, j] != 0}
-        for group in [group for group in groups if group & joined]:
-            groups.remove(group)
-            joined |= group
-        groups.append(joined)
-    return sorted(tuple(sorted(group)) for group in groups)
+def _in_trees(mechanics: Mechanics) -> list[set[int]]:
+    """Return the coordinates of each branch on the ground, if M leaves out the trees of bodies."""
+    table = mechanics.trees.table if mechanics.trees else None
+    branches: list[set[int]] = []
+    of_row: list[set[int]] = []
+    for row in table.rows if table else ():
+        if row.parent < 0:
+            branches.append(set())
+        of_row.append(branches[-1] if row.parent < 0 else of_row[row.parent])
+        of_row[-1].update(row.coordinates)
+    return branches
+
+
+def _coupled(M: sympy.ImmutableDenseMatrix, together: Iterable[set[int]] = ()) -> list[tuple[int, ...]]:
+    """Return the connected components of the graph whose edges are the nonzeros of M, sorted by coordinate.
+
+    `together` : groups of coordinates that are coupled besides.
+    """
+    of_rows = ({i} | {j for j in range(M.cols) if M[i, j] != 0} for i in range(M.rows))
+    return sorted(tuple(sorted(group)) for group in _united([*together, *of_rows]))
+
+
+def _united(groups: Iterable[set[int]]) -> list[set[int]]:
+    """Return the unions of sets that have elements in common."""
+    united: list[set[int]] = []
+    for group in groups:
+        joined = set(group)
+        for one in [one for one in united if one & joined]:
+            united.remove(one)
+            joined |= one
+        united.append(joined)
+    return united
 
 
 def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: frozenset[Saving]) -> Block:
     varying = {*mechanics.x, mechanics.time}
     M = mechanics.factored.extract(list(group), list(group))
     kind = Kind.TURNING
-    if Saving.FIXED in savings and not _symbols(M) & varying:
+    if Saving.FIXED in savings and not (_symbols(M) & varying or set(group) & set().union(*_in_trees(mechanics))):
         kind = Kind.FIXED
     elif Saving.SINGLE in savings and len(group) == 1:
         kind = Kind.SINGLE
@@ -174,7 +202,7 @@ def _absent_terms(mechanics: Mechanics) -> list[str]:
     reasons = [
         (all(g == 0 for g in mechanics.G), "G, Gdot, dG/dx: T has no part linear in the velocities"),
         (mechanics.T0 == 0, "dT0/dx: T has no part free of velocities"),
-        (mechanics.V == 0, "dV/dx: there is no potential energy"),
+        (mechanics.V == 0 and not _in_trees(mechanics), "dV/dx: there is no potential energy"),
         (not mechanics.pushes and all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
         (t not in _symbols(terms), "dM/dt, dA/dt, dV/dt: the time does not occur"),
         (m == 0, "A, B, Bdot, Delta, lambda: there are no constraints"),
@@ -193,6 +221,8 @@ def _singular(mechanics: Mechanics) -> str:
 
 
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
+    if _in_trees(mechanics):
+        return []
     symbols = _symbols(mechanics.factored)
     coordinates = mechanics.x[: len(mechanics.x) - mechanics.n_states]
     absent = [f"dM/d{x}" for x in coordinates if x not in symbols]

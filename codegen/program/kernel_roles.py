@@ -102,6 +102,7 @@ class Kernels:
     mass_matrix : None if settled.masses computes all of M; factored : M + A^T W A, None if M itself is factored
     partials : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
+    own_masses : entries of M besides those that C adds in loops; None if there are none
     frames : the numbers that place bodies on their parents; None if there are no bodies
     """
 
@@ -109,6 +110,7 @@ class Kernels:
     time_events: TimeEventKernel
     tables: TableKernel
     frames: Kernel | None
+    own_masses: Kernel | None
     mass_matrix: Kernel | None
     factored: Kernel | None
     pfaffian: Kernel

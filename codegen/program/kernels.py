@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -14,6 +14,8 @@ from ..calculus.inverse import LARGEST, inverse
 from ..choices import Choices
 from ..equations.specialise import Scene
 from ..equations.terms import Rows
+from ..equations.tree.articulated_bodies import armature
+from ..equations.tree.link_table import is_parametric
 from ..equations.tree.tree_terms import TreeTerms, terms_of
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
@@ -30,10 +32,13 @@ OF_STATE = {"x": "y", "v": "dy"}
 """The arrays of coordinates and velocities in a right-hand side."""
 
 
-def kernels_of(scene: Scene, choices: Choices, layout: Layout, whole: bool) -> tuple[Kernels, int]:
-    """Return all kernels, those of derivatives if `whole`, and the number of constants that they share."""
+def kernels_of(scene: Scene, choices: Choices, layout: Layout, differentiated: Scene | None) -> tuple[Kernels, int]:
+    """Return all kernels, and the number of constants that they share.
+
+    `differentiated` is the scene with all terms, of which there are derivatives; None: there are none.
+    """
     writing = _Writing(scene, choices, layout)
-    return writing.kernels(whole), len(writing.constants.nodes)
+    return writing.kernels(differentiated), len(writing.constants.nodes)
 
 
 class _Writing:
@@ -51,11 +56,11 @@ class _Writing:
             symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
         } | {"t": ("t", None)}
 
-    def kernels(self, whole: bool) -> Kernels:
+    def kernels(self, differentiated: Scene | None) -> Kernels:
         published, triangular, settled = self.equations()
         shared = settled.masses is not None and settled.masses.exported
         has_M = shared and not any(block.fixed for block in self.blocks)  # without rows, nothing is added to M
-        mass_matrix = None if has_M else self.mass_matrix("mass_matrix", self.terms.M)
+        mass_matrix = None if has_M or self.scene.in_loops else self.mass_matrix("mass_matrix", self.terms.M)
         by_name = {
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
@@ -66,12 +71,15 @@ class _Writing:
         drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
         symbols = Symbols(self.places, self.layout.first_constant)
         time_events, tables = time_event_kernel(self.terms, symbols), table_kernel(self.terms, symbols)
-        frames = self.frames(symbols)
+        frames, own_masses = self.frames(symbols), self.own_masses()
         prepared = self.prepared()
-        partials = partial_kernels(self.terms, symbols) if whole else None  # last, so that no other kernel changes
+        terms = self.terms if differentiated is self.scene else None
+        if differentiated and not terms:
+            terms = terms_of(differentiated)
+        partials = partial_kernels(terms, symbols) if terms else None  # last, so that no other kernel changes
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
-                       frames=frames, prepared=prepared, **reactions,
+                       frames=frames, own_masses=own_masses, prepared=prepared, **reactions,
                        asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
 
     @property
@@ -215,10 +223,25 @@ class _Writing:
                 f"model {self.mechanics.name}: formulation 'articulated_body' is for masses in trees of bodies; state "
                 "them by eigenmotion.Tree, or choose another formulation"
             )
+        table = self.terms.trees.table
+        if table and table.solves:
+            return self.loads_of_trees(self.terms)
         given = self.terms.yielded
         pivots = self.column("pivots", given.pivots, "N")
         entries = [*pivots, *self.forces(given.accelerations, "a"), *self.by_row("WA", given.rows)]
         rows = [*self.by_row("A", self.terms.A), *self.column("gamma", self.terms.gamma)]
+        return self.stages(
+            Draft("articulated_body_masses", ()),
+            Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
+        )
+
+    def loads_of_trees(self, terms: TreeTerms) -> Stages:
+        """Return the kernel of what loops over trees need: forces and armature (n,), rows of P (m, n), A and gamma."""
+        entries = [*self.column("force", terms.forces, "N"),
+                   *self.column("armature", armature(self.mechanics, terms.trees), "N")]  # fmt: skip
+        flat = [node for row in terms.P for node in row]
+        size = "N_ROWS" if len(terms.P) == self.scene.m else "N_PUSHED"
+        rows = [*self.column("rows", flat, f"{size}*N"), *self.by_row("A", terms.A), *self.column("gamma", terms.gamma)]
         return self.stages(
             Draft("articulated_body_masses", ()),
             Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
@@ -245,7 +268,7 @@ class _Writing:
         constrained_only = self.choices.carries_v and self.scene.h  # lanes need all blocks of M
         varying = [b for b in self.blocks if not b.fixed and (b.constrained or not constrained_only)]
         entries = [
-            *self.masses(varying, self.choices.eigenfactor),
+            *self.masses(() if self.scene.in_loops else varying, self.choices.eigenfactor),
             *self.by_row("A", self.terms.A),
             *self.column("b", self.terms.b),
         ]
@@ -265,6 +288,12 @@ class _Writing:
     def mass_matrix(self, name: str, M: Rows) -> Kernel:
         return self.one(name, both_triangles("M", 0, M), "t", "x", "c", "M")
 
+    def own_masses(self) -> Kernel | None:
+        """Write the entries of M that are not 0, besides those that C adds; None if all are 0, or C adds none."""
+        M = both_triangles("M", 0, self.terms.M) if self.scene.in_loops else []
+        entries = [entry for entry in M if entry.node != self.terms.graph.zero]
+        return self.write(Draft("own_masses", entries, on_lanes=True))[0] if entries else None
+
     def pfaffian(self) -> Kernel:
         A = self.column("A", (node for row in self.terms.A for node in row))
         return self.one("pfaffian", [*A, *self.column("b", self.terms.b)], "t", "x", "c", "A", "b")
@@ -275,11 +304,12 @@ class _Writing:
 
     def bias(self) -> Kernel:
         entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]
-        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma")
+        name = "own_bias" if self.scene.in_loops else "motion_bias"
+        return self.one(name, entries, "t", "x", "v", "c", "u", "bias", "gamma")
 
     def energy(self) -> Kernel:
         entries = self.column("e", (self.terms.T2, self.terms.T1, self.terms.T0, self.terms.V))
-        return self.one("energy", entries, "t", "x", "v", "c", "e")
+        return self.one("own_energies" if self.scene.in_loops else "energy", entries, "t", "x", "v", "c", "e")
 
     def outputs(self) -> Kernel:
         entries = self.column("out", (self.terms.node(expression) for _, expression in self.mechanics.outputs))
@@ -345,11 +375,20 @@ class _Writing:
         """Write M of the fixed blocks, then the constants that the other kernels need."""
         entries = self.masses([block for block in self.blocks if block.fixed], True)
         first, c = self.layout.first_constant, Array("prepared", "[N_PREPARED]")
+        entries += [Entry(c, (f"[{place}]",), node) for place, node in self.parametric_links()]
         entries += [Entry(c, (f"[{first + k}]",), node, f"c_{k}") for k, node in enumerate(self.constants.nodes)]
         places = {name: ("parameters" if array == "c" else array, k) for name, (array, k) in self.places.items()}
         (kernel,) = written(self.terms.graph, [Draft("prepared_constants", entries, actual={"prepared": "c"})],
                             Symbols(places, first), None)  # fmt: skip
         return kernel
+
+    def parametric_links(self) -> Iterator[tuple[int, Node]]:
+        """Yield the entries of the table of links that depend on parameters, with their places."""
+        trees = self.mechanics.trees
+        numbers = [node for row in trees.table.rows for node in row.numbers] if trees and trees.table else []
+        for place, node in enumerate(numbers, self.layout.first_link):
+            if is_parametric(self.terms.graph, node):
+                yield place, node
 
 
 def _each_once(array: str, nodes: Iterable[Node]) -> list[Entry]:

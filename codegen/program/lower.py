@@ -8,6 +8,7 @@ from itertools import accumulate
 
 from ..choices import Choices
 from ..equations.specialise import Kind, Scene
+from ..equations.tree.link_table import numbers_of
 from ..kernel.identifiers import c_identifier
 from ..kernel.printer import table_function
 from ..model.prescribed_inputs import PrescribedInput
@@ -17,7 +18,18 @@ from ..model.table import Table
 from .kernel_roles import Kernels, Stages
 from .kernels import kernels_of
 from .memory_layout import Layout, laid_out
-from .program import BlockView, BodyView, Declared, EventView, Named, Program, ShapeView, SwitchView, TableView
+from .program import (
+    BlockView,
+    BodyView,
+    Declared,
+    EventView,
+    LinksView,
+    Named,
+    Program,
+    ShapeView,
+    SwitchView,
+    TableView,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,17 +55,18 @@ class Defaults:
     tables: tuple[Table, ...]
 
 
-def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
+def lower(scene: Scene, defaults: Defaults, choices: Choices, differentiated: Scene | None) -> Program:
     """Lay out state and memory, and write the kernels.
 
-    `whole` includes derivatives. They are always included if Omega is extrapolated, which needs them.
+    `differentiated` is the scene with all terms, of which derivatives are included; None: they are left out, unless
+    Omega is extrapolated, which needs them.
     """
     layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
     blocks, groups = layout.blocks, layout.row_groups
     turning = [block for block in blocks if block.turning and eigen]
     coupled = [group for group in groups if group.size > 1]
     extrapolates = layout.couples and choices.extrapolate
-    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates)
+    kernels, n_constants = kernels_of(scene, choices, layout, differentiated or (scene if extrapolates else None))
     return Program(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
@@ -80,7 +93,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation),
-        tables=_tables(defaults), bodies=_bodies(scene),
+        tables=_tables(defaults), bodies=_bodies(scene), links=_links(scene, layout),
         rotations=mechanics.trees.rotations if mechanics.trees else (), kernels=kernels,
     )  # fmt: skip
 
@@ -135,6 +148,19 @@ def _tables(defaults: Defaults) -> tuple[TableView, ...]:
 def _bodies(scene: Scene) -> tuple[BodyView, ...]:
     trees = scene.mechanics.trees
     return tuple(BodyView(b.name, b.parent, b.joint, b.coordinates) for b in trees.placements) if trees else ()
+
+
+def _links(scene: Scene, layout: Layout) -> LinksView | None:
+    """Return the table of moving bodies over which C loops."""
+    trees = scene.mechanics.trees
+    if not (trees and trees.table):
+        return None
+    rows = trees.table.rows
+    return LinksView(
+        bodies=tuple(BodyView("", row.parent, row.joint, row.coordinates) for row in rows),
+        slots=sum(len(row.coordinates) for row in rows), start=layout.first_link, solves=trees.table.solves,
+        numbers=tuple(repr(number) for row in rows for number in numbers_of(trees.graph, row.numbers)),
+    )  # fmt: skip
 
 
 def _over(scene: Scene, switch: Switch, number: Mapping[str, int]) -> int:

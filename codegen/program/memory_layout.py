@@ -28,6 +28,7 @@ class Layout:
     blocks, row_groups : with their offsets; there are no row groups if Delta is factored numerically
     slices : the parts of the state
     extrapolated : offset in the memory of whether, and since when, Omega is extrapolated; None if it never is
+    first_link : offset in the prepared parameters of the table of moving bodies, if there is one
     first_constant : offset in the prepared parameters of the constants that are functions of parameters
     """
 
@@ -36,6 +37,7 @@ class Layout:
     slices: tuple[Slice, ...]
     n_state: int
     n_memory: int
+    first_link: int
     first_constant: int
     extrapolated: int | None
 
@@ -57,9 +59,11 @@ def laid_out(scene: Scene, choices: Choices) -> Layout:
     )
     extrapolated = memory.take(2) if choices.extrapolate else None
     groups = _row_groups(scene, choices, state, memory)
+    trees = scene.mechanics.trees
+    first_link = prepared.take(sum(len(row.numbers) for row in trees.table.rows) if trees and trees.table else 0)
     return Layout(
         blocks=blocks, row_groups=groups, slices=_slices(scene, blocks, groups, choices), n_state=state.length,
-        n_memory=memory.length, first_constant=prepared.length, extrapolated=extrapolated,
+        n_memory=memory.length, first_link=first_link, first_constant=prepared.length, extrapolated=extrapolated,
     )  # fmt: skip
 
 

@@ -181,6 +181,22 @@ class BodyView:
 
 
 @dataclass(frozen=True, slots=True)
+class LinksView:
+    """The table of moving bodies over which recursions in C loop.
+
+    bodies : their joints; slots : number of coordinates of all joints
+    start : offset of the table in the prepared parameters; numbers : its numbers, 0 for those that depend on parameters
+    solves : whether accelerations are computed in loops, too
+    """
+
+    bodies: tuple[BodyView, ...]
+    slots: int
+    start: int
+    numbers: tuple[str, ...]
+    solves: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Program:
     """All data that the files of one model contain.
 
@@ -205,6 +221,7 @@ class Program:
     shapes, dimension : of the drawing; 2 or 3, 0 if there is none
     rotations : the coordinates that are modified Rodrigues parameters and may be replaced by their shadow set
     n_prepared : length of the prepared parameters, which include the constants that kernels share
+    links : trees of bodies that C adds to M, energies and bias in loops
     costs : operation counts of the model-specific straight-line part, as text
     """
 
@@ -266,6 +283,7 @@ class Program:
     tables: tuple[TableView, ...]
     bodies: tuple[BodyView, ...]
     rotations: tuple[tuple[int, ...], ...]
+    links: LinksView | None
     kernels: Kernels
 
     @property

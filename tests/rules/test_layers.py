@@ -423,8 +423,9 @@ def included(header: str, folder: Path) -> set[str]:
     )
 
 
-STACK = ("", "kinematics", "numeric", "tables", "mass", "constraints", "dynamics", "contact", "tableaux", "stepper",
-         "gauss_radau", "radau_iia", "methods", "monitors", "events", "loop", "batch", "sensitivity")  # fmt: skip
+STACK = ("", "kinematics", "numeric", "tables", "bodies", "mass", "constraints", "dynamics", "contact", "tableaux",
+         "stepper", "gauss_radau", "radau_iia", "methods", "monitors", "events", "loop", "batch",
+         "sensitivity")  # fmt: skip
 """Folders of headers, from the ground up; a header includes none of a folder above its own."""
 
 

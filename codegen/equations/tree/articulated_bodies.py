@@ -37,14 +37,13 @@ def articulated_bodies(
     """
     if mechanics.augmented:
         raise ModelError(f"model {mechanics.name}: {_NAME} needs a regular M. Choose another formulation.")
-    armature = [Scalar(trees.graph, mass) for mass in _armature(mechanics, trees)]
-    solver = _Solver(mechanics, trees, armature)
+    solver = _Solver(mechanics, trees, [Scalar(trees.graph, mass) for mass in armature(mechanics, trees)])
     moving = solver.solved(forces, lambda tree, own, more: tree.dynamics.accelerations(own, tree.gravity, more))
     rows = [solver.solved(row, lambda tree, own, more: tree.dynamics.solved(own, more)) for row in P]
     return ArticulatedBodies(moving, tuple(rows), solver.pivots())
 
 
-def _armature(mechanics: Mechanics, trees: Trees) -> list[Node]:
+def armature(mechanics: Mechanics, trees: Trees) -> list[Node]:
     """Return the diagonal (n,) of the mass matrix of T', which must have no other entries."""
     graph: Graph = trees.graph
     names = mechanics.coordinate_names

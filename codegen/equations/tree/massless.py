@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ...bodies.numeric_pivots import NumericLink, pivots
 from ...calculus.evaluation import At
 from ...graph.store import Node
+from .link_table import LinkTable
 from .separation import Trees
 
 LEAST = 1e-12
@@ -25,16 +27,29 @@ def massless(trees: Trees, M: Sequence[Sequence[Node]], x: Sequence[str], consta
     constants : parameters -> their default values, 0 for those that are given later
     """
     sizes = [M[k][k] for k in range(len(M))]
-    for tree in trees.recursions:
+    for tree in () if trees.table else trees.recursions:
         for k, size in zip(tree.numbers, tree.dynamics.carried, strict=True):
             sizes[k] = size.node
     given, found = {name: value or 1.0 for name, value in constants.items()} | {"t": 0.0}, None
     for place in range(_PLACES):
-        at = At(trees.graph, given | {name: (k + 1 + place * len(x)) * _STEP % 1.0 for k, name in enumerate(x)})
-        found = _zero_pivot(at.rows(M), [at(size) for size in sizes])
+        values = [(k + 1 + place * len(x)) * _STEP % 1.0 for k in range(len(x))]
+        at = At(trees.graph, given | dict(zip(x, values, strict=True)))
+        if trees.table:
+            found = _zero_in_table(trees.table, at, values, [at(size) for size in sizes])
+        else:
+            found = _zero_pivot(at.rows(M), [at(size) for size in sizes])
         if found is None:
             break
     return found
+
+
+def _zero_in_table(table: LinkTable, at: At, x: Sequence[float], armature: Sequence[float]) -> int | None:
+    """Return the last coordinate whose pivot of articulated bodies is zero."""
+    rows = [NumericLink(row.parent, row.joint, row.coordinates, [at(one) for one in row.numbers]) for row in table.rows]
+    moved = {k for row in rows for k in row.coordinates}
+    found = pivots(rows, x, armature)
+    judged = [found[k] if k in moved else (mass, mass) for k, mass in enumerate(armature)]
+    return next((k for k in reversed(range(len(x))) if judged[k][0] <= LEAST * judged[k][1]), None)
 
 
 def _zero_pivot(M: list[list[float]], sizes: Sequence[float]) -> int | None:

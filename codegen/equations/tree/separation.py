@@ -9,13 +9,14 @@ import sympy
 
 from ...bodies.expansion import Expansion
 from ...bodies.recursion import Dynamics
-from ...bodies.scalar import Scalar, total
+from ...bodies.scalar import Scalar, dot, total
 from ...graph.graph import Graph
 from ...graph.store import Node
 from ...model.recursion_depth import expressions_in
 from ...model.statement.mechanism import Mechanism
 from ...model.tree.body import coordinates_of
 from ...model.tree.functions import BodyFunction
+from .link_table import LinkTable, link_table
 from .placements import Placement, placements
 from .shadow_parameters import rotations
 
@@ -38,6 +39,7 @@ class Trees:
     placements : all bodies, those that only outputs or drawings contain too
     rotations : modified Rodrigues parameters, three coordinates each, whose shadow set has the same motion
     T, V : the other terms of the energies [J]
+    table : if it is there, C adds what the trees contribute to energies, M and bias, and nodes leave it out
     """
 
     graph: Graph
@@ -46,34 +48,38 @@ class Trees:
     rotations: tuple[tuple[int, ...], ...]
     T: Node
     V: Node
+    table: LinkTable | None
 
     def with_masses(self, M: list[list[Node]]) -> list[list[Node]]:
-        """Return M (n, n) with the mass matrices of the trees added."""
-        for tree in self.recursions:
+        """Return M (n, n) with the mass matrices of the trees added, unless C adds them."""
+        for tree in () if self.table else self.recursions:
             for row, entries in zip(tree.numbers, tree.dynamics.mass_matrix, strict=True):
                 for column, entry in zip(tree.numbers, entries, strict=True):
                     M[row][column] = self.graph.add(M[row][column], entry.node)
         return M
 
     def bias(self, n: int) -> list[Node]:
-        """Return (n,) the forces that the trees take at zero accelerations, gravity included."""
+        """Return (n,) the forces that the trees take at zero accelerations, gravity included, unless C adds them."""
         forces: list[list[Scalar]] = [[] for _ in range(n)]
-        for tree in self.recursions:
+        for tree in () if self.table else self.recursions:
             result = tree.dynamics.inverse_dynamics(None, tree.gravity)
             for number, force in zip(tree.numbers, result, strict=True):
                 forces[number].append(force)
         return [total(self.graph, terms).node for terms in forces]
 
     def kinetic_energy(self) -> Node:
-        """Return the kinetic energy of the trees [J]."""
-        return total(self.graph, [tree.dynamics.kinetic_energy for tree in self.recursions]).node
+        """Return the kinetic energy of the trees [J], unless C adds it."""
+        recursions = () if self.table else self.recursions
+        return total(self.graph, [tree.dynamics.kinetic_energy for tree in recursions]).node
 
 
-def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr], Node]) -> Trees | None:
+def separated(
+    model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr], Node], may_loop: bool
+) -> Trees | None:
     """Return the trees of a model; None if none of its expressions contains a function of bodies.
 
     A tree whose kinetic energy is a term of T is derived by recursions, and its gravity too where its potential energy
-    is a term of V. All other functions of bodies are written out.
+    is a term of V. All other functions of bodies are written out. `may_loop`: C may compute large trees in loops.
     """
     if not any(one.has(BodyFunction) for one in expressions_in(model)):
         return None
@@ -88,10 +94,15 @@ def separated(model: Mechanism, expansion: Expansion, node: Callable[[sympy.Expr
         gravity = falling.get(quantity.bodies)
         vector = gravity.quantity.vector if gravity else (sympy.S.Zero,) * 3
         used += [gravity] if gravity else []
-        places = tuple(numbers[q] for q in coordinates_of(quantity.bodies))
-        recursions.append(Recursion(dynamics, places, dynamics.links.scalars(vector)))
-    rest = model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)
-    return Trees(expansion.graph, tuple(recursions), placements(model, node), rotations(model), *map(node, rest))
+        own = tuple(numbers[q] for q in coordinates_of(quantity.bodies))
+        recursions.append(Recursion(dynamics, own, dynamics.links.scalars(vector)))
+    places = placements(model, node)
+    kinetic, potential = map(node, (model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)))
+    table = link_table([(tree.dynamics, tree.numbers, tree.gravity) for tree in recursions]) if may_loop else None
+    if table:  # what is fixed to the ground has no row
+        grounded = [-dot(tree.dynamics.links.fixed.moment, tree.gravity) for tree in recursions]
+        potential = total(expansion.graph, [Scalar(expansion.graph, potential), *grounded]).node
+    return Trees(expansion.graph, tuple(recursions), places, rotations(model), kinetic, potential, table)
 
 
 def masses_in_trees(model: Mechanism) -> bool:

@@ -45,11 +45,11 @@ class TreeTerms(Terms):
         Where A^T W A is added to M, -A^T W gamma is added to the bias.
         """
         of_trees = self.trees.bias(len(self.x))
-        forces = tuple(self._difference(one, tree) for one, tree in zip(self._forces, of_trees, strict=True))
+        forces = tuple(self._difference(one, tree) for one, tree in zip(self.forces, of_trees, strict=True))
         return self._plus_rows(forces, self.W, self.A, map(self.graph.negative, self.gamma))
 
     @cached_property
-    def _forces(self) -> tuple[Node, ...]:
+    def forces(self) -> tuple[Node, ...]:
         """(n,) Q + d(T' - V')/dx - d/dt dT'/dv at zero accelerations: all forces but those of the trees."""
         graph, trees = self.graph, self.trees
         slopes = gradient(graph, self._difference(trees.T, trees.V), self.x)
@@ -62,7 +62,7 @@ class TreeTerms(Terms):
     @cached_property
     def yielded(self) -> ArticulatedBodies:
         """Accelerations and M^-1 P^T by articulated bodies."""
-        return articulated_bodies(self.mechanics, self.trees, self._forces, self.P)
+        return articulated_bodies(self.mechanics, self.trees, self.forces, self.P)
 
     def _gradients_of_L(self) -> list[tuple[Node, ...]]:
         """Return dL/dx at fixed velocities (10) from T as written, by one reverse sweep."""

@@ -34,13 +34,15 @@ class Identity:
     always: bool = False
 
 
-def expressions(model: Mechanism, v: Vector, compiled: CompiledValues, symbolic: SymbolicValues) -> Iterator[Identity]:
-    """Yield the identities of single expressions and their derivatives; v (k, n)."""
+def expressions(
+    model: Mechanism, v: Vector, compiled: CompiledValues, symbolic: SymbolicValues, trusted: bool = False
+) -> Iterator[Identity]:
+    """Yield the identities of single expressions and their derivatives; v (k, n). `trusted`: see `evaluate`."""
     rates = [f"{name_of(x)}'" for x in model.coordinates]
     rows = row_names(model)
     second = [f"d2T / d{one} d{two} of kinetic_energy" for one in rates for two in rates]
     size, pace = geometric(compiled.factored), rounded(v)
-    yield _equal(second, compiled.M, symbolic.M, size)
+    yield _momenta(rates, compiled, symbolic, pace) if trusted else _equal(second, compiled.M, symbolic.M, size)
     heavy_ones = model.n - len(model.states)  # states are velocities without energy
     squares, products = 0.5 * pace[:, :, None] * symbolic.M * pace[:, None, :], symbolic.G * pace
     squares = squares[:, :heavy_ones, :heavy_ones]
@@ -60,6 +62,15 @@ def expressions(model: Mechanism, v: Vector, compiled: CompiledValues, symbolic:
     yield _equal([f"events[{name}]" for name, _ in model.events], compiled.events, symbolic.events)
     shapes = enumerate(model.drawing)
     yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], compiled.drawn, symbolic.drawn)
+
+
+def _momenta(rates: Sequence[str], compiled: CompiledValues, symbolic: SymbolicValues, pace: Rounded) -> Identity:
+    """Return M v = dT/dv - G, with the compiled M. At random v no error of M goes unnoticed."""
+    names = [f"dT / d{one} of kinetic_energy" for one in rates]
+    products = rounded(compiled.M) * pace[:, None, :]
+    sizes = EPS * np.einsum("kij,kj->ki", geometric(compiled.M), np.abs(pace.value))
+    moving = Rounded(products.value.sum(axis=2), products.bound.sum(axis=2))
+    return Identity(names, [moving, -symbolic.momentum, symbolic.G], sizes, sizes / EPS, always=True)
 
 
 def motion(

@@ -14,7 +14,7 @@ from ...codegen.model import multiplier, t
 from ...codegen.model.statement.mechanism import Mechanism
 from .arithmetic.evaluate import Evaluation
 from .arithmetic.hyperdual import HyperDual, from_parts
-from .arithmetic.rounding_bounds import EPS, Rounded, joined, rounded
+from .arithmetic.rounding_bounds import EPS, Rounded, geometric, joined, rounded
 from .compiled_values import CompiledValues
 from .test_points import Points
 
@@ -27,7 +27,7 @@ _AT_ONCE = 30_000
 class SymbolicValues:
     """Values at k points (first axis), with the accelerations and multipliers of the compiled model.
 
-    M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum_rate (k, n) = d/dt dT/dxdot; T_x, V_x, Q (k, n)
+    M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum (k, n) = dT/dxdot, momentum_rate its rate; T_x, V_x, Q (k, n)
     A, A_rate (k, m, n); row (k, m) = A xdot + b; row_rate (k, m) its rate; phi (k, h); quasi (k, n or 0)
     outputs (k, n_outputs); events (k, n_events);
     drawn (k, n_drawn); unknown: functions that could not be evaluated
@@ -38,6 +38,7 @@ class SymbolicValues:
     G: Rounded
     T0: Rounded
     V: Rounded
+    momentum: Rounded
     momentum_rate: Rounded
     T_x: Rounded
     V_x: Rounded
@@ -54,11 +55,17 @@ class SymbolicValues:
     unknown: frozenset[str]
 
 
-def evaluate(model: Mechanism, points: Points, compiled: CompiledValues, speed: Vector) -> SymbolicValues:
-    """Evaluate all expressions of a model; velocities have the error bound eps `speed` (k, n)."""
+def evaluate(
+    model: Mechanism, points: Points, compiled: CompiledValues, speed: Vector, trusted: bool = False
+) -> SymbolicValues:
+    """Evaluate all expressions of a model; velocities have the error bound eps `speed` (k, n).
+
+    If M is `trusted`, it is that of the compiled model, without its rate: whoever trusts it compares M v with the
+    momenta, since T at all pairs of velocities takes a time proportional to n^3.
+    """
     statement = _Values(model, points, compiled, speed)
     with np.errstate(all="ignore"):
-        energies, along = statement.energies(), statement.along()
+        energies, along = statement.rest() if trusted else statement.energies(), statement.along()
         across, twice = statement.across(), statement.twice()
         holonomic = {name: joined([across[name], along[name]], axis=1) for name in ("A", "A_rate", "row")}
         row_rate = joined([twice, along.pop("row_rate")], axis=1)
@@ -98,6 +105,15 @@ class _Values:
         M, G, T0 = _quadratic(T, unit, pairs)
         return {"M": M, "G": G, "T0": T0, "M_rate": _quadratic(T_rate, unit, pairs)[0]}
 
+    def rest(self) -> dict[str, Rounded]:
+        """Return G and T0 from T at rest, and M of the compiled model."""
+        moving = [HyperDual(_ZERO, None, one) for one in self.each]
+        T = self._evaluation(list(map(HyperDual, self.x)), moving, HyperDual(self.time))(self.model.kinetic_energy)
+        M = self.compiled.M
+        unknown = rounded(np.full(M.shape, np.nan))
+        G, T0 = _filled(T.c, (self.k, self.n)), _filled(T.a, (self.k, 1))[:, 0]
+        return {"M": Rounded(M, EPS * geometric(M)), "M_rate": unknown, "G": G, "T0": T0}
+
     def _energies(self, rows: slice, patterns: Vector) -> tuple[Rounded, Rounded]:
         unit = _units(self.compiled)[rows]
         moving = [HyperDual(x[rows], v[rows]) for x, v in zip(self.x, self.v, strict=True)]
@@ -113,9 +129,9 @@ class _Values:
         x = [HyperDual(*pair) for pair in zip(self.x, self.v, strict=True)]
         v = [HyperDual(*parts) for parts in zip(self.v, self.a, self.each, strict=True)]
         value = self._evaluation(x, v, HyperDual(self.time, _ONE))
-        rows = [value(row) for row in model.nonholonomic_constraints]
+        rows, T = [value(row) for row in model.nonholonomic_constraints], value(model.kinetic_energy)
         return {
-            "momentum_rate": _filled(value(model.kinetic_energy).f, (self.k, self.n)),
+            "momentum": _filled(T.c, (self.k, self.n)), "momentum_rate": _filled(T.f, (self.k, self.n)),
             "Q": self._table(value(Q).a for Q in model.forces),
             "A": self._matrix(row.c for row in rows), "A_rate": self._matrix(row.f for row in rows),
             "row": self._table(row.a for row in rows), "row_rate": self._table(row.b for row in rows),

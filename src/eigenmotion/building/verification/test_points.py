@@ -13,6 +13,9 @@ from ...system.system import System
 SIZES = (1.0, 1.0, 0.3, 3.0, 10.0)
 """Approximate sizes of x and v. Each state is used with both signs, so that all signs occur."""
 
+_NUMBERS, _FEWEST = 1100, 5
+"""Points times coordinates, above which points are left out; number of points that are kept."""
+
 
 @dataclass(frozen=True, slots=True)
 class Points:
@@ -46,10 +49,11 @@ def draw(system: System, attempt: int) -> Points:
     own = np.where(start == 0.0, 1.0, np.abs(start))
     far = _both_signs(random, np.array([*(np.full(2 * n, size) for size in SIZES), own]) * 0.3**attempt)
     z = np.concatenate([[start], far, _nearby(random, start, 0.3 * 0.1**attempt, 4)])
+    z = z[_kept(n, len(z))]
     k = len(z)
     u = _nearby(random, c.input_defaults, 1.0, k)
     p = np.tile(c.parameter_defaults, (k, 1))
-    other = [1, 1 + len(far) // 2, k - 2, k - 1]
+    other = [1, 1 + k // 3, k - 2, k - 1] if k < len(far) else [1, 1 + len(far) // 2, k - 2, k - 1]
     p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
     modes = [parameter for _, *both, _, _ in c.switches for parameter in both if parameter >= 0]
     idle = [idles for *_, idles in c.switches]
@@ -58,6 +62,12 @@ def draw(system: System, attempt: int) -> Points:
     for row in p:
         _keep_declared(c, row)
     return Points(t, *map(np.ascontiguousarray, (z[:, :n], z[:, n:], u, p)))
+
+
+def _kept(n: int, k: int) -> list[int]:
+    """Return the numbers of the points that are used: of many coordinates fewer, since each gives more equations."""
+    step = -(-k // max(_FEWEST, _NUMBERS // n))
+    return list(range(k)) if step == 1 else [0, *range(1, k, step)]
 
 
 def _keep_declared(model: CompiledModel, p: Vector) -> None:
