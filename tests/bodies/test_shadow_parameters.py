@@ -9,6 +9,7 @@ from eigenmotion.codegen.equations.tree.shadow_parameters import rotations
 from scipy.integrate import solve_ivp
 
 import eigenmotion as em
+from eigenmotion.report.formulations import subject
 
 INERTIA = np.array([1.0, 2.0, 2.5])
 CENTER = np.array([0.1, -0.05, 0.2])
@@ -227,6 +228,65 @@ def test_steppers_turn_and_can_be_restored(method):
         R, place = system.pose("box", one.x)
         other, there = system.pose("box", x[k])
         assert np.abs(R - other).max() + np.abs(place - there).max() < 1e-7
+
+
+def bouncing_box():
+    """A box that falls on its corners."""
+    tree = em.Tree()
+    box = tree.body("box", joint="free", mass=2.0, inertia=(0.1, 0.15, 0.2))
+    _, _, z, *s = tree.coordinates
+    corners = [(x, y, w) for x in (-0.3, 0.3) for y in (-0.2, 0.2) for w in (-0.1, 0.1)]
+    gaps = {f"corner {k}": box.position(corner)[2] for k, corner in enumerate(corners)}
+    spin = {q.diff(): rate for q, rate in zip(s, (0.9, 1.3, -0.4), strict=True)}
+    return em.Model(
+        name="bouncing_box", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+        potential_energy=tree.potential_energy, initial={z: 1.5, **spin},
+        events={name: em.Event(gap, direction=-1, impact=(gap, 0.6)) for name, gap in gaps.items()},
+        outputs=gaps | {"turned": (box.rotation[0, 0] + box.rotation[1, 1] + box.rotation[2, 2]) / 3},
+    )  # fmt: skip
+
+
+def test_impacts_and_changes_follow_each_other():
+    """No corner is below the ground, at rows of any method, and directions go through both."""
+    system, at, h = built(bouncing_box, "articulated_body"), np.linspace(0, 2, 81), 1e-6
+    runs = [system.simulate((0, 2), t_eval=at, method=method, **TIGHT) for method in ("dop853", "ra15", "radau9")]
+    assert (np.abs(np.diff(runs[0].x[3:], axis=1)).max(axis=0) > 0.8).sum() >= 2
+    assert sum(map(len, runs[0].t_events)) == 8
+    for run in runs:
+        for name, values in run.outputs.items():
+            assert name == "turned" or values.min() > -1e-9
+            assert np.abs(values - runs[0].outputs[name]).max() < 1e-7
+    S = system.simulate((0, 1.5), t_eval=[1.5], sensitivities=["box_5'"], **TIGHT).sensitivity["box_5'"].dx
+    low, high = (
+        system.simulate((0, 1.5), t_eval=[1.5], rtol=1e-13, atol=1e-14, v0={"box_5": 1.3 + step}).x for step in (-h, h)
+    )
+    assert np.abs(S - (high - low) / (2 * h)).max() < 1e-6 * np.abs(S).max()
+
+
+def test_runs_are_compared_in_the_same_parameters():
+    """The error that a second run shows, at rows and times where one of them has changed and the other has not."""
+    times, R, _, _ = truth()
+    system = built(swinging_body, "articulated_body")
+    loose = {"rtol": 1e-6, "atol": 1e-8, "estimate_error": True}
+    run = system.simulate((0, END), t_eval=times, **loose)
+    error = np.abs(rotations_of(run) - R).max()
+    assert 0.1 * error < run.error_estimate.scaled_largest < 10 * error
+    every = system.simulate((0, END), **loose)
+    assert 0.1 * error < every.error_estimate.scaled_largest < 10 * error
+
+
+def test_a_motion_turns_back():
+    system = built(swinging_body, "articulated_body")
+    there = system.simulate((0, END), **TIGHT)
+    back = system.simulate((END, 0), start=there, **TIGHT)
+    assert (np.diff(back.t) == 0).sum() >= 4
+    assert np.abs(back.x[:, -1]).max() < 1e-5
+    assert np.abs(back.v[:, -1] - [*PUSH, *SPIN / 4]).max() < 1e-5
+
+
+def test_a_report_says_that_its_solvers_do_not_turn():
+    with pytest.raises(em.ModelError, match="spherical or free joints"):
+        subject(swinging_body(), lambda *_: None)
 
 
 def spinning(name, **more):

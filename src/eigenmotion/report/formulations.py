@@ -60,8 +60,13 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
             "by simulate(..., estimate_error=True)."
         )
     start = time.perf_counter()
-    derive(model)
+    trees = derive(model).trees
     derivation = time.perf_counter() - start
+    if trees is not None and trees.rotations:
+        raise ModelError(
+            f"{model.name}: it has spherical or free joints. A run replaces their parameters by the shadow set, and "
+            "the other solvers of a report do not. Compare runs by simulate(..., estimate_error=True)."
+        )
     built = []
     for k, formulation in enumerate(FORMULATIONS):
         progress(k / len(FORMULATIONS), f"building {formulation}")

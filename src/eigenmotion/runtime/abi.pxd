@@ -247,3 +247,5 @@ cdef extern from "eigenmotion.h" nogil:
         int n_bodies
         const em_body *bodies
         void (*frames)(const double *, double *) noexcept nogil
+        int n_rotations
+        const int (*rotations)[3]

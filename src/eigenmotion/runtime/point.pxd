@@ -16,7 +16,7 @@ cdef class PointModel:
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly dict tables  # name -> (place among the parameters, number of arguments)
     cdef readonly dict prescribed  # name of a prescribed motion, which is a table -> its highest derivative in constraints
-    cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting
+    cdef readonly tuple row_names, quasi_velocities, shapes, switches, acting, rotations
     cdef readonly bint acts  # events change the state or the mode
     cdef readonly bint has_cones  # friction cones, which share forces in some modes
     cdef readonly bint augmented

@@ -42,6 +42,8 @@ class PointModel:
     layout: tuple[tuple[str, int, int], ...]
     block: tuple[int, ...]
     acting: tuple[bool, ...]
+    rotations: tuple[tuple[int, int, int], ...]
+    """Coordinates that are modified Rodrigues parameters and may be replaced by their shadow set."""
     switches: tuple[tuple[int, int, int, int, int], ...]
     has_cones: bool
     acts: bool

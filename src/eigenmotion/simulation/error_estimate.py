@@ -8,6 +8,7 @@ has a ten thousandth of the tolerances, which is cheap because of its higher ord
 
 The two runs have event actions at slightly different times. At a row between these times one run is after the jump and
 the other before it; such rows are left out. The error of the time of an event is included in the states at other rows.
+Rotations are compared in the same parameters, which the two runs change at different times.
 """
 
 import time
@@ -21,6 +22,7 @@ from ..arguments.methods import Method, checker_of
 from ..arguments.named_values import Vector
 from ..arguments.tasks import Task
 from ..codegen.model import ModelError
+from ..results.charts import in_charts_of
 from ..results.solution import Solution
 from ..runtime import CompiledModel
 
@@ -131,8 +133,10 @@ def _compared(task: Task, solution: Solution, second: Solution, rtol: float) -> 
     caution = _caution(task.rtol, rtol, len(solution.t) - rows, second, rows - len(same))
     if len(same) == 0:
         return _nothing(task, float(solution.t[-1]), caution)
-    x, v = (np.abs(solution[name][:, same] - second[name][:, same]) for name in ("x", "v"))
-    scaled = np.max(x / (1 + np.abs(second.x[:, same])), axis=0)
+    here, there = ((run.x[:, same], run.v[:, same]) for run in (solution, second))
+    there = in_charts_of(task.model, here[0], *there)
+    x, v = (np.abs(one - other) for one, other in zip(here, there, strict=True))
+    scaled = np.max(x / (1 + np.abs(there[0])), axis=0)
     return ErrorEstimate(
         x[:, -1], v[:, -1], x.max(axis=1), v.max(axis=1), float(scaled[-1]), float(scaled.max()),
         float(solution.t[same[-1]]), caution,
