@@ -230,6 +230,38 @@ def test_steppers_turn_and_can_be_restored(method):
         assert np.abs(R - other).max() + np.abs(place - there).max() < 1e-7
 
 
+def rolling_ball():
+    """A ball of radius 0.5 rolls along (1, 2) on a floor: by a holonomic row and two rows on velocities."""
+    tree = em.Tree()
+    ball = tree.body("ball", joint="free", mass=2.0, inertia=(0.2, 0.2, 0.2))
+    x, y, z, *s = tree.coordinates
+    w = ball.angular_velocity
+    start = zip((x, y, s[0], s[1]), (1.0, 2.0, -1.0, 0.5), strict=True)  # s' = omega / 4
+    return em.Model(
+        name="rolling_ball", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+        potential_energy=tree.potential_energy, holonomic_constraints=[ball.position()[2] - 0.5],
+        nonholonomic_constraints=[x.diff() - w[1] / 2, y.diff() + w[0] / 2],
+        initial={z: 0.5, **{q.diff(): rate for q, rate in start}},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "articulated_body"])
+def test_a_ball_rolls_straight_on(formulation):
+    """In lanes and alone: its place and its angle grow with time; the constraints hold in all parameters."""
+    system, times = built(rolling_ball, formulation, "-O1"), np.linspace(0, 10, 101)
+    direction = np.array([-2.0, 1.0, 0.0]) / np.sqrt(5)
+    for method in ("dop853", "ra15", "radau9"):
+        run = system.simulate((0, 10), t_eval=times, method=method, **TIGHT)
+        assert np.abs(run.x[:2] - [times, 2 * times]).max() < 1e-8
+        assert np.abs(run.constraint_residual).max() < 1e-12
+        angle = 4 * np.arctan(direction @ run.x[3:])
+        assert np.abs(np.sin((angle - 2 * np.sqrt(5) * times) / 2)).max() < 1e-8
+    lanes = em.simulate_ensemble(system, (0, 10), x0={"ball_1": np.arange(9.0)}, t_eval=times, method="dop853", **TIGHT)
+    alone = system.simulate((0, 10), t_eval=times, method="dop853", **TIGHT)
+    assert np.abs(lanes.x[:, 0] - (np.arange(9.0)[:, None] + times)).max() < 1e-8
+    assert np.abs(lanes.x[:, 1:] - alone.x[1:]).max() < 1e-9
+
+
 def bouncing_box():
     """A box that falls on its corners."""
     tree = em.Tree()
