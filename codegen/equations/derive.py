@@ -193,7 +193,7 @@ class _Derivation:
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
-            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows, phi))),
+            M=self.matrix(M), W=tuple(back(self.weights(M, rows, phi))),
             G=tuple(back(self.simplified(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(apart)),
             V=self.to_sympy(self.potential_energy()), Q=tuple(back(Q)), A=A, P=P,
@@ -206,6 +206,12 @@ class _Derivation:
             reaction_rates=tuple((k, self.to_sympy(rate)) for k, rate in actions.reaction_rates),
             trees=self.trees,
         )  # fmt: skip
+
+    def matrix(self, rows: Sequence[Sequence[Node]]) -> sympy.ImmutableDenseMatrix:
+        """Return a matrix in SymPy; entries that are not zero are few in large systems."""
+        zero, width = self.graph.zero, len(rows[0])
+        entries = {(i, j): self.to_sympy(one) for i, row in enumerate(rows) for j, one in enumerate(row) if one != zero}
+        return sympy.ImmutableDenseMatrix(sympy.SparseMatrix(len(rows), width, entries))
 
     def shape(self, source: Shape) -> Shape:
         return replace(source, numbers=tuple(self.to_sympy(self.node(number)) for number in source.numbers))
@@ -244,6 +250,8 @@ class _Derivation:
         n = len(momenta)
         M = [[self.graph.zero] * n for _ in range(n)]
         for j, v in enumerate(self.names.v):
+            if all(one == self.graph.zero for one in momenta[j:]):
+                continue
             along = Tangent(self.graph, {v.name: self.graph.one})
             for i in range(j, n):
                 M[i][j] = M[j][i] = self.independent(self.quadratic(along(momenta[i]), i, j))

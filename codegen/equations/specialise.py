@@ -136,7 +136,9 @@ def _coupled(M: sympy.ImmutableDenseMatrix, together: Iterable[set[int]] = ()) -
 
     `together` : groups of coordinates that are coupled besides.
     """
-    of_rows = ({i} | {j for j in range(M.cols) if M[i, j] != 0} for i in range(M.rows))
+    of_rows = [{i} for i in range(M.rows)]
+    for i, j in M.todok():
+        of_rows[i].add(j)
     return sorted(tuple(sorted(group)) for group in _united([*together, *of_rows]))
 
 
@@ -154,7 +156,7 @@ def _united(groups: Iterable[set[int]]) -> list[set[int]]:
 
 def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: frozenset[Saving]) -> Block:
     varying = {*mechanics.x, mechanics.time}
-    M = mechanics.factored.extract(list(group), list(group))
+    M = [entry for (row, _), entry in mechanics.factored.todok().items() if row in set(group)]
     kind = Kind.TURNING
     if Saving.FIXED in savings and not (_symbols(M) & varying or set(group) & set().union(*_in_trees(mechanics))):
         kind = Kind.FIXED
@@ -182,7 +184,7 @@ def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
 
 def _conserves_energy(mechanics: Mechanics) -> bool:
     """Whether no force does work and nothing depends on time: then T2 - T0 + V is constant (Jacobi integral)."""
-    terms = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
+    terms = [*mechanics.M.todok().values(), *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
     timeless = mechanics.time not in _symbols(terms)
     workless = (
         not mechanics.pushes and all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
@@ -197,7 +199,7 @@ def _left_out(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
 
 def _absent_terms(mechanics: Mechanics) -> list[str]:
     t, M = mechanics.time, mechanics.M
-    terms = [*M, *mechanics.A, mechanics.V]
+    terms = [*M.todok().values(), *mechanics.A, mechanics.V]
     m = len(mechanics.b)
     reasons = [
         (all(g == 0 for g in mechanics.G), "G, Gdot, dG/dx: T has no part linear in the velocities"),
@@ -223,7 +225,7 @@ def _singular(mechanics: Mechanics) -> str:
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
     if _in_trees(mechanics):
         return []
-    symbols = _symbols(mechanics.factored)
+    symbols = _symbols(mechanics.factored.todok().values())
     coordinates = mechanics.x[: len(mechanics.x) - mechanics.n_states]
     absent = [f"dM/d{x}" for x in coordinates if x not in symbols]
     return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []

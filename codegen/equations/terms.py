@@ -46,11 +46,11 @@ class Terms:
         self.along = Tangent(self.graph, rates | {mechanics.time.name: self.graph.one})
 
         n = len(self.x)
-        self.M: Rows = _rows(self._nodes(mechanics.M), n)
+        self.M: Rows = self._matrix(mechanics.M)
         """(n, n) (5)"""
         self.W = self._nodes(mechanics.W)
         """(m,) weights in M + A^T W A"""
-        self.factored: Rows = _rows(self._nodes(mechanics.factored), n) if mechanics.augmented else self.M
+        self.factored: Rows = self._matrix(mechanics.factored) if mechanics.augmented else self.M
         """(n, n), M or M + A^T W A"""
         self.A: Rows = _rows(self._nodes(mechanics.A), n)
         """(m, n) (8)"""
@@ -71,6 +71,11 @@ class Terms:
 
     def _nodes(self, expressions: Iterable[sympy.Expr]) -> tuple[Node, ...]:
         return tuple(map(self.node, expressions))
+
+    def _matrix(self, matrix: sympy.ImmutableDenseMatrix) -> Rows:
+        nonzero = {place: self.node(entry) for place, entry in sorted(matrix.todok().items(), key=lambda one: one[0])}
+        columns = range(matrix.cols)
+        return tuple(tuple(nonzero.get((i, j), self.graph.zero) for j in columns) for i in range(matrix.rows))
 
     def _expansion(self) -> Rewriter:
         """Choose the sums of angles to expand for all terms together, since sines needed by one term are shared."""

@@ -47,8 +47,8 @@ def bodies_of(model: Mechanism) -> Iterator[Link]:
     """Yield bodies whose joints have coordinates of the model: those of the largest trees first."""
     calls = {call for one in expressions_in(model) for call in one.atoms(BodyFunction)}
     chains = {call.quantity.bodies for call in calls if call.args == call.quantity.variables}
-    found: set[Link] = set()
+    found, own = set[Link](), frozenset(model.coordinates)
     for chain in sorted(chains, key=lambda chain: (-len(chain), [body.name for body in chain], chain[-1].text)):
-        if all(q in model.coordinates for body in chain for q in body.coordinates):
+        if all(q in own for body in chain for q in body.coordinates):
             yield from (body for body in chain if body not in found)
             found.update(chain)

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from .body import Link, rate_of
+from .body import ROTATED, Link, rate_of
 from .quantity import Quantity
 
 Number = Any
@@ -25,6 +25,8 @@ class Arithmetic:
 
     of, entry : evaluate an expression in parameters; `entry` one of a rotation or an axis, whose error is that of 1,
     however small it is: 6e-17 for the cosine of a right angle
+    settled : if given, it bounds errors of rotations along chains: from what it returned first for the body's parent,
+    the angles of the joint, and the rotation of the body
     """
 
     of: Callable[[sympy.Expr], Number]
@@ -32,6 +34,7 @@ class Arithmetic:
     sin: Callable[[Number], Number]
     cos: Callable[[Number], Number]
     inverse: Callable[[Number], Number]
+    settled: Callable[[Any, Sequence[Moving], Matrix], tuple[Any, Matrix]] | None = None
 
 
 def plus(a: Number, b: Number) -> Number:
@@ -91,6 +94,7 @@ class ForwardKinematics:
     def __init__(self, arithmetic: Arithmetic, values: Mapping[sympy.Expr, Number]) -> None:
         self.numbers, self.values = arithmetic, values
         self.minus = self.constant(sympy.S.NegativeOne)
+        self._turnings: dict[Link | None, Any] = {}
         self._placed: dict[Link | None, tuple[Matrix, list[Moving]]] = {None: (self._matrix(_UNIT), [Moving()] * 3)}
 
     def constant(self, expression: sympy.Expr) -> Moving:
@@ -116,8 +120,17 @@ class ForwardKinematics:
             moved, turned = self._joint(body)
             fixed = R if body.rotation == _UNIT else product(R, self._matrix(body.rotation))
             at = self._at(R, p, self.vector(body.at))
-            self._placed[body] = product(fixed, turned) if turned else fixed, self._at(fixed, at, moved)
+            place = self._at(fixed, at, moved)
+            self._placed[body] = self._settled(body, product(fixed, turned) if turned else fixed), place
         return self._placed[body]
+
+    def _settled(self, body: Link, R: Matrix) -> Matrix:
+        if self.numbers.settled is None:
+            return R
+        angles = body.coordinates[-3:] if body.joint in ROTATED else body.coordinates * (body.joint == "revolute")
+        turns = [self._moved(body, one) for one in angles]
+        self._turnings[body], R = self.numbers.settled(self._turnings.get(body.parent), turns, R)
+        return R
 
     def _at(self, R: Matrix, p: Sequence[Moving], point: Sequence[Moving]) -> list[Moving]:
         return [origin + dot(row, point) for origin, row in zip(p, R, strict=True)]

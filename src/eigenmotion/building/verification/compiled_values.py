@@ -24,7 +24,7 @@ class CompiledValues:
     the motion by finite differences, and its error bound;
     A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
-    C (k, n, n); s (k, n);
+    C (k, n, n); s (k, n); NaN if v is in the state, where they cost much and nothing needs them;
     y, dy (k, n_state); velocity (k, n) of y;
     least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
     """
@@ -54,11 +54,13 @@ class CompiledValues:
 def evaluate_compiled(system: System, points: Points) -> CompiledValues:
     """Evaluate all functions of a model at all points."""
     columns = zip(points.t, points.x, points.v, points.u, points.p, strict=True)
-    rows = [_evaluate_one(system.compiled, *place) for place in columns]
+    rows = [_evaluate_one(system.compiled, "v" in system.layout, *place) for place in columns]
     return CompiledValues(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
-def _evaluate_one(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
+def _evaluate_one(
+    c: CompiledModel, carries_v: bool, t: float, x: Vector, v: Vector, u: Vector, p: Vector
+) -> tuple[Vector, ...]:
     """Return the fields of CompiledValues at one point."""
     try:
         prepared = c.prepare(p)
@@ -69,7 +71,8 @@ def _evaluate_one(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p
     least_norm = bool(np.isnan(a).any())
     if least_norm:
         a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, True)
-    C, s = c.eigenfactor_rows(time, position, prepared)
+    unknown = np.full((1, c.n, c.n), np.nan), np.full((1, c.n), np.nan)
+    C, s = unknown if carries_v else c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
         c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), *_along(c, t, x, v, prepared),

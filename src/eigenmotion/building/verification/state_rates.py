@@ -37,6 +37,8 @@ def rates(
     yield Identity([f"{name}' of the state" for name in names], [rounded(compiled.velocity), -back])
     a = rounded(compiled.a).off(errors.a)
     if "v" in layout:
+        if np.array_equal(compiled.dy[:, n:], compiled.a, equal_nan=True):  # found in the same way
+            a = rounded(compiled.a)
         yield Identity([f"the rate of {name}'" for name in names], [rounded(compiled.dy[:, n:]), -a],
                        scale=speeds(compiled.a, compiled))  # fmt: skip
     elif system.formulation == "cholesky":

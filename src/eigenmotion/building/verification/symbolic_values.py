@@ -86,6 +86,7 @@ class _Values:
             _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0),
         )
         self.time = rounded(points.t[:, None])
+        self._second_rates = [rate.diff(t) for rate in model.rates]
         self._evaluations: list[Evaluation] = []
 
     @property
@@ -157,6 +158,8 @@ class _Values:
 
     def twice(self) -> Rounded:
         """Return d2 phi / dt2 (k, h) along the motion."""
+        if not self.model.holonomic_constraints:
+            return self._table(())
         x = [HyperDual(x, v, v, a) for x, v, a in zip(self.x, self.v, self.a, strict=True)]
         value = self._evaluation(x, [], HyperDual(self.time, _ONE, _ONE))
         return self._table(value(row).f for row in self.model.holonomic_constraints)
@@ -173,7 +176,7 @@ class _Values:
         values: dict[sympy.Basic, HyperDual] = {t: time}
         values |= zip(model.coordinates, x, strict=True)
         values |= zip(model.rates, v, strict=False)
-        values |= zip((rate.diff(t) for rate in model.rates), map(HyperDual, self.a), strict=True)
+        values |= zip(self._second_rates, map(HyperDual, self.a), strict=True)
         values |= zip((p for p, _ in model.parameters), map(HyperDual, self._parameters(rows)), strict=True)
         values |= zip((u for u, _ in model.inputs), map(HyperDual, _columns(rounded(points.u[rows]))), strict=True)
         values |= {multiplier(row): from_parts(self.compiled.multipliers[:, row, None]) for row in range(model.m)}

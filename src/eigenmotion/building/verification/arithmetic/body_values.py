@@ -13,6 +13,7 @@ from ....codegen.model.tree.forward_kinematics import Arithmetic, ForwardKinemat
 from ....codegen.model.tree.functions import BodyFunction
 from ....codegen.model.tree.quantity import KINDS, Quantity
 from .hyperdual import FUNCTIONS, HyperDual
+from .rotation_bounds import settled
 from .rounding_bounds import EPS, Rounded
 
 Values = Sequence[HyperDual]
@@ -28,7 +29,7 @@ class _Kinematics:
         self._evaluate = evaluation(self._known)
         arithmetic = Arithmetic(
             self._evaluate, lambda entry: _unit(self._evaluate(entry)), FUNCTIONS["sin"], FUNCTIONS["cos"],
-            lambda number: number.power(Rounded(-1.0, 0.0)),
+            lambda number: number.power(Rounded(-1.0, 0.0)), settled,
         )  # fmt: skip
         self._forward = ForwardKinematics(arithmetic, self._known)
 

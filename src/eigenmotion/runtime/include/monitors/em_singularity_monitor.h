@@ -16,12 +16,14 @@
 
 /* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No square roots. */
 EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) {
+    double column[n];
     for (int k = 0; k < n; ++k) diagonal[k] = M[k * n + k], pivots[k] = 0.0;
     for (int k = 0; k < n && M[k * n + k] > 0.0; ++k) {
         const double inverse = 1.0 / (pivots[k] = M[k * n + k]);
         for (int i = k + 1; i < n; ++i) {
-            const double part = M[i * n + k] * inverse;
-            for (int j = k + 1; j <= i; ++j) M[i * n + j] -= part * M[j * n + k];
+            column[i] = M[i * n + k];
+            const double part = column[i] * inverse;
+            for (int j = k + 1; j <= i; ++j) M[i * n + j] -= part * column[j];
         }
     }
 }
