@@ -1,7 +1,9 @@
-"""`make fuzz`: random trees and mechanisms by the thousand; prints what is wrong and a line of counts, exits with 1.
+"""`make fuzz`: random expressions, mechanisms and machines by the thousand; prints what is wrong and lines of counts.
+
+Exits with 1 if anything is wrong.
 
     python -m tests.fuzz [--trees N] [--mechanisms N] [--states N] [--tables N] [--driven N]
-                         [--first SEED] [--workers N]
+                         [--machines N] [--first SEED] [--workers N]
 
 Everything wrong is named by its seed: `--first SEED --trees 1 --mechanisms 0` looks at it again.
 """
@@ -20,6 +22,7 @@ from dataclasses import fields
 
 from eigenmotion.building.toolchain import OPTIMISED, toolchain
 
+from .bodies import machine_checks
 from .equations import mechanism_checks, state_checks, table_checks
 from .graph import tree_checks
 from .support.generation import FORMULATIONS
@@ -72,6 +75,14 @@ def one_driven(seed: int) -> mechanism_checks.Counts:
     return one_with_tables(seed, driven=True)
 
 
+def one_machine(seed: int) -> machine_checks.Counts:
+    """Two formulations of a machine on a tree of bodies, compiled in a hurry; now and then its motion."""
+    counts = machine_checks.Counts()
+    with _noted(f"machine {seed}", counts.wrong):
+        machine_checks.check(seed, counts, "-O0")
+    return counts
+
+
 @contextmanager
 def _noted(what: str, wrong: list[str]) -> Iterator[None]:
     """Whatever is raised counts as wrong. NumPy's oracles pass through the roots that a Piecewise does not choose."""
@@ -105,6 +116,7 @@ def main() -> int:
         ("states", 40),
         ("tables", 100),
         ("driven", 100),
+        ("machines", 1000),
         ("first", 0),
         ("workers", os.cpu_count() or 1),
     ):
@@ -114,7 +126,7 @@ def main() -> int:
     with ProcessPoolExecutor(asked.workers) as pool:
         kinds = (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms),
                  ("states", one_with_states, asked.states), ("tables", one_with_tables, asked.tables),
-                 ("driven", one_driven, asked.driven))  # fmt: skip
+                 ("driven", one_driven, asked.driven), ("machines", one_machine, asked.machines))  # fmt: skip
         for name, check, count in kinds:
             start = time.monotonic()
             found = list(swept(check, range(asked.first, asked.first + count), pool))

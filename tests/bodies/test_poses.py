@@ -7,6 +7,7 @@ from sympy import symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from tests.oracles.newton_euler import exact, homogeneous, skew
 from tests.support.random_trees import RandomTree
 
 STEP = mp.mpf(10) ** -12
@@ -17,25 +18,6 @@ STEP = mp.mpf(10) ** -12
 def _in_many_digits():
     with mp.workdps(40):
         yield
-
-
-def skew(a):
-    return mp.matrix([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
-
-
-def homogeneous(R, p):
-    """Return H (4, 4) of a rotation and a place."""
-    H = mp.eye(4)
-    for i in range(3):
-        H[i, 3] = p[i]
-        for j in range(3):
-            H[i, j] = R[i, j]
-    return H
-
-
-def exact(expressions, parameters):
-    """Return the doubles that expressions are, in 40 digits."""
-    return [mp.mpf(float(one.subs(parameters))) for one in expressions]
 
 
 def turned(s):
