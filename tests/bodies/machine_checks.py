@@ -83,10 +83,10 @@ def _faults(system: System, x: np.ndarray, v: np.ndarray, equations: tuple, coun
 
 
 def _condition(M: np.ndarray, A: np.ndarray) -> float:
-    """Of the matrix [M A^T; A 0], its rows and columns scaled."""
+    """Of the matrix [M A^T; A 0], its coordinates scaled: a row that is small comes of terms that cancel."""
     size = np.sqrt(np.diag(M))
     rows = A / size
-    rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+    rows = rows / np.abs(rows).max(initial=1e-300)
     return float(np.linalg.cond(np.block([[M / np.outer(size, size), rows.T], [rows, np.zeros((len(A), len(A)))]])))
 
 

@@ -49,7 +49,7 @@ class Machine:
         self.x = np.array([self.chance.uniform(-0.8, 0.8) for _ in self.q])
         self.springs = [(self._pair(), self.chance.uniform(0.5, 20)) for _ in range(self.chance.choice((0, 1, 2)))]
         self.damping = {q: self.chance.choice((0, 0, self.chance.uniform(0, 2))) for q in self.q}
-        self.loops = [(self._pair(), self._rows()) for _ in range(self.chance.choice((0, 0, 1, 1, 2)))]
+        self.loops = [self._loop() for _ in range(self.chance.choice((0, 0, 1, 1, 2)))]
         if sum(len(rows) for _, rows in self.loops) >= len(self.q):
             self.loops = []
         at = NewtonEuler(self.tree._links, self.q, self.made.parameters, self.x, np.zeros(len(self.q)))
@@ -97,9 +97,10 @@ class Machine:
         one = self.chance.choice(bodies)
         return Pair(one, self.chance.choice([None, *(body for body in bodies if body is not one)]), tuple(points))
 
-    def _rows(self) -> tuple[int, ...]:
-        """A ball joint, a pin in a slot, or a point on a plane."""
-        return tuple(sorted(self.chance.sample(range(3), self.chance.choice((1, 2, 3)))))
+    def _loop(self) -> tuple[Pair, tuple[int, ...]]:
+        """A ball joint, a pin in a slot, or a point on a plane; without directions in which nothing moves."""
+        pair, rows = self._pair(), self.chance.sample(range(3), self.chance.choice((1, 2, 3)))
+        return pair, tuple(k for k in sorted(rows) if pair.apart[k].has(*self.q))
 
     def _model(self, name: str) -> Model:
         potential = self.tree.potential_energy
