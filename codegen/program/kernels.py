@@ -175,8 +175,11 @@ class _Writing:
     def pushed(self) -> list[Entry]:
         return self.by_row("P", self.terms.P) if self.mechanics.pushes else []
 
-    def column(self, name: str, nodes: Iterable[Node], size: str = "N_ROWS") -> list[Entry]:
-        return [Entry(Array(name, f"[{size}]"), (f"[{row}]",), node) for row, node in enumerate(nodes)]
+    def column(self, name: str, nodes: Iterable[Node], size: str = "") -> list[Entry]:
+        """Return the entries of an array; its size is the number of nodes, by the name that C has for it."""
+        entries = list(nodes)
+        array = Array(name, f"[{size or len(entries)}]")
+        return [Entry(array, (f"[{row}]",), node) for row, node in enumerate(entries)]
 
     # -- right-hand sides ----------------------------------------------------------------------------------------
 
@@ -196,7 +199,7 @@ class _Writing:
         exported = self.root_suffices and not eigen
         varying = [block for block in self.blocks if not block.fixed]
         masses = self.masses([block for block in varying if block.single or not eigen], False)
-        gamma = self.column("gamma", self.terms.gamma)
+        gamma = self.column("gamma", self.terms.gamma, "N_ROWS")
         moving = [*self.rates(varying), *self.forces(self.terms.motion.force), *self.by_row("A", self.terms.A), *gamma]
         moving.extend(self.pushed())
         if eigen and self.layout.row_groups:
@@ -208,7 +211,7 @@ class _Writing:
 
     def in_velocities(self, masses: list[Entry]) -> Stages:
         """Return the kernels of equations in (x, v): the entries for M, then force - Mdot v, A and gamma."""
-        gamma = self.column("gamma", self.terms.gamma)
+        gamma = self.column("gamma", self.terms.gamma, "N_ROWS")
         entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma, *self.pushed()]
         name = self.choices.formulation
         return self.stages(
@@ -229,7 +232,7 @@ class _Writing:
         given = self.terms.yielded
         pivots = self.column("pivots", given.pivots, "N")
         entries = [*pivots, *self.forces(given.accelerations, "a"), *self.by_row("WA", given.rows)]
-        rows = [*self.by_row("A", self.terms.A), *self.column("gamma", self.terms.gamma)]
+        rows = [*self.by_row("A", self.terms.A), *self.column("gamma", self.terms.gamma, "N_ROWS")]
         return self.stages(
             Draft("articulated_body_masses", ()),
             Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
@@ -270,7 +273,7 @@ class _Writing:
         entries = [
             *self.masses(() if self.scene.in_loops else varying, self.choices.eigenfactor),
             *self.by_row("A", self.terms.A),
-            *self.column("b", self.terms.b),
+            *self.column("b", self.terms.b, "N_ROWS"),
         ]
         return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
 
@@ -296,14 +299,14 @@ class _Writing:
 
     def pfaffian(self) -> Kernel:
         A = self.column("A", (node for row in self.terms.A for node in row))
-        return self.one("pfaffian", [*A, *self.column("b", self.terms.b)], "t", "x", "c", "A", "b")
+        return self.one("pfaffian", [*A, *self.column("b", self.terms.b, "N_ROWS")], "t", "x", "c", "A", "b")
 
     def position(self) -> Kernel:
         entries = [*self.column("phi", self.terms.phi), *self.column("terms", self.terms.phi_terms)]
         return self.one("position", entries, "t", "x", "c", "phi", "terms")
 
     def bias(self) -> Kernel:
-        entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]
+        entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma, "N_ROWS")]
         name = "own_bias" if self.scene.in_loops else "motion_bias"
         return self.one(name, entries, "t", "x", "v", "c", "u", "bias", "gamma")
 
@@ -345,7 +348,7 @@ class _Writing:
             if rates
             else None,
             "reaction_rates": self.one("reaction_rates", entries, *given, "rate"),
-            "reaction_rate_partials": self.one("reaction_rate_partials", self.column("by", by, ""), *given, "by"),
+            "reaction_rate_partials": self.one("reaction_rate_partials", self.column("by", by), *given, "by"),
         }
 
     def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
