@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include "batch/em_members.h"
+#include "loop/em_subnormals.h"
 
 enum { EM_MOST_MODES = 2, EM_SLOTS = EM_MOST_MODES * EM_MOST_LANES };
 
@@ -229,8 +230,11 @@ static int em_ensemble_in_lanes(em_ensemble *e) {
 
 /* Runs every member of an ensemble. 0, or -1 without memory. */
 static int em_ensemble_run(em_ensemble *e) {
+    const uint64_t subnormals = em_flush_subnormals();
     timespec_get(&e->polled, TIME_UTC);
-    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_scalar(e, 0, e->count);
+    const int status = em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_scalar(e, 0, e->count);
+    em_restore_subnormals(subnormals);
+    return status;
 }
 
 #endif

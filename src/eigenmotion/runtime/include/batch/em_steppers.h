@@ -13,6 +13,7 @@
 #include "em_control.h"
 #include "kinematics/em_shadow_parameters.h"
 #include "batch/em_fixed_steps.h"
+#include "loop/em_subnormals.h"
 
 /* The arrays of the first part are the caller's: (count), (count, n), (count, n_inputs). */
 typedef struct em_steppers {
@@ -277,8 +278,10 @@ static void em_steppers_advance(em_steppers *s, size_t first, size_t last, int w
     const em_tableau *const rk = s->task.method == EM_RK4 ? &EM_RK4_TABLEAU : &EM_MIDPOINT_TABLEAU;
     double *const place = s->scratch + em_fixed_numbers(s->model) * (size_t)worker;
     em_fixed_steps w = em_fixed_at(s->model, rk, s->width, s->task.first_step, place);
+    const uint64_t subnormals = em_flush_subnormals();
     for (size_t member = first; member < last && !em_steppers_stopped(s, &polled); member += (size_t)s->width)
         em_steppers_group(s, &w, member, t_goal, &polled);
+    em_restore_subnormals(subnormals);
 }
 
 /* The constants of a member in its current contact mode. c (n_prepared): memory for them */

@@ -11,7 +11,10 @@
 #include "methods/em_step_size.h"
 #include "monitors/em_monitors.h"
 
-static double em_spacing(const em_run_state *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
+/* The distance of t to the next number; not below what is not rounded to zero (em_subnormals.h). */
+static double em_spacing(const em_run_state *w) {
+    return em_max(fabs(nextafter(w->t, w->direction * INFINITY) - w->t), DBL_MIN);
+}
 
 /* t_new and h of a step of size `size`, up to the target time and the end of the smooth interval at most. */
 static void em_aim(em_run_state *w, double size) {

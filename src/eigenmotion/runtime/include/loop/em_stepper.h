@@ -12,6 +12,7 @@
 
 #include "loop/em_time_event_jump.h"
 #include "loop/em_restart.h"
+#include "loop/em_subnormals.h"
 #include "stepper/em_run_memory.h"
 
 /* --- the start of a run --- */
@@ -143,9 +144,11 @@ static em_run_state *em_open(const em_model *model, em_run *run) {
 
 /* Steps to t_goal exactly. Returns `ended`: whether the run is over. */
 static int em_advance(em_run_state *w, double t_goal) {
+    const uint64_t subnormals = em_flush_subnormals();
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
     while (!w->ended && w->t != w->t_goal) w->ended = em_accepted_step(w);
+    em_restore_subnormals(subnormals);
     return w->ended;
 }
 

@@ -9,6 +9,7 @@
 #ifndef EM_VARIATIONS_H
 #define EM_VARIATIONS_H
 
+#include "loop/em_subnormals.h"
 #include "sensitivity/em_variation_events.h"
 
 /* Integrates over the spans between two stops, at a distance `margin` from stops at which events happen. */
@@ -117,7 +118,9 @@ static int em_integrate_variations(em_variations *w) {
         em_find_origin(&pass);
         for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * requested, requested * sizeof *w->S);
         em_pass_pieces(&pass, w->t[0]);
+        const uint64_t subnormals = em_flush_subnormals();
         status = em_variation_stops(&pass);
+        em_restore_subnormals(subnormals);
     }
     em_pass_close(&pass);
     return status;
