@@ -244,7 +244,11 @@ class _Writing:
                    *self.column("armature", armature(self.mechanics, terms.trees), "N")]  # fmt: skip
         flat = [node for row in terms.P for node in row]
         size = "N_ROWS" if len(terms.P) == self.scene.m else "N_PUSHED"
-        rows = [*self.column("rows", flat, f"{size}*N"), *self.by_row("A", terms.A), *self.column("gamma", terms.gamma)]
+        rows = [
+            *self.column("rows", flat, f"{size}*N"),
+            *self.by_row("A", terms.A),
+            *self.column("gamma", terms.gamma, "N_ROWS"),
+        ]
         return self.stages(
             Draft("articulated_body_masses", ()),
             Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
