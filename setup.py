@@ -3,6 +3,7 @@
 The compiler lists these headers in NAME.d beside NAME.pyx, for make as for setuptools.
 """
 
+from os import cpu_count
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -15,6 +16,10 @@ SUMS = {"steppers", "variations"}
 
 
 class Build(build_ext):
+    def finalize_options(self) -> None:
+        super().finalize_options()
+        self.parallel = self.parallel or cpu_count()
+
     def build_extension(self, ext: Extension) -> None:
         kept = (SOURCES / ext.name.replace(".", "/")).with_suffix(".d")
         fresh = kept.with_suffix(".d.new")
