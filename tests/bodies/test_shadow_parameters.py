@@ -321,6 +321,18 @@ def test_a_report_says_that_its_solvers_do_not_turn():
         subject(swinging_body(), lambda *_: None)
 
 
+def test_a_unit_turns(tmp_path):
+    """Its C, compiled as a whole, told in steps of 62.5 ms."""
+    fmpy = pytest.importorskip("fmpy")
+    times, R, _, _ = truth()
+    path = em.export_fmu(swinging_body(), tmp_path / "body.fmu", formulation="articulated_body", rtol=1e-9)
+    rows = fmpy.simulate_fmu(str(path), stop_time=END, output_interval=END / 192, relative_tolerance=1e-10)
+    at = np.searchsorted(rows["time"], times - 1e-9)
+    assert np.abs(rows["time"][at] - times).max() < 1e-9
+    assert np.abs(rows["R01"][at] - R[:, 0, 1]).max() < 1e-5
+    assert np.abs(np.diff(rows["box_5"])).max() > 0.8
+
+
 def spinning(name, **more):
     """A body that turns about one axis: at angle 0.3 + 2 t."""
     tree = em.Tree()
