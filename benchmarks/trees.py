@@ -1,34 +1,46 @@
-"""Benchmark of trees of bodies: time of a right-hand side and of a build, for spatial arms of n joints.
+"""Benchmark of trees of bodies: time of a right-hand side and of a build, for arms of n joints.
+
+python benchmarks/trees.py [--growth]
 
 For each n: seconds to build (derivation, compiler, proof) and nanoseconds of a right-hand side within a run by dop853,
 for each formulation. It prints the table of docs/trees.md, with times relative to articulated bodies. Pinocchio's `aba`
 is timed beside, called from Python, where it is installed.
+
+With `--growth`: for planar and spatial arms of 4 to 300 joints, in formulation articulated_body, seconds of all
+processors to build an arm with an empty cache, of these in the proof, nanoseconds of an acceleration, and milliseconds
+to run a second of motion by dop853; each divided by the number of joints, too.
 """
 
 from __future__ import annotations
 
+import argparse
+import os
+import tempfile
 import time
 from importlib import import_module
 from importlib.util import find_spec
 from statistics import median
+from typing import Any
 
 import numpy as np
 
 import eigenmotion as em
+from eigenmotion.building import verification
 
 SIZES = (2, 4, 6, 8, 12, 16, 24)
 FORMULATIONS = {"articulated_body": 24, "lagrange": 24, "eigenfactor": 12}
 """Formulation -> largest n that it is built for."""
 ROUNDS = 5
+LENGTHS = (4, 8, 16, 32, 64, 65, 100, 200, 300)
 
 
-def arm(n: int) -> em.Model:
-    """Return an arm of n cylinders, whose joints turn about z and y in turn."""
+def arm(n: int, axes: str = "zy") -> em.Model:
+    """Return an arm of n cylinders, whose joints turn about these axes in turn."""
     tree, body = em.Tree(), None
     for k in range(n):
-        body = tree.body(f"link_{k}", body, joint="revolute", axis="zy"[k % 2], at=(0.6, 0, 0) if k else (0, 0, 0),
-                         mass=1.0, center=(0.3, 0, 0), inertia=(0.00125, 0.0306, 0.0306))  # fmt: skip
-    return em.Model(name=f"arm_of_{n}", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+        body = tree.body(f"link_{k}", body, joint="revolute", axis=axes[k % len(axes)],
+                         at=(0.6, 0, 0) if k else (0, 0, 0), mass=1.0, center=(0.3, 0, 0), inertia=(0.00125, 0.0306, 0.0306))  # fmt: skip
+    return em.Model(name=f"arm_of_{n}_{axes}", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
                     potential_energy=tree.potential_energy, initial=dict.fromkeys(tree.coordinates, 0.3))  # fmt: skip
 
 
@@ -68,8 +80,61 @@ def pinocchio(n: int) -> float | None:
     return (time.perf_counter() - start) / calls * 1e9
 
 
+def processor_seconds() -> float:
+    """Return the processor time of this process and of compilers."""
+    return sum(os.times()[:4])
+
+
+def grown(n: int, axes: str) -> tuple[float, float, float, float]:
+    """Return seconds to build, of these in the proof, seconds of an acceleration, and seconds to run a second."""
+    model, proof, spent = arm(n, axes), verification.prove, [0.0]
+
+    def timed(*given: Any) -> None:
+        start = processor_seconds()
+        proof(*given)
+        spent[0] = processor_seconds() - start
+
+    start, verification.prove = processor_seconds(), timed
+    system = em.build(model, formulation="articulated_body")
+    building, verification.prove = processor_seconds() - start, proof
+    x, v, calls = np.full(n, 0.3), np.full(n, 0.1), 50
+    accelerations, runs = [], []
+    for _ in range(ROUNDS):
+        start = time.process_time()
+        for _ in range(calls):
+            system.acceleration(x, v)
+        accelerations.append((time.process_time() - start) / calls)
+        start = time.process_time()
+        system.simulate((0.0, 1.0), rtol=1e-8, method="dop853")
+        runs.append(time.process_time() - start)
+    return building, spent[0], min(accelerations), min(runs)
+
+
+def growth() -> None:
+    """Print the table of long arms."""
+    heads = ("axes", "n", "build, s", "of these proof", "acceleration, us", "a second, ms")
+    per_joint = ("build / n, s", "acceleration / n, ns", "a second / n, us")
+    print(f"| {' | '.join((*heads, *per_joint))} |\n|{' --- |' * len((*heads, *per_joint))}")
+    with tempfile.TemporaryDirectory() as cache:
+        os.environ["EIGENMOTION_CACHE"] = cache
+        em.build(arm(2), formulation="articulated_body")
+        for axes in ("y", "zy"):
+            for n in LENGTHS:
+                build, proof, acceleration, second = grown(n, axes)
+                whole = f"{build:.2f} | {proof / build:.2f} | {acceleration * 1e6:.1f} | {second * 1e3:.1f}"
+                each = f"{build / n:.3f} | {acceleration / n * 1e9:.0f} | {second / n * 1e6:.0f}"
+                print(f"| {'planar' if axes == 'y' else 'spatial'} | {n} | {whole} | {each} |", flush=True)
+
+
 def main() -> None:
     """Print the table."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--growth", action="store_true", help="arms of 4 to 300 joints")
+    growth() if parser.parse_args().growth else formulations()
+
+
+def formulations() -> None:
+    """Print the table of formulations."""
     heads = ("n", "articulated_body, ns", "build, s", "lagrange", "build, s", "eigenfactor", "build, s", "aba, ns")
     print(f"| {' | '.join(heads)} |\n|{' --- |' * len(heads)}")
     for n in SIZES:

@@ -33,6 +33,8 @@ typedef struct em_dynamics {
      * The matrix that is factored, M (n, n) or its replacement; if there are constraint rows, B = A L^-T (m, n), M =
      * L L^T, and the lower triangle of Delta = B B^T (m, m). */
     void (*factored)(double t, const double *x, const double *c, double *M);
+    /* D (n) of M = L D L^T or M = L^T D L, and the diagonal of M, where that takes less time than with M; or NULL */
+    void (*pivots)(double t, const double *x, const double *c, double *pivots, double *diagonal);
     int (*rows)(double t, const double *x, const double *c, double *B, double *Delta, em_fault *fault);
     /* a (n), lambda (m): as em_model.acceleration, except for multipliers that are not unique */
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,

@@ -12,6 +12,7 @@ typedef struct em_tree_motion {
 } em_tree_motion;
 
 EM_ANY_SIZE void em_tree_accelerations(const em_tree *tree, const em_tree_motion *motion);
+EM_ANY_SIZE void em_tree_pivots(const em_tree *tree, const em_tree_motion *motion, real *diagonal);
 
 #if EM_HOLDS_ANY_SIZE
 
@@ -47,9 +48,12 @@ EM_INLINE void em_give_way(const real *U, const real *gain, em_articulated *I) {
     for (int k = 0; k < 9; ++k) I->H[k] -= U[k / 3] * gain[3 + k % 3];
 }
 
-EM_INLINE void em_full(const real *J, real *A) {
-    static const int full[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-    for (int i = 0; i < 9; ++i) A[i] = J[full[i]];
+/* B <- R J R^T, all of it; J symmetric (6) */
+EM_INLINE void em_turned_symmetric(const real *R, const real *J, real *B) {
+    real rows[9];
+    for (int i = 0; i < 9; i += 3) em_symmetric_times(J, R + i, rows + i);
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) B[3 * i + j] = B[3 * j + i] = em_dot_of(3, rows + 3 * i, R + 3 * j);
 }
 
 /* B <- R A R^T */
@@ -61,12 +65,10 @@ EM_INLINE void em_turned_map(const real *R, const real *A, real *B) {
 
 /* up += I in the parent's frame: H' = H + P M, J' = J + P H'^T - H P, with P = [p x] */
 EM_INLINE void em_add_articulated_up(const em_link *link, const em_articulated *I, em_articulated *up) {
-    real full[9], J[9], H[9], M[9], moved[9], column[3], left[9], right[9];
-    em_full(I->J, full);
-    em_turned_map(link->R, full, J);
+    real J[9], H[9], M[9], moved[9], column[3], left[9], right[9];
+    em_turned_symmetric(link->R, I->J, J);
     em_turned_map(link->R, I->H, H);
-    em_full(I->M, full);
-    em_turned_map(link->R, full, M);
+    em_turned_symmetric(link->R, I->M, M);
     for (int j = 0; j < 3; ++j) {
         em_cross(link->p, M + 3 * j, column); /* M is symmetric: its row is its column */
         for (int i = 0; i < 3; ++i) moved[3 * i + j] = H[3 * i + j] + column[i];
@@ -101,11 +103,32 @@ EM_INLINE void em_invert_pivots(int count, real (*D)[6], em_yield *rows) {
     }
 }
 
+/* Of a joint about or along z, S has one entry that is not 0, and U is a multiple of a column of I. */
+EM_INLINE void em_yield_on_z(const em_body *body, const em_tree_motion *motion, const real *S, em_articulated *I,
+                             em_yield *row) {
+    const int turns = body->joint == EM_REVOLUTE, k = body->coordinates[0];
+    const real ratio = S[turns ? 2 : 5], *const H = I->H, *const B = turns ? I->J : I->M;
+    real U[6];
+    for (int i = 0; i < 3; ++i) {
+        U[turns ? i : 3 + i] = ratio * B[i == 0 ? 2 : i == 1 ? 4 : 5];
+        U[turns ? 3 + i : i] = ratio * (turns ? H[6 + i] : H[3 * i + 2]);
+    }
+    motion->pivots[k] = ratio * U[turns ? 2 : 5] + motion->armature[k];
+    em_clear(6, row->inverse);
+    row->inverse[0] = em_inverse(motion->pivots[k]);
+    for (int i = 0; i < 6; ++i) row->gain[i] = row->inverse[0] * U[i];
+    em_give_way(U, row->gain, I);
+}
+
 /* What a joint yields: its pivots, and I less what it does not pass on. S, rows: those of its slots. */
 EM_INLINE void em_yield_of(const em_body *body, const em_tree_motion *motion, const real (*S)[6], em_articulated *I,
                            em_yield *rows) {
     real U[6][6], D[6][6];
     const int count = body->count;
+    if (count == 1) {
+        em_yield_on_z(body, motion, S[0], I, rows);
+        return;
+    }
     for (int k = 0; k < count; ++k) em_articulated_force(I, S[k], U[k]);
     for (int k = 0; k < count; ++k) {
         for (int j = 0; j < count; ++j) D[k][j] = em_dot_of(6, S[k], U[j]);
@@ -121,16 +144,22 @@ EM_INLINE void em_yield_of(const em_body *body, const em_tree_motion *motion, co
     for (int k = 0; k < count; ++k) em_give_way(U[k], rows[k].gain, I);
 }
 
-/* bias (count, 6) <- the forces that keep velocities, I <- the bodies' own inertias */
-EM_INLINE void em_begin_articulated(const em_tree *tree, const real *table, const em_link *links, em_articulated *I,
-                                    real (*bias)[6]) {
+/* I <- the bodies' own inertias */
+EM_INLINE void em_own_inertias(const em_tree *tree, const real *table, em_articulated *I) {
     for (int i = 0; i < tree->count; ++i) {
         const real *const inertia = table + EM_LINK * i + EM_LINK_INERTIA, *const h = inertia + 1;
         const real none = em_real(0.0), m = inertia[0];
-        real momentum[6];
         I[i] = (em_articulated){.H = {none, -h[2], h[1], h[2], none, -h[0], -h[1], h[0], none},
                                 .M = {m, none, none, m, none, m}};
         memcpy(I[i].J, inertia + 4, sizeof I[i].J);
+    }
+}
+
+/* bias (count, 6) <- the forces that keep velocities */
+EM_INLINE void em_begin_bias(const em_tree *tree, const real *table, const em_link *links, real (*bias)[6]) {
+    for (int i = 0; i < tree->count; ++i) {
+        const real *const inertia = table + EM_LINK * i + EM_LINK_INERTIA;
+        real momentum[6];
         em_momentum(inertia, links[i].v, momentum);
         em_clear(6, bias[i]);
         em_add_crossed_force(links[i].v, momentum, bias[i]);
@@ -178,6 +207,39 @@ EM_INLINE void em_accelerations_outwards(const em_tree *tree, const em_link *lin
     }
 }
 
+/* Inwards: what the joints yield and pass on, from the bodies' own inertias I */
+EM_INLINE void em_yields_inwards(const em_tree *tree, const em_tree_motion *motion, const em_link *links,
+                                 const real (*S)[6], em_articulated *I, em_yield *yields) {
+    em_own_inertias(tree, motion->table, I);
+    for (int i = tree->count - 1; i >= 0; --i) {
+        const em_body *const body = &tree->bodies[i];
+        em_yield_of(body, motion, S + links[i].first, &I[i], yields + links[i].first);
+        if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
+    }
+}
+
+/* Of the coordinates of trees: pivots (n), the inertia that each feels with the joints further out free, and diagonal
+ * (n), that with them locked. */
+EM_ANY_SIZE void em_tree_pivots(const em_tree *tree, const em_tree_motion *motion, real *diagonal) {
+    em_link links[tree->count];
+    em_articulated I[tree->count];
+    em_yield yields[tree->slots];
+    real moves[tree->slots][6], force[6];
+    const real(*const S)[6] = (const real(*)[6])moves;
+    em_place_links(tree, motion->x, motion->table, links, moves);
+    em_yields_inwards(tree, motion, links, S, I, yields);
+    em_own_inertias(tree, motion->table, I);
+    for (int i = tree->count - 1; i >= 0; --i) {
+        const em_body *const body = &tree->bodies[i];
+        for (int k = 0; k < body->count; ++k) {
+            em_articulated_force(&I[i], S[links[i].first + k], force);
+            diagonal[body->coordinates[k]] =
+                em_dot_of(6, S[links[i].first + k], force) + motion->armature[body->coordinates[k]];
+        }
+        if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
+    }
+}
+
 /* pivots, a, W of all coordinates of the trees */
 EM_ANY_SIZE void em_tree_accelerations(const em_tree *tree, const em_tree_motion *motion) {
     em_link links[tree->count];
@@ -186,12 +248,8 @@ EM_ANY_SIZE void em_tree_accelerations(const em_tree *tree, const em_tree_motion
     real moves[tree->slots][6], bias[tree->count][6], rest[tree->slots];
     const real(*const S)[6] = (const real(*)[6])moves;
     em_move_links(tree, motion->x, motion->v, motion->table, links, moves);
-    em_begin_articulated(tree, motion->table, links, I, bias);
-    for (int i = tree->count - 1; i >= 0; --i) {
-        const em_body *const body = &tree->bodies[i];
-        em_yield_of(body, motion, S + links[i].first, &I[i], yields + links[i].first);
-        if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
-    }
+    em_begin_bias(tree, motion->table, links, bias);
+    em_yields_inwards(tree, motion, links, S, I, yields);
     em_forces_inwards(tree, links, S, yields, I, motion->force, bias, rest);
     em_accelerations_outwards(tree, links, S, yields, motion->table, rest, motion->a);
     for (int row = 0; row < motion->m; ++row) {

@@ -30,6 +30,10 @@ EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) 
 
 /* The same of M at x; for small M by loops that unroll. */
 static void em_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
+    if (w->of->pivots) {
+        w->of->pivots(t, x, w->run->prepared, pivots, diagonal);
+        return;
+    }
     double M[w->n * w->n];
     w->of->factored(t, x, w->run->prepared, M);
     switch (w->n) {
