@@ -39,7 +39,8 @@ def arm(n: int, axes: str = "zy") -> em.Model:
     tree, body = em.Tree(), None
     for k in range(n):
         body = tree.body(f"link_{k}", body, joint="revolute", axis=axes[k % len(axes)],
-                         at=(0.6, 0, 0) if k else (0, 0, 0), mass=1.0, center=(0.3, 0, 0), inertia=(0.00125, 0.0306, 0.0306))  # fmt: skip
+                         at=(0.6, 0, 0) if k else (0, 0, 0), mass=1.0, center=(0.3, 0, 0),
+                         inertia=(0.00125, 0.0306, 0.0306))  # fmt: skip
     return em.Model(name=f"arm_of_{n}_{axes}", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
                     potential_energy=tree.potential_energy, initial=dict.fromkeys(tree.coordinates, 0.3))  # fmt: skip
 
