@@ -447,7 +447,7 @@ def by_hinges(tree, name, parent, kind, at, own, slide, spin):
     return parent, rates
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", [0, 1, *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(2, 24))])
 def test_random_trees_turn_as_those_with_hinges(seed):
     """Places of all bodies and the energy, over two turns of each joint and more."""
     times, runs, poses = np.linspace(0, 3, 31), [], []
