@@ -1,0 +1,44 @@
+"""A page of a tumbling body: its rotation changes to the shadow parameters in WebAssembly, too."""
+
+import numpy as np
+import pytest
+
+import eigenmotion as em
+from eigenmotion.building.errors import BuildError
+from eigenmotion.building.request import request
+from eigenmotion.webpage import wasm
+from eigenmotion.webpage.page import Run, page
+
+from ..support.browser import Browser, chromium
+
+
+def tumbling() -> em.Model:
+    """A free body that turns four times in two seconds."""
+    tree = em.Tree(gravity=(0, 0, 0))
+    body = tree.body("body", joint="free", mass=1.0, inertia=(1.0, 2.0, 2.5))
+    rates = dict(zip((q.diff() for q in tree.coordinates), (0.1, 0, 0.2, 0.2, 3.0, 0.3), strict=True))
+    return em.Model(name="tumbling", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                    potential_energy=tree.potential_energy, initial=rates,
+                    drawing=[em.draw.Line(body.position(), body.position((1, 0, 0)))])  # fmt: skip
+
+
+@pytest.mark.nightly
+def test_it_turns_as_in_python(tmp_path):
+    try:
+        wasm.wasm_compiler()
+    except BuildError as error:
+        pytest.skip(str(error))
+    if chromium() is None:
+        pytest.skip("Chromium is not here (apt-get install chromium)")
+    file = tmp_path / "tumbling.html"
+    file.write_text(page(request(tumbling()), "", Run(2.0, 1e-9, 1e-9), None), encoding="utf-8")
+    system = em.build(tumbling())
+    run = system.simulate((0.0, 2.0), rtol=1e-11, atol=1e-12)
+    assert (np.abs(np.diff(run.x[3:])).max(axis=0) > 0.5).sum() >= 3  # as many changes of the parameters
+    with Browser() as browser:
+        browser.look(width=1000, height=800)
+        browser.open(file)
+        end = browser.ask("Array.from(eigenmotion.motion.table.slice(-eigenmotion.motion.width))")
+    (here, at), (there, place) = (system.pose("body", x) for x in (np.array(end[1:7]), run.x[:, -1]))
+    assert np.abs(here - there).max() < 1e-6
+    assert np.abs(at - place).max() < 1e-6
