@@ -4,12 +4,8 @@ import numpy as np
 import pytest
 
 import eigenmotion as em
-from eigenmotion.building.errors import BuildError
-from eigenmotion.building.request import request
-from eigenmotion.webpage import wasm
-from eigenmotion.webpage.page import Run, page
 
-from ..support.browser import Browser, chromium
+from ..support.browser import opened_page
 
 
 def tumbling() -> em.Model:
@@ -24,20 +20,10 @@ def tumbling() -> em.Model:
 
 @pytest.mark.nightly
 def test_it_turns_as_in_python(tmp_path):
-    try:
-        wasm.wasm_compiler()
-    except BuildError as error:
-        pytest.skip(str(error))
-    if chromium() is None:
-        pytest.skip("Chromium is not here (apt-get install chromium)")
-    file = tmp_path / "tumbling.html"
-    file.write_text(page(request(tumbling()), "", Run(2.0, 1e-9, 1e-9), None), encoding="utf-8")
     system = em.build(tumbling())
     run = system.simulate((0.0, 2.0), rtol=1e-11, atol=1e-12)
     assert (np.abs(np.diff(run.x[3:])).max(axis=0) > 0.5).sum() >= 3  # as many changes of the parameters
-    with Browser() as browser:
-        browser.look(width=1000, height=800)
-        browser.open(file)
+    with opened_page(tumbling(), tmp_path / "tumbling.html", 2.0) as browser:
         end = browser.ask("Array.from(eigenmotion.motion.table.slice(-eigenmotion.motion.width))")
     (here, at), (there, place) = (system.pose("body", x) for x in (np.array(end[1:7]), run.x[:, -1]))
     assert np.abs(here - there).max() < 1e-6

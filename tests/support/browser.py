@@ -8,8 +8,17 @@ import os
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+
+import pytest
+
+from eigenmotion.building.errors import BuildError
+from eigenmotion.building.request import request
+from eigenmotion.webpage import wasm
+from eigenmotion.webpage.page import Run, page
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 _OPTIONS = ("--headless=new", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
@@ -124,3 +133,19 @@ class Browser:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+@contextmanager
+def opened_page(model: Any, file: Path, t_end: float) -> Iterator[Browser]:
+    """Open the page of a model that has run to t_end, tightly; skip the test where nothing makes or shows pages."""
+    try:
+        wasm.wasm_compiler()
+    except BuildError as error:
+        pytest.skip(str(error))
+    if chromium() is None:
+        pytest.skip("Chromium is not here (apt-get install chromium)")
+    file.write_text(page(request(model), "", Run(t_end, 1e-9, 1e-9), None), encoding="utf-8")
+    with Browser() as browser:
+        browser.look(width=1000, height=800)
+        browser.open(file)
+        yield browser

@@ -9,12 +9,8 @@ from sympy import cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.building.errors import BuildError
-from eigenmotion.building.request import request
-from eigenmotion.webpage import wasm
-from eigenmotion.webpage.page import Run, page
 
-from ..support.browser import Browser, chromium
+from ..support.browser import opened_page
 from ..support.fmu_slaves import Unit
 
 THETA = dynamicsymbols("theta")
@@ -45,18 +41,8 @@ def test_a_unit_has_its_own_numbers(tmp_path: Path) -> None:
 
 def test_a_page_moves_as_the_model_does(tmp_path: Path) -> None:
     """The same numbers in WebAssembly, where addresses have 32 bits; and no slider for a table."""
-    try:
-        wasm.wasm_compiler()
-    except BuildError as error:
-        pytest.skip(str(error))
-    if chromium() is None:
-        pytest.skip("Chromium is not here (apt-get install chromium)")
-    file = tmp_path / "loaded.html"
-    file.write_text(page(request(MODEL), "", Run(2.0, 1e-9, 1e-9), None), encoding="utf-8")
     run = em.build(MODEL).simulate((0.0, 2.0), rtol=1e-10, atol=1e-12)
-    with Browser() as browser:
-        browser.look(width=1000, height=800)
-        browser.open(file)
+    with opened_page(MODEL, tmp_path / "loaded.html", 2.0) as browser:
         end = browser.ask("Array.from(eigenmotion.motion.table.slice(-eigenmotion.motion.width))")
         sliders = browser.ask("document.querySelectorAll('input[type=range][data-name=load]').length")
     assert end[1] == pytest.approx(run.x[0, -1], abs=1e-7)

@@ -77,7 +77,7 @@ cpdef choice(argument, known, str what):
     return known[argument.lower()]
 
 
-def least_norm_of(dependent_constraints):
+cpdef least_norm_of(dependent_constraints):
     """Return the treatment of dependent constraint rows, em_dependent of em_run.h: e.g. multipliers of least norm."""
     return choice(dependent_constraints, DEPENDENT, "dependent_constraints")
 

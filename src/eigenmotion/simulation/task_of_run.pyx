@@ -6,12 +6,12 @@ Compiled, because a short run takes no longer than its arguments.
 
 from libc.math cimport fabs
 
-from ..arguments.options cimport choice, rows_at, span, step_limits, tolerances
+from ..arguments.options cimport choice, least_norm_of, rows_at, span, step_limits, tolerances
 from ..runtime.abi cimport EM_REFUSED, EM_SHARED_FROM_START
 from ..runtime.arrays cimport Numbers, floats, zeros
 from ..runtime.point cimport PointModel, Prepared
 
-from ..arguments.options import DEPENDENT, STABILISATIONS
+from ..arguments.options import STABILISATIONS
 from ..arguments.prescribed import covering
 from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError, truth
@@ -41,8 +41,7 @@ def task_of_run(system, PointModel model not None, t_span, x0, v0, argument, par
     prepared, signals = constants_and_inputs(system, model, parameters, inputs, start, end)
     y = initial_state(system, model, prepared, start, x0, v0, argument, relative, absolute)
     stabilise, times = choice(stabilisation, STABILISATIONS, "stabilisation"), rows_at(t_eval, start, end)
-    dense = dense_output if type(dense_output) is bool else truth(dense_output, "dense_output")
-    least_norm = choice(dependent_constraints, DEPENDENT, "dependent_constraints")
+    dense, least_norm = truth(dense_output, "dense_output"), least_norm_of(dependent_constraints)
     if least_norm != EM_REFUSED and model.m > 0:
         depend, shared = model.redundant_rows(start, floats(y, (model.n_state,), "y").data, prepared)
         if not depend and least_norm == EM_SHARED_FROM_START and not model.has_cones:
