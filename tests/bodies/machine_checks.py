@@ -79,7 +79,7 @@ def _faults(system: System, x: np.ndarray, v: np.ndarray, equations: tuple, coun
         yield f"a differs by {relative(a, wanted, size):.1e} at the condition {condition:.0e}"
     if not relative(forces, multipliers, float(np.abs([float(one) for one in F]).max())) <= LIMIT * condition:
         yield f"lambda differs by {relative(forces, multipliers):.1e} at the condition {condition:.0e}"
-    gap = closest(system, known) if system.formulation == "eigenfactor" else 1.0
+    gap = closest(system, x) if system.formulation == "eigenfactor" else 1.0
     if gap < NEAR:
         return
     y = system.state(x, v)

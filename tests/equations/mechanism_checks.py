@@ -127,11 +127,7 @@ def _motion_faults(system: System, right: Right, at: State, limit: float, counts
     asked = system.acceleration(at.x, at.v, at.time, at.parameters, at.inputs)
     found = dict(zip(("acceleration", "multipliers"), asked, strict=True))
     yield from _different(found, {"acceleration": a, "multipliers": multipliers}, limit, counts)
-    gap = (
-        closest(system, system.mass_matrix(at.x, at.time, at.parameters))
-        if system.formulation == "eigenfactor"
-        else 1.0
-    )
+    gap = closest(system, at.x, at.time, at.parameters) if system.formulation == "eigenfactor" else 1.0
     if gap > 1e-4:
         y = system.state(at.x, at.v, at.time, at.parameters)
         dy = system.rhs(at.time, y, at.parameters, at.inputs)
@@ -140,8 +136,9 @@ def _motion_faults(system: System, right: Right, at: State, limit: float, counts
         yield from _different(found, {"right-hand side": a}, 100 * limit / gap, counts, scale)
 
 
-def closest(system: System, M: np.ndarray) -> float:
+def closest(system: System, x: np.ndarray, time: float = 0.0, parameters: object = None) -> float:
     """Smallest distance of two eigenvalues of the scaled M, in units of the largest: what Omega is divided by."""
+    M = system.mass_matrix(x, time, parameters)
     eigenvalues = np.linalg.eigvalsh(M * np.outer(system.scales, system.scales))
     return float(np.diff(eigenvalues).min(initial=eigenvalues[-1]) / eigenvalues[-1])
 

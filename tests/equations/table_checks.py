@@ -196,7 +196,10 @@ def _usual(system: System, oracle: Oracle, place: Place, prepared) -> float | No
 def _rate_faults(system: System, oracle: Oracle, place: Place, counts: Counts) -> Iterator[str]:
     prepared, inputs = _prepared(system, place)
     condition, at = _usual(system, oracle, place, prepared), place.at
-    if condition is None or oracle.slopes(place) is None or closest(system, at) < 1e-3:
+    if condition is None or oracle.slopes(place) is None:
+        return
+    gap = closest(system, at.x, at.time, at.parameters)
+    if gap < 1e-3:
         return
     y = system.state(np.concatenate([at.x, place.z]), at.v, at.time, prepared)
     found = system.jacobian(at.time, y, prepared, inputs)
@@ -204,7 +207,7 @@ def _rate_faults(system: System, oracle: Oracle, place: Place, counts: Counts) -
                for one in np.eye(len(y))]  # fmt: skip
     counts.states += 1
     counts.numbers += found.size
-    if not relative(found, np.array(columns).T, 1.0) <= DIFFERENCES * condition / closest(system, at):
+    if not relative(found, np.array(columns).T, 1.0) <= DIFFERENCES * condition / gap:
         yield f"Jacobian off by {relative(found, np.array(columns).T, 1.0):.1e}"
 
 
@@ -244,7 +247,7 @@ def _motion_faults(system: System, oracle: Oracle, place: Place, given, conditio
     yield from _different("multipliers", found[1], multipliers, limit, counts, more=noise[1])
     if None not in oracle.of_outputs.pieces(place):
         yield from _different("outputs", _outputs(system, place, prepared), outputs, limit, counts, more=noise[2])
-    gap = closest(system, _prepared_state(at, prepared)) if system.formulation == "eigenfactor" else 1.0
+    gap = closest(system, at.x, at.time, prepared) if system.formulation == "eigenfactor" else 1.0
     if gap < 1e-4:
         return
     y = system.state(x, at.v, at.time, prepared)
@@ -292,10 +295,6 @@ def _outputs(system: System, place: Place, prepared) -> np.ndarray:
     x, v = system.begin(np.concatenate([at.x, place.z]), at.v, at.time, prepared)
     u = np.array([[at.inputs[name] for name in system.inputs]])
     return system.compiled.output_rows(np.array([at.time]), x[None], v[None], u, prepared, False)[0]
-
-
-def _prepared_state(at: State, prepared) -> State:
-    return State(at.x, at.v, at.time, prepared, at.inputs)
 
 
 def _different(  # type: ignore[no-untyped-def]
