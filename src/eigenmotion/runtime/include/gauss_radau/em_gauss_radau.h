@@ -155,12 +155,6 @@ static double em_iterate(em_run_state *w) {
     return change;
 }
 
-static double em_power(double base, int times) {
-    double power = 1.0;
-    for (; times > 0; --times) power *= base;
-    return power;
-}
-
 /* The estimated remaining error after an iteration with this change, if the one before changed the rates by
  * `before`. */
 static double em_remaining_error(double change, double before) {

@@ -26,8 +26,8 @@ static em_scheme em_ra15(void) {
                        em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
 }
 
-static em_scheme em_collocation(const em_radau_iia *rk) {
-    return (em_scheme){{rk->stages, 1.0, 0.0, 8.0}, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
+static em_scheme em_collocation(const em_radau_iia *rk, int (*step)(em_run_state *w)) {
+    return (em_scheme){{rk->stages, 1.0, 0.0, 8.0}, rk->stages, 0, step, NULL, em_collocation_interpolate,
                        em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL};
 }
 
@@ -40,8 +40,8 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RA15: return em_ra15();
         case EM_RK4: return em_rk4();
         case EM_MIDPOINT: return em_midpoint();
-        case EM_RADAU5: return em_collocation(&EM_RADAU5_TABLEAU);
-        case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU);
+        case EM_RADAU5: return em_collocation(&EM_RADAU5_TABLEAU, em_radau5_step);
+        case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU, em_radau9_step);
         default: return (em_scheme){.step = NULL};
     }
 }

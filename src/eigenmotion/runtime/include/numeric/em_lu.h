@@ -111,6 +111,8 @@ EM_INLINE int em_complex_lu_solve_of(int n, const double *restrict G, const doub
         case 2: of(2, __VA_ARGS__);   \
         case 3: of(3, __VA_ARGS__);   \
         case 4: of(4, __VA_ARGS__);   \
+        case 5: of(5, __VA_ARGS__);   \
+        case 6: of(6, __VA_ARGS__);   \
         default: of(n, __VA_ARGS__);  \
     }
 

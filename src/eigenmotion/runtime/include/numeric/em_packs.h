@@ -17,6 +17,19 @@ typedef double em_pack __attribute__((vector_size(8 * EM_PACK), aligned(8), may_
 #define EM_PUT_PACK(numbers, pack) (*(em_pack *)(numbers) = (pack)) /* cause compiler warnings */
 #define EM_SUM_OF_PACK(a) (((a)[0] + (a)[1]) + ((a)[2] + (a)[3]))
 
+/* base to the power of `times`, 0 or more: a call of pow takes longer than a few products. */
+EM_INLINE double em_power(double base, int times) {
+    double power = 1.0;
+    for (; times > 0; --times) power *= base;
+    return power;
+}
+
+/* *to <- number, in a loop that compilers must not turn into memcpy or memset, whose calls take longer. */
+EM_INLINE void em_put_number(double *to, double number) {
+    *to = number;
+    __asm__ volatile("");
+}
+
 /* Copies a state or its rate pack by pack, as it was written: memcpy loads wider words, and waits until all have
  * reached the cache. The form of the loop keeps compilers from turning it into memcpy. */
 EM_INLINE void em_copy_packs(int count, double *restrict to, const double *restrict from) {

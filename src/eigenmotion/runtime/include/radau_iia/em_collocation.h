@@ -21,17 +21,22 @@ enum { EM_COUPLED_STEPS = 16 }; /* steps with a Jacobian for each stage, before 
 
 /* --- the initial guess of the accelerations --- */
 
+/* The polynomial that is 1 at c_j and 0 at the other nodes. */
+EM_INLINE double em_lagrange(const em_radau_iia *rk, int j, double theta) {
+    double above = 1.0, below = 1.0;
+    for (int l = 0; l < rk->stages; ++l)
+        if (l != j) above *= theta - rk->c[l], below *= rk->c[j] - rk->c[l];
+    return above / below;
+}
+
 /* a <- the polynomial through the last accelerations at start + ratio c_i, in units of their step. */
-static void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start, double ratio) {
+EM_INLINE void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start, double ratio) {
     em_implicit *q = &w->stages;
     const int stride = w->stride;
     memset(q->a, 0, (size_t)(EM_MOST_NODES * stride) * sizeof *q->a);
     for (int i = 0; i < rk->stages; ++i)
         for (int j = 0; j < rk->stages; ++j) {
-            const double theta = start + ratio * rk->c[i];
-            double share = 1.0;
-            for (int l = 0; l < rk->stages; ++l)
-                if (l != j) share *= (theta - rk->c[l]) / (rk->c[j] - rk->c[l]);
+            const double share = em_lagrange(rk, j, start + ratio * rk->c[i]);
             for (int k = 0; k < stride; k += EM_PACK) {
                 double *const a = q->a + i * stride + k;
                 EM_PUT_PACK(a, EM_PACK_AT(a) + share * EM_PACK_AT(q->last + j * stride + k));
@@ -40,20 +45,20 @@ static void em_extend_last(const em_radau_iia *rk, em_run_state *w, double start
 }
 
 /* The stages by extrapolation of the last step or of a rejected attempt; or with the acceleration at the start. */
-static void em_guess_stages(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE void em_guess_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->known && w->t == q->t) em_extend_last(rk, w, 0.0, w->h / q->h);
     else if (q->known && w->t == q->t_new) em_extend_last(rk, w, 1.0, w->h / q->h);
     else
         for (int i = 0; i < rk->stages; ++i) em_copy_packs(w->n, q->a + i * w->stride, w->K[0] + w->n);
-    em_stage_states(rk, w);
+    em_stage_states(rk, w, w->stride);
     em_weigh_stages(rk, w);
 }
 
 /* --- their solution --- */
 
 /* With a Jacobian shared by the stages, recomputed if the old one does not suffice. EM_SOLVED and so on. */
-static int em_solve_shared(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_solve_shared(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     for (int old = q->sloped && !q->outdated;; old = 0) {
         if (!old && em_take_slopes(w)) return EM_NO_RATE;
@@ -64,7 +69,7 @@ static int em_solve_shared(const em_radau_iia *rk, em_run_state *w) {
     }
 }
 
-static int em_solve_coupled(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_solve_coupled(const em_radau_iia *rk, em_run_state *w) {
     int singular = 0;
     em_guess_stages(rk, w);
     if (em_couple_stages(rk, w, &singular)) return EM_NO_RATE;
@@ -72,7 +77,7 @@ static int em_solve_coupled(const em_radau_iia *rk, em_run_state *w) {
 }
 
 /* Tries the iterations in the order of their cost, but first the one that converged before. */
-static int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     if (q->own > 0) return em_solve_coupled(rk, w);
     const int found = em_solve_shared(rk, w);
@@ -84,7 +89,7 @@ static int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
 /* --- the error --- */
 
 /* error (2 n) <- (1 - h J / mu_0)^-1 (h / mu_0 rate + h sum_i e_i rate_i), `rate` (2 n) at the start of the step. */
-static void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const double *rate, double *error) {
+EM_INLINE void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const double *rate, double *error) {
     em_implicit *q = &w->stages;
     const double sigma = rk->mu[0][0] / w->h;
     double raw[w->n];
@@ -102,7 +107,7 @@ static void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const dou
 
 /* 0, or -1 and w->reason. A large error at the start of a motion, or of a further attempt, is filtered again: it may
  * be of components that decay. */
-static int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     double rate[w->width], shifted[2 * w->n + EM_PACK];
     em_copy_state(w, rate, w->K[0]);
@@ -119,14 +124,14 @@ static int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
 
 /* The norm that controls the next step: this error, also relative to the one before; a larger one if the iteration
  * took long; and one that keeps the size as long as Jacobian and factors can be reused. */
-static double em_size_by(const em_radau_iia *rk, const em_run_state *w, double error) {
+EM_INLINE double em_size_by(const em_radau_iia *rk, const em_run_state *w, double error) {
     const em_implicit *q = &w->stages;
-    const double order = rk->stages + 1, most = em_most_iterations(rk);
-    double size = error * pow((2.0 * most + q->iterations) / (2.0 * most + 1.0), order);
+    const int order = rk->stages + 1, most = em_most_iterations(rk);
+    double size = error * em_power((2.0 * most + q->iterations) / (2.0 * most + 1.0), order);
     if (error < 1.0 && q->accepted)
-        size = em_max(size, error * error / q->before_error * pow(q->before_h / w->h, order));
+        size = em_max(size, error * error / q->before_error * em_power(q->before_h / w->h, order));
     const double factor = EM_SAFETY * pow(size, -1.0 / order);
-    return error < 1.0 && !q->outdated && !q->own && factor >= 1.0 && factor <= EM_KEPT_SIZE_GROWTH ? pow(EM_SAFETY, order) : size;
+    return error < 1.0 && !q->outdated && !q->own && factor >= 1.0 && factor <= EM_KEPT_SIZE_GROWTH ? em_power(EM_SAFETY, order) : size;
 }
 
 /* --- the step --- */
@@ -149,7 +154,7 @@ static int em_fail_stages(const em_radau_iia *rk, em_run_state *w) {
 }
 
 /* y_new, the error and the norm for the next size. 0, or -1 and w->reason */
-static int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
     em_copy_state(w, w->y_new, w->y);
     memcpy(w->y_new, q->X + (rk->stages - 1) * w->stride, (size_t)w->n * sizeof *q->X);
@@ -165,8 +170,8 @@ static int em_finish_stages(const em_radau_iia *rk, em_run_state *w) {
     return 0;
 }
 
-static int em_collocation_step(em_run_state *w) {
-    const em_radau_iia *const rk = w->scheme.radau_iia;
+/* With the coefficients as constants. */
+EM_INLINE int em_collocation_step(const em_radau_iia *rk, em_run_state *w) {
     em_remember_stages(w);
     em_weigh_start(w);
     em_average_signals(rk, w);
@@ -175,6 +180,9 @@ static int em_collocation_step(em_run_state *w) {
     if (found == EM_NO_RATE) return -1;
     return found == EM_SOLVED ? em_finish_stages(rk, w) : em_fail_stages(rk, w);
 }
+
+static int em_radau5_step(em_run_state *w) { return em_collocation_step(&EM_RADAU5_TABLEAU, w); }
+static int em_radau9_step(em_run_state *w) { return em_collocation_step(&EM_RADAU9_TABLEAU, w); }
 
 /* --- the states within --- */
 

@@ -9,23 +9,18 @@
 
 /* out_i (n) <- start (NULL: 0) + h sum_j a_ij in_j. The numbers of each stage are a row of length `stride`, n
  * padded. */
-EM_INLINE void em_by_so_many_stages(int stages, const em_radau_iia *rk, double h, int stride, const double *restrict start,
-                                    const double *restrict in, double *restrict out) {
+EM_INLINE void em_by_stages(const em_radau_iia *rk, double h, int stride, const double *restrict start,
+                            const double *restrict in, double *restrict out) {
     for (int k = 0; k < stride; k += EM_PACK) {
         const em_pack first = start ? EM_PACK_AT(start + k) : (em_pack){0.0};
         EM_UNROLL
-        for (int i = 0; i < stages; ++i) {
+        for (int i = 0; i < rk->stages; ++i) {
             em_pack sum = {0.0};
             EM_UNROLL
-            for (int j = 0; j < stages; ++j) sum += rk->a[i][j] * EM_PACK_AT(in + j * stride + k);
+            for (int j = 0; j < rk->stages; ++j) sum += rk->a[i][j] * EM_PACK_AT(in + j * stride + k);
             EM_PUT_PACK(out + i * stride + k, first + h * sum);
         }
     }
-}
-
-static void em_by_stages(const em_radau_iia *rk, double h, int stride, const double *start, const double *in, double *out) {
-    if (rk->stages == 3) em_by_so_many_stages(3, rk, h, stride, start, in, out);
-    else em_by_so_many_stages(5, rk, h, stride, start, in, out);
 }
 
 /* unit (count of n) <- units of the rows of the systems */
@@ -84,29 +79,37 @@ static int em_factor_shared(const em_radau_iia *rk, em_run_state *w) {
 }
 
 /* re + i im (n) <- sigma^2 (sigma^2 - sigma D - K)^-1 of r along an eigenvector, the first of which is real */
-static void em_solve_along(const em_radau_iia *rk, em_run_state *w, int p, double *re, double *im) {
+EM_INLINE void em_solve_along(const em_radau_iia *rk, em_run_state *w, int stride, int p, double *re, double *im) {
     em_implicit *q = &w->stages;
     const double a = rk->mu[p][0] / w->h, b = rk->mu[p][1] / w->h, square = a * a - b * b, twice = 2.0 * a * b;
-    const int n = w->n, stride = w->stride;
-    for (int k = 0; k < n; ++k) {
-        double x = 0.0, y = 0.0;
-        for (int i = 0; i < rk->stages; ++i) x += rk->to[p][i][0] * q->r[i * stride + k], y += rk->to[p][i][1] * q->r[i * stride + k];
-        re[k] = square * x - twice * y;
-        im[k] = square * y + twice * x;
+    for (int k = 0; k < stride; k += EM_PACK) {
+        em_pack x = {0.0}, y = {0.0};
+        EM_UNROLL
+        for (int i = 0; i < rk->stages; ++i) {
+            const em_pack r = EM_PACK_AT(q->r + i * stride + k);
+            x += rk->to[p][i][0] * r, y += rk->to[p][i][1] * r;
+        }
+        EM_PUT_PACK(re + k, square * x - twice * y);
+        EM_PUT_PACK(im + k, square * y + twice * x);
     }
     if (p == 0) em_lu_solve(w->n, q->G[0], q->pivot[0], re);
     else em_complex_lu_solve(w->n, q->G[p], q->H[p], q->pivot[p], re, im);
 }
 
 /* change (stages, n) of the accelerations that removes the residuals r */
-static void em_shared_changes(const em_radau_iia *rk, em_run_state *w, double *change) {
-    const int n = w->n, stride = w->stride;
-    double re[n], im[n];
-    memset(change, 0, (size_t)(rk->stages * stride) * sizeof *change);
+EM_INLINE void em_shared_changes(const em_radau_iia *rk, em_run_state *w, int stride, double *change) {
+    double re[stride], im[stride];
     for (int p = 0; p <= rk->stages / 2; ++p) {
-        em_solve_along(rk, w, p, re, im);
-        for (int i = 0; i < rk->stages; ++i)
-            for (int k = 0; k < n; ++k) change[i * stride + k] += rk->from[p][i][0] * re[k] - rk->from[p][i][1] * im[k];
+        em_solve_along(rk, w, stride, p, re, im);
+        for (int k = 0; k < stride; k += EM_PACK) {
+            const em_pack x = EM_PACK_AT(re + k), y = EM_PACK_AT(im + k);
+            EM_UNROLL
+            for (int i = 0; i < rk->stages; ++i) {
+                double *const to = change + i * stride + k;
+                const em_pack before = p > 0 ? EM_PACK_AT(to) : (em_pack){0.0};
+                EM_PUT_PACK(to, before + (rk->from[p][i][0] * x - rk->from[p][i][1] * y));
+            }
+        }
     }
 }
 

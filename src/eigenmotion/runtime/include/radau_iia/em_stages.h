@@ -24,10 +24,10 @@ enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* a stage failed; w->reason says
 static int em_most_iterations(const em_radau_iia *rk) { return 7 + 5 * (rk->stages - 3) / 2; }
 
 /* X, V of the stages, from their accelerations. */
-static void em_stage_states(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE void em_stage_states(const em_radau_iia *rk, em_run_state *w, int stride) {
     em_implicit *q = &w->stages;
-    em_by_stages(rk, w->h, w->stride, w->y + w->n, q->a, q->V);
-    em_by_stages(rk, w->h, w->stride, w->y, q->V, q->X);
+    em_by_stages(rk, w->h, stride, w->y + w->n, q->a, q->V);
+    em_by_stages(rk, w->h, stride, w->y, q->V, q->X);
 }
 
 /* v^T M v */
@@ -72,21 +72,21 @@ static int em_rate_of_stage(em_run_state *w, int i, double t, const double *x, c
 }
 
 /* r (n) of every stage <- its rate minus its acceleration. 0, or -1 and w->reason */
-static int em_stage_residuals(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_stage_residuals(const em_radau_iia *rk, em_run_state *w, int stride) {
     em_implicit *q = &w->stages;
     double dy[w->width];
     for (int i = 0; i < rk->stages; ++i) {
-        if (em_rate_of_stage(w, i, w->t + rk->c[i] * w->h, q->X + i * w->stride, q->V + i * w->stride, dy)) return -1;
-        for (int k = 0; k < w->n; ++k) q->r[i * w->stride + k] = dy[w->n + k] - q->a[i * w->stride + k];
+        if (em_rate_of_stage(w, i, w->t + rk->c[i] * w->h, q->X + i * stride, q->V + i * stride, dy)) return -1;
+        for (int k = 0; k < w->n; ++k) q->r[i * stride + k] = dy[w->n + k] - q->a[i * stride + k];
     }
     return 0;
 }
 
 /* Adds the changes of the accelerations; X and V are recomputed, because updates of a poor guess would leave
  * rounding in them. Returns the norm of the changes of x and v, in tolerances. */
-static double em_take_changes(const em_radau_iia *rk, em_run_state *w, const double *change) {
+EM_INLINE double em_take_changes(const em_radau_iia *rk, em_run_state *w, int stride, const double *change) {
     em_implicit *q = &w->stages;
-    const int n = w->n, stride = w->stride, last = (rk->stages - 1) * stride;
+    const int n = w->n, last = (rk->stages - 1) * stride;
     double faster[EM_MOST_NODES * stride], farther[EM_MOST_NODES * stride], sum = 0.0;
     em_by_stages(rk, w->h, stride, NULL, change, faster);
     em_by_stages(rk, w->h, stride, NULL, faster, farther);
@@ -95,7 +95,7 @@ static double em_take_changes(const em_radau_iia *rk, em_run_state *w, const dou
         for (int k = 0; k < stride; k += EM_PACK) EM_PUT_PACK(a + k, EM_PACK_AT(a + k) + EM_PACK_AT(change + i * stride + k));
         sum += em_weighted_squares(n, farther + i * stride, w->weight) + em_weighted_squares(n, faster + i * stride, w->weight + n);
     }
-    em_stage_states(rk, w);
+    em_stage_states(rk, w, stride);
     em_copy_packs(n, w->error, farther + last);
     em_copy_packs(n, w->error + n, faster + last);
     return sqrt(em_mean(sum, 2 * n * rk->stages));
@@ -125,25 +125,25 @@ static int em_trusts_slopes(const em_run_state *w, double residual, double befor
 }
 
 /* Iterates to convergence; q->contraction <- the rate of convergence. */
-static int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
+EM_INLINE int em_iterate_stages_of(const em_radau_iia *rk, em_run_state *w, int stride) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);
-    double change[EM_MOST_NODES * w->stride], before = 0.0, left = 1.0, residual = 0.0;
+    double change[EM_MOST_NODES * stride], before = 0.0, left = 1.0, residual = 0.0;
     q->contraction = 0.0;
     for (q->iterations = 1; q->iterations <= most; ++q->iterations) {
         const double last = residual;
-        if (em_stage_residuals(rk, w)) return EM_NO_RATE;
+        if (em_stage_residuals(rk, w, stride)) return EM_NO_RATE;
         residual = em_size_of_residuals(rk, w);
         if (q->own) em_coupled_changes(rk, w, change);
-        else em_shared_changes(rk, w, change);
-        const double size = em_take_changes(rk, w, change);
+        else em_shared_changes(rk, w, stride, change);
+        const double size = em_take_changes(rk, w, stride, change);
         if (!isfinite(size)) return em_not_finite(w, w->argument, w->error), EM_NO_RATE;
         if (q->iterations > 1) {
             const double factor = before > 0.0 ? size / before : 0.0;
             if (factor > EM_STAGNANT && size <= em_stage_noise(w)) return EM_SOLVED;
             left = factor < 1.0 ? factor / (1.0 - factor) : INFINITY;
             q->contraction = factor;
-            if (!(left * size * pow(factor, most - q->iterations) <= EM_ITERATION_TOLERANCE)) return EM_NOT_SOLVED;
+            if (!(left * size * em_power(factor, most - q->iterations) <= EM_ITERATION_TOLERANCE)) return EM_NOT_SOLVED;
         }
         if (left * size <= EM_ITERATION_TOLERANCE) {
             if (q->own || em_trusts_slopes(w, residual, last)) return EM_SOLVED;
@@ -152,6 +152,14 @@ static int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
         before = size;
     }
     return EM_NOT_SOLVED;
+}
+
+/* With the coefficients, and a small number of packs, as constants. */
+EM_NOINLINE int em_iterate_stages(const em_radau_iia *rk, em_run_state *w) {
+    const int small = w->stride == EM_PACK;
+    if (rk->stages == EM_RADAU5_TABLEAU.stages)
+        return small ? em_iterate_stages_of(&EM_RADAU5_TABLEAU, w, EM_PACK) : em_iterate_stages_of(&EM_RADAU5_TABLEAU, w, w->stride);
+    return small ? em_iterate_stages_of(&EM_RADAU9_TABLEAU, w, EM_PACK) : em_iterate_stages_of(&EM_RADAU9_TABLEAU, w, w->stride);
 }
 
 #endif

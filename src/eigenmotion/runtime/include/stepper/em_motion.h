@@ -7,6 +7,7 @@
 #define EM_MOTION_H
 
 #include "constraints/em_rank.h"
+#include "numeric/em_packs.h"
 
 EM_INLINE int em_is_bare(const em_model *model) { return model->dynamics->factored == NULL; }
 
@@ -14,14 +15,14 @@ EM_INLINE int em_is_bare(const em_model *model) { return model->dynamics->factor
 EM_INLINE int em_carries_motion(const em_model *model) { return model->dynamics->second_order && !em_is_bare(model); }
 
 /* dy <- (v, a, 0). 0, or -1 and *fault */
-EM_NOINLINE int em_motion_rhs(const em_model *model, double t, const double *y, const double *c, const double *u,
+EM_INLINE int em_motion_rhs(const em_model *model, double t, const double *y, const double *c, const double *u,
                           double *memory, int flags, double *dy, em_fault *fault) {
     const int n = model->n;
     double lambda[model->m + 1];
     if (em_carries_motion(model) || em_is_bare(model))
         return model->dynamics->rhs(0, t, y, c, u, memory, flags, dy, fault);
-    memcpy(dy, y + n, (size_t)n * sizeof *dy);
-    memset(dy + 2 * n, 0, (size_t)(model->n_state - 2 * n) * sizeof *dy);
+    for (int k = 0; k < n; ++k) em_put_number(dy + k, y[k + n]);
+    for (int k = 2 * n; k < model->n_state; ++k) em_put_number(dy + k, 0.0);
     return model->dynamics->acceleration(t, y, y + n, c, u, flags, dy + n, lambda, fault);
 }
 
