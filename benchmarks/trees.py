@@ -1,6 +1,6 @@
 """Benchmark of trees of bodies: time of a right-hand side and of a build, for arms of n joints.
 
-python benchmarks/trees.py [--growth]
+python benchmarks/trees.py [--growth | --angles]
 
 For each n: seconds to build (derivation, compiler, proof) and nanoseconds of a right-hand side within a run by dop853,
 for each formulation. It prints the table of docs/trees.md, with times relative to articulated bodies. Pinocchio's `aba`
@@ -9,6 +9,9 @@ is timed beside, called from Python, where it is installed.
 With `--growth`: for planar and spatial arms of 4 to 300 joints, in formulation articulated_body, seconds of all
 processors to build an arm with an empty cache, of these in the proof, nanoseconds of an acceleration, and milliseconds
 to run a second of motion by dop853; each divided by the number of joints, too.
+
+With `--angles`: for chains of 4 to 32 pendulums whose energies are written in the angles between links, seconds of all
+processors and on the clock to build one with an empty cache.
 """
 
 from __future__ import annotations
@@ -23,6 +26,8 @@ from statistics import median
 from typing import Any
 
 import numpy as np
+import sympy
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.building import verification
@@ -31,6 +36,7 @@ SIZES = (2, 4, 6, 8, 12, 16, 24)
 FORMULATIONS = {"articulated_body": 24, "lagrange": 24, "eigenfactor": 12}
 """Formulation -> largest n that it is built for."""
 ROUNDS = 5
+ANGLES = (4, 8, 12, 16, 20, 32)
 LENGTHS = (4, 8, 16, 32, 64, 65, 100, 200, 300)
 
 
@@ -43,6 +49,17 @@ def arm(n: int, axes: str = "zy") -> em.Model:
                          inertia=(0.00125, 0.0306, 0.0306))  # fmt: skip
     return em.Model(name=f"arm_of_{n}_{axes}", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
                     potential_energy=tree.potential_energy, initial=dict.fromkeys(tree.coordinates, 0.3))  # fmt: skip
+
+
+def pendulums(n: int) -> em.Model:
+    """Return a chain of n pendulums by its energies, in the angles between them."""
+    angles, (x, y, turn, T, V) = dynamicsymbols(f"q_1:{n + 1}"), (sympy.S.Zero,) * 5
+    for angle in angles:
+        turn += angle
+        x, y = x + sympy.sin(turn) / 2, y - sympy.cos(turn) / 2
+        T += (x.diff(em.t) ** 2 + y.diff(em.t) ** 2 + turn.diff(em.t) ** 2 / 50) / 2
+        V += 9.81 * y
+    return em.Model(name=f"pendulums_{n}", coordinates=angles, kinetic_energy=T, potential_energy=V)
 
 
 def nanoseconds(system: em.System) -> float:
@@ -127,11 +144,28 @@ def growth() -> None:
                 print(f"| {'planar' if axes == 'y' else 'spatial'} | {n} | {whole} | {each} |", flush=True)
 
 
+def written_as_energies() -> None:
+    """Print the table of chains whose energies are written in relative angles."""
+    print("| n | formulation | processors, s | clock, s |\n| --- | --- | --- | --- |")
+    with tempfile.TemporaryDirectory() as cache:
+        os.environ["EIGENMOTION_CACHE"] = cache
+        em.build(pendulums(2))
+        for n in ANGLES:
+            for formulation in ("lagrange", "eigenfactor"):
+                model, clock, start = pendulums(n), time.perf_counter(), processor_seconds()
+                em.build(model, formulation=formulation)
+                seconds = processor_seconds() - start, time.perf_counter() - clock
+                print(f"| {n} | {formulation} | {seconds[0]:.1f} | {seconds[1]:.1f} |", flush=True)
+
+
 def main() -> None:
-    """Print the table."""
+    """Print a table."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--growth", action="store_true", help="arms of 4 to 300 joints")
-    growth() if parser.parse_args().growth else formulations()
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--growth", action="store_true", help="arms of 4 to 300 joints")
+    which.add_argument("--angles", action="store_true", help="chains written as energies")
+    given = parser.parse_args()
+    (growth if given.growth else written_as_energies if given.angles else formulations)()
 
 
 def formulations() -> None:

@@ -7,6 +7,7 @@ from dataclasses import asdict, astuple, replace
 
 from .choices import OF_TREES, STANDARD, Choices
 from .equations.derive import derive
+from .equations.forms import saves_by_nesting
 from .equations.specialise import ALL_SAVINGS, Saving, Scene, specialise
 from .equations.tree.separation import masses_in_trees
 from .model import Model, ModelError
@@ -61,9 +62,10 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
 
 def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: bool) -> Program:
     mechanism = as_mechanism(model)
+    nested = saves_by_nesting(mechanism)
 
     def scene(may_loop: bool) -> Scene:
-        return specialise(derive(mechanism, may_loop), mechanism.scales, savings)
+        return specialise(derive(mechanism, may_loop, nested), mechanism.scales, savings)
 
     made = scene(choices.formulation in OF_TREES)
     differentiated = scene(False) if whole and made.in_loops else made

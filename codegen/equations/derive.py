@@ -13,6 +13,7 @@ from ..calculus.derivatives import Tangent, gradient
 from ..calculus.identity_test import Zeros
 from ..graph.convert import FromSympy, ToSympy
 from ..graph.graph import Graph
+from ..graph.nested_sums import NestedSums
 from ..graph.node_reference import References
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
@@ -52,8 +53,9 @@ class Mechanics:
     levels : `level` and `at_rest` of each switch of the model
     reaction_rates : (index, expression) of the rates of first-order states that depend on multipliers; Q is 0 there
     n_states : number of first-order states; these are the last entries of v, and nothing depends on their x
-    trees : the trees of bodies whose energies T and V contain; then all expressions refer to nodes of `trees.graph`.
-    With `trees.table`, M, T and V leave the trees out, and C adds them
+    trees : the trees of bodies whose energies T and V contain. With `trees.table`, M, T and V leave the trees out, and
+    C adds them
+    graph : that to whose nodes all expressions refer, with trees or nested sums; None: they are written out in symbols
     """
 
     name: str
@@ -86,6 +88,7 @@ class Mechanics:
     reaction_rates: tuple[tuple[int, sympy.Expr], ...]
     n_states: int
     trees: Trees | None
+    graph: Graph | None
 
     @property
     def coordinate_names(self) -> tuple[str, ...]:
@@ -114,13 +117,15 @@ class Mechanics:
         return tuple(self.M.diff(symbol) for symbol in self.x)
 
 
-def derive(model: Mechanism, may_loop: bool = False) -> Mechanics:
+def derive(model: Mechanism, may_loop: bool = False, nested: bool = False) -> Mechanics:
     """Derive M, G, T0, V, Q, A and b from the energies, forces and constraints.
 
     `may_loop`: energies and M may leave out large trees of bodies, which C then adds (see `Trees.table`).
+    `nested`: sums share what they begin with (`NestedSums`); the model has no trees.
 
     T(x, v, t) = 1/2 v^T M v + G^T v + T0 (4)-(6): M_ij = d2T / dv_i dv_j, G_i = dT / dv_i at v = 0. Where M_ij contains
-    x_k but does not depend on it, x_k is replaced by a number.
+    x_k but does not depend on it, x_k is replaced by a number; with nested sums, whose entries share subexpressions,
+    only where M_ij is constant.
 
     Raises
     ------
@@ -130,9 +135,9 @@ def derive(model: Mechanism, may_loop: bool = False) -> Mechanics:
     """
     try:
         try:
-            return _Derivation(model, may_loop).mechanics()
+            return _Derivation(model, may_loop, nested).mechanics()
         except _MasslessError:  # whether M is singular along the constraints, too, is decided with all of it
-            return _Derivation(model, may_loop=False).mechanics()
+            return _Derivation(model, may_loop=False, nested=nested).mechanics()
     except ZeroDivisionError as error:
         raise ModelError(
             f"model {model.name}: kinetic_energy or a nonholonomic constraint divides by what is zero at rest; "
@@ -151,17 +156,21 @@ class _MasslessError(Exception):
 class _Derivation:
     """The symbols, graph and operators that the steps of one derivation share."""
 
-    def __init__(self, model: Mechanism, may_loop: bool) -> None:
+    def __init__(self, model: Mechanism, may_loop: bool, nested: bool) -> None:
         self.model = model
         self.names = Names(model)
         self.graph = Graph(symbol.name for symbol in self.names.parameters)
         self.expansion = Expansion(self.graph)
         self.from_sympy = FromSympy(self.graph, self.expansion)
+        self.nested: NestedSums | None = None
+        if nested:
+            self.nested = NestedSums(self.graph, list(map(self.node, _stated(model))))
         self.trees = separated(model, self.expansion, self.node, may_loop)
-        back = References if self.trees else ToSympy
+        back = References if self.trees or self.nested else ToSympy
         self.to_sympy: Callable[[Node], sympy.Expr] = back(self.graph, self.names.by_name())
         self.zeros = Zeros(self.graph, self.names.signs())
         self.at_rest = Substitution(self.graph, {v.name: self.graph.zero for v in self.names.v})
+        self.at_origin = Substitution(self.graph, {x.name: self.graph.zero for x in (*self.names.x, self.names.time)})
         self.along = {name: Tangent(self.graph, {name: self.graph.one})
                       for name in (*(x.name for x in self.names.x), self.names.time.name)}  # fmt: skip
 
@@ -204,7 +213,7 @@ class _Derivation:
             drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(actions.impacts()),
             resets=tuple(actions.resets()), norms=norms, levels=tuple(actions.levels()), n_states=len(model.states),
             reaction_rates=tuple((k, self.to_sympy(rate)) for k, rate in actions.reaction_rates),
-            trees=self.trees,
+            trees=self.trees, graph=self.graph if self.trees or self.nested else None,
         )  # fmt: skip
 
     def matrix(self, rows: Sequence[Sequence[Node]]) -> sympy.ImmutableDenseMatrix:
@@ -218,9 +227,10 @@ class _Derivation:
 
     def node(self, expression: sympy.Expr) -> Node:
         try:
-            return self.from_sympy(self.names.plain(expression))
+            node = self.from_sympy(self.names.plain(expression))
         except ModelError as error:
             raise ModelError(f"Model {self.model.name!r}: {error}") from error
+        return self.nested(node) if self.nested else node
 
     def weights(self, M: list[list[Node]], A: list[list[Node]], phi: list[Node]) -> list[Node]:
         start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
@@ -273,10 +283,20 @@ class _Derivation:
         """Eliminate the coordinates on which an entry does not depend although it contains them."""
         if self.zeros(entry):
             return self.graph.zero
+        if self.nested:
+            return self._constant(entry)
         for symbol in (*self.names.x, self.names.time):
             if self.graph.depends(entry, symbol.name):
                 entry = self._without(entry, symbol.name)
         return entry
+
+    def _constant(self, entry: Node) -> Node:
+        """Return an entry that contains coordinates but depends on none of them without them."""
+        try:
+            candidate = self.at_origin(entry)
+        except ZeroDivisionError:
+            return entry
+        return candidate if self.zeros.equal(candidate, entry) else entry
 
     def _without(self, entry: Node, name: str) -> Node:
         if self.zeros(self.along[name](entry)):
@@ -317,3 +337,9 @@ class _Derivation:
                 f"{expression}; write it as A(x, t) xdot + b(x, t)"
             )
         return rest
+
+
+def _stated(model: Mechanism) -> list[sympy.Expr]:
+    """Return the expressions from which the equations of motion follow."""
+    rows = (*model.holonomic_constraints, *model.nonholonomic_constraints)
+    return [model.kinetic_energy, model.potential_energy, *model.forces, *rows]

@@ -67,7 +67,7 @@ class Terms:
         self.expanded = self._expansion()
 
     def _own_graph(self) -> Graph:
-        return Graph(symbol.name for symbol in self.mechanics.parameters)
+        return self.mechanics.graph or Graph(symbol.name for symbol in self.mechanics.parameters)
 
     def _nodes(self, expressions: Iterable[sympy.Expr]) -> tuple[Node, ...]:
         return tuple(map(self.node, expressions))
@@ -132,13 +132,11 @@ class Terms:
 
         Where A^T W A is added to M, -A^T W gamma is added to the bias.
         """
-        rates = [self.along(p) for p in self._momentum]
-        from_T = [self.graph.add(self.along(p), self.graph.negative(self.along(g)))
-                  for p, g in zip(gradient(self.graph, self.T, self.v), self.G, strict=True)]  # fmt: skip
+        rates = self._rates_of_momentum()
         forms = [
             tuple(self._difference(force, rate) for force, rate in zip(self._force(form), kinetic, strict=True))
             for form in self._gradients_of_L()
-            for kinetic in (rates, from_T)
+            for kinetic in rates
         ]
         return self._plus_rows(min(forms, key=self._weight), self.W, self.A, map(self.graph.negative, self.gamma))
 
@@ -183,6 +181,17 @@ class Terms:
 
     def _weight(self, nodes: Sequence[Node]) -> int:
         return weight(self.graph, list(map(self.expanded, nodes)))
+
+    def _rates_of_momentum(self) -> list[list[Node]]:
+        """Return Mdot v in two forms: from M v, and from dT/dv."""
+        return [[self.along(p) for p in self._momentum], self._rates_from_T()]
+
+    def _rates_from_T(self) -> list[Node]:
+        """Return Mdot v = d/dt (dT/dv - G)."""
+        return [
+            self.graph.add(self.along(p), self.graph.negative(self.along(g)))
+            for p, g in zip(gradient(self.graph, self.T, self.v), self.G, strict=True)
+        ]
 
     def _gradients_of_L(self) -> list[tuple[Node, ...]]:
         """Return dL/dx at fixed velocities (10) in three forms: from T as written, from 1/2 v^T M v, and from dM."""

@@ -30,8 +30,8 @@ def derived(mechanics, name, point):
     entries = getattr(mechanics, name)
     flat = [entries] if name == "T0" else list(entries)
     arguments = [*mechanics.x, *mechanics.parameters, mechanics.time, *mechanics.v]
-    if mechanics.trees:
-        to_sympy = ToSympy(mechanics.trees.graph, {symbol.name: symbol for symbol in arguments})
+    if mechanics.graph:
+        to_sympy = ToSympy(mechanics.graph, {symbol.name: symbol for symbol in arguments})
         flat = [
             entry.replace(lambda part: isinstance(part, NodeReference), lambda part: to_sympy(part.node))
             for entry in flat
@@ -39,10 +39,11 @@ def derived(mechanics, name, point):
     return np.array(sympy.lambdify(arguments, flat, cse=True)(*point), dtype=float)
 
 
+@pytest.mark.parametrize("nested", [False, True])
 @pytest.mark.parametrize("name", NAMES)
-def test_terms_of_every_model(name):
+def test_terms_of_every_model(name, nested):
     given, random = as_mechanism(model_of(name)), np.random.default_rng(5)
-    direct, mechanics = Direct(given), derive(given)
+    direct, mechanics = Direct(given), derive(given, nested=nested)
     for _ in range(3):
         x = np.array(given.initial_x) + random.uniform(-0.4, 0.4, given.n)
         parameters = [value * random.uniform(0.8, 1.2) for _, value in given.parameters]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cached_property
 
 from ...calculus.derivatives import gradient
-from ...graph.graph import Graph
 from ...graph.store import Node
+from ..nested_terms import NestedTerms
 from ..specialise import Scene
 from ..terms import HALF, Terms
 from .articulated_bodies import ArticulatedBodies, articulated_bodies
@@ -15,10 +15,13 @@ from .separation import Trees
 
 def terms_of(scene: Scene) -> Terms:
     """Return the terms of a scene."""
-    return TreeTerms(scene, scene.mechanics.trees) if scene.mechanics.trees else Terms(scene)
+    mechanics = scene.mechanics
+    if mechanics.trees:
+        return TreeTerms(scene, mechanics.trees)
+    return NestedTerms(scene) if mechanics.graph else Terms(scene)
 
 
-class TreeTerms(Terms):
+class TreeTerms(NestedTerms):
     """Terms of a model with trees: the bias of these by recursive Newton-Euler, that of the other energies by Lagrange.
 
     No derivatives of M are written, since their number grows as n^3.
@@ -27,9 +30,6 @@ class TreeTerms(Terms):
     def __init__(self, scene: Scene, trees: Trees) -> None:
         self.trees = trees
         super().__init__(scene)
-
-    def _own_graph(self) -> Graph:
-        return self.trees.graph
 
     @cached_property
     def T2(self) -> Node:
@@ -63,7 +63,3 @@ class TreeTerms(Terms):
     def yielded(self) -> ArticulatedBodies:
         """Accelerations and M^-1 P^T by articulated bodies."""
         return articulated_bodies(self.mechanics, self.trees, self.forces, self.P)
-
-    def _gradients_of_L(self) -> list[tuple[Node, ...]]:
-        """Return dL/dx at fixed velocities (10) from T as written, by one reverse sweep."""
-        return [gradient(self.graph, self._difference(self.T, self.V), self.x)]
