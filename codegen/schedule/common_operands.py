@@ -121,9 +121,13 @@ class _Pairs:
             operands.remove(key[0])
             operands.remove(key[1])
             return Operation("mul", tuple(sorted([*operands, value])))
-        factor = dict(operands)[key[0]]
-        rest = [(v, f) for v, f in operands if v not in key[:2]]
-        return Operation("add", tuple(sorted([*rest, (value, factor)])))
+        factors = dict(operands)
+        factor = factors.pop(key[0])
+        del factors[key[1]]
+        both = factors.pop(value, 0) + factor  # it may be an operand already
+        if both or not factors:
+            factors[value] = both
+        return Operation("add", tuple(sorted(factors.items())))
 
 
 def _quotient(first: Number, second: Number) -> Number:

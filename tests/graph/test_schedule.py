@@ -153,6 +153,20 @@ def test_pairs_shared_by_sums_up_to_a_factor_are_taken_out():
     assert plan.cost.add == 3
 
 
+@pytest.mark.parametrize("factor", [5.5, 3.5, -3.5])
+def test_a_pair_that_is_an_operand_of_its_sum_too_is_added_to_it(factor):
+    """3.5 a - 3.5 b + k (a - b) + z, beside a - b: humanoids had such a sum, with one factor for both."""
+    bench = Bench()
+    a, b, c = (bench.node(one) for one in (sin(x), sin(y), sin(z)))
+    apart = bench.graph.sum([(a, 1.0), (b, -1.0)])
+    roots = [bench.graph.sum([(a, 3.5), (b, -3.5), (apart, factor), (one, 1)]) for one in (c, bench.node(cos(x)))]
+    plan = schedule(bench.graph, [*roots, bench.graph.call("cos", apart)])
+    found = run(plan, VALUES, {})
+    for root, other in zip(roots, (math.sin(VALUES["z"]), math.cos(VALUES["x"])), strict=True):
+        right = (3.5 + factor) * (math.sin(VALUES["x"]) - math.sin(VALUES["y"])) + other
+        assert math.isclose(found[plan.roots[root]], right, rel_tol=1e-14)
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_terms_of_every_model_keep_their_values(name):
     """The force, Mdot, M of a model: by way of the operations chosen, against the graph evaluated node by node."""
