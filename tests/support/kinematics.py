@@ -23,17 +23,20 @@ def acceleration(system: System, time: float, y: np.ndarray, dy: np.ndarray, par
     """Return xddot (n,) for x = y[:n], by blocks of M.
 
     eigenfactor   v = C^T S^-1 eta   xddot = Cdot^T S^-1 eta - C^T S^-2 Sdot eta + C^T S^-1 etadot
-    cholesky      v = L^-T eta       xddot = L^-T (etadot - Ldot^T v)
+    cholesky      v = L^-T eta       xddot = L^-T (etadot - Ldot^T v), with coordinates in the order of the root
     """
     if "v" in system.layout:
         return dy[system.layout["v"]]
     x, v = y[: system.n], dy[: system.n]
     M, rate = factored(system, x, time, parameters), mass_rate(system, time, x, v, parameters)
     if system.formulation == "cholesky":
-        L = np.linalg.cholesky(M)
+        order = root_order(system, time, x, parameters)
+        L, rate = np.linalg.cholesky(M[np.ix_(order, order)]), rate[np.ix_(order, order)]
         inner = np.linalg.solve(L, np.linalg.solve(L, rate).T)
         L_rate = L @ (np.tril(inner) - np.diag(np.diag(inner)) / 2)
-        return np.linalg.solve(L.T, dy[system.layout["eta"]] - L_rate.T @ v)
+        a = np.empty(system.n)
+        a[order] = np.linalg.solve(L.T, dy[system.layout["eta"]][order] - L_rate.T @ v[order])
+        return a
     result = linear_part(system, time, y, dy[system.layout["eta"]], parameters)
     for block, C, s, C_dot, s_dot in carried(system, y, dy):
         eta = y[system.layout["eta"]][list(block)]
@@ -42,6 +45,22 @@ def acceleration(system: System, time: float, y: np.ndarray, dy: np.ndarray, par
     for (k,) in (block for block in system.blocks if len(block) == 1 and block[0] not in system.compiled.carried):
         result[k] -= rate[k, k] / (2 * M[k, k]) * v[k]
     return result
+
+
+def root_matrix(system: System, time: float, x: np.ndarray, parameters: Values = None) -> np.ndarray:
+    """Return R (n, n) of eta = R v: its columns are eta of states in which one coordinate moves."""
+    states = [system.state(x, v, time, parameters) for v in np.eye(system.n)]
+    return np.array([y[system.layout["eta"]] for y in states]).T
+
+
+def root_order(system: System, time: float, x: np.ndarray, parameters: Values = None) -> list[int]:
+    """Return the coordinates in an order in which R is upper triangular, at x and beside it."""
+    uses = sum(np.abs(root_matrix(system, time, x + s * (1 + np.arange(system.n)), parameters)) for s in (0, 1e-3)) > 0
+    left, order = [*range(system.n)], []
+    while left:
+        order.append(next(k for k in reversed(left) if not any(uses[k, other] for other in left if other != k)))
+        left.remove(order[-1])
+    return order[::-1]
 
 
 def linear_part(system: System, time: float, y: np.ndarray, eta: np.ndarray, parameters: Values) -> np.ndarray:

@@ -25,7 +25,7 @@ class CompiledValues:
     A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
     C (k, n, n); s (k, n); NaN if v is in the state, where they cost much and nothing needs them;
-    y, dy (k, n_state); velocity (k, n) of y;
+    y, dy (k, n_state); velocity (k, n) of y; root (k, n, n): R of eta = R v, NaN in other formulations than cholesky;
     least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
     """
 
@@ -48,20 +48,20 @@ class CompiledValues:
     y: Vector
     dy: Vector
     velocity: Vector
+    root: Vector
     least_norm: Vector
 
 
 def evaluate_compiled(system: System, points: Points) -> CompiledValues:
     """Evaluate all functions of a model at all points."""
     columns = zip(points.t, points.x, points.v, points.u, points.p, strict=True)
-    rows = [_evaluate_one(system.compiled, "v" in system.layout, *place) for place in columns]
+    rows = [_evaluate_one(system, *place) for place in columns]
     return CompiledValues(*(np.array(column) for column in zip(*rows, strict=True)))
 
 
-def _evaluate_one(
-    c: CompiledModel, carries_v: bool, t: float, x: Vector, v: Vector, u: Vector, p: Vector
-) -> tuple[Vector, ...]:
+def _evaluate_one(system: System, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
     """Return the fields of CompiledValues at one point."""
+    c = system.compiled
     try:
         prepared = c.prepare(p)
     except EvaluationError:
@@ -72,7 +72,7 @@ def _evaluate_one(
     if least_norm:
         a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, True)
     unknown = np.full((1, c.n, c.n), np.nan), np.full((1, c.n), np.nan)
-    C, s = unknown if carries_v else c.eigenfactor_rows(time, position, prepared)
+    C, s = unknown if "v" in system.layout else c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
         c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), *_along(c, t, x, v, prepared),
@@ -82,8 +82,15 @@ def _evaluate_one(
         c.drawn_rows(time, position, moving, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u, least_norm), c.velocity_rows(time, y, prepared)[0],
-        np.array(least_norm),
+        _root(c, t, x, prepared) if system.formulation == "cholesky" else unknown[0][0], np.array(least_norm),
     )  # fmt: skip
+
+
+def _root(c: CompiledModel, t: float, x: Vector, prepared: Prepared) -> Vector:
+    """Return R (n, n): its columns are eta of states in which one coordinate moves."""
+    n = c.n
+    moving = c.state_rows(np.full(n, t), np.tile(x, (n, 1)), np.eye(n), prepared)
+    return np.asarray(moving[:, n : 2 * n].T)
 
 
 def _along(c: CompiledModel, t: float, x: Vector, v: Vector, prepared: Prepared) -> tuple[Vector, Vector]:
@@ -123,4 +130,4 @@ def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Return the shapes of the fields of CompiledValues at one point."""
     n, m, state = c.n, c.m, (c.n_state,)
     return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
-            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip
+            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), (n, n), ())  # fmt: skip

@@ -42,7 +42,7 @@ def rates(
         yield Identity([f"the rate of {name}'" for name in names], [rounded(compiled.dy[:, n:]), -a],
                        scale=speeds(compiled.a, compiled))  # fmt: skip
     elif system.formulation == "cholesky":
-        yield _of_root(names, rounded(compiled.dy[:, n : 2 * n]), back, a, symbolic)
+        yield from _of_root(names, rounded(compiled.dy[:, n : 2 * n]), back, a, compiled.root, symbolic)
     else:
         yield from _of_eigenfactors(system, back, a, compiled, symbolic)
     if "s_delta" in layout:
@@ -61,16 +61,33 @@ def speeds(v: Vector, compiled: CompiledValues) -> Vector:
     return np.asarray(np.nan_to_num(np.sqrt(np.abs(W * energy[:, None]))))
 
 
-def _of_root(names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, symbolic: SymbolicValues) -> Identity:
-    """Return the identity of eta = L^T v, M = L L^T, with the rate of L from that of M."""
-    L = root(symbolic.M)
+def _of_root(
+    names: Sequence[str], eta_rate: Rounded, v: Rounded, a: Rounded, R: Vector, symbolic: SymbolicValues
+) -> Iterator[Identity]:
+    """Yield identities of eta = R v, M = R^T R, with the rate of R from that of M; R (k, n, n) is triangular."""
+    entries = [f"R^T R = M of {one}, {two}" for one in names for two in names]
+    columns, size = rounded(R), geometric(symbolic.M.value)
+    yield Identity(entries, [flat(columns.turned @ columns), -flat(symbolic.M)], _wide(EPS * size), _wide(size))
+    order = _order(R)
+    M, M_rate = (part[np.ix_(range(len(R)), order, order)] for part in (symbolic.M, symbolic.M_rate))
+    L = root(M)
     back = np.linalg.inv(np.where(np.isfinite(L.value), L.value, np.eye(L.value.shape[1])))
     W = Rounded(back, np.abs(back) @ L.bound @ np.abs(back))
-    inner = W @ symbolic.M_rate @ W.turned
+    inner = W @ M_rate @ W.turned
     half = np.tril(np.ones(back.shape[1:])) - 0.5 * np.eye(back.shape[1])
-    turning = applied((L @ (half * inner)).turned, v)
-    terms = [eta_rate, -turning, -applied(L.turned, a)]
-    return Identity([f"the rate of eta for {name}'" for name in names], terms, scale=_all(terms))
+    turning = applied((L @ (half * inner)).turned, v[:, order])
+    terms = [eta_rate[:, order], -turning, -applied(L.turned, a[:, order])]
+    yield Identity([f"the rate of eta for {names[k]}'" for k in order], terms, scale=_all(terms))
+
+
+def _order(R: Vector) -> list[int]:
+    """Return the coordinates in an order in which R (k, n, n) is upper triangular; as they are, if there is none."""
+    uses, left, order = np.asarray(np.nan_to_num(R).any(axis=0)), [*range(R.shape[1])], list[int]()
+    while left:
+        k = next((k for k in reversed(left) if not any(uses[k, other] for other in left if other != k)), left[-1])
+        order.append(k)
+        left.remove(k)
+    return order[::-1]
 
 
 def _all(terms: Sequence[Rounded]) -> Vector:
