@@ -1,6 +1,6 @@
 """Benchmark of trees of bodies: time of a right-hand side and of a build, for arms of n joints.
 
-python benchmarks/trees.py [--growth | --angles]
+python benchmarks/trees.py [--growth | --angles | --root]
 
 For each n: seconds to build (derivation, compiler, proof) and nanoseconds of a right-hand side within a run by dop853,
 for each formulation. It prints the table of docs/trees.md, with times relative to articulated bodies. Pinocchio's `aba`
@@ -12,6 +12,11 @@ to run a second of motion by dop853; each divided by the number of joints, too.
 
 With `--angles`: for chains of 4 to 32 pendulums whose energies are written in the angles between links, seconds of all
 processors and on the clock to build one with an empty cache.
+
+With `--root`: formulation cholesky, whose root of M follows from M or from articulated bodies, whichever has fewer
+operations. For each n, the operations of a right-hand side (an addition counts 1, a multiplication 1, a division 4, a
+root 5, a function 15), and its nanoseconds within a run by dop853: with the root of M, with that of articulated bodies,
+and in formulation articulated_body.
 """
 
 from __future__ import annotations
@@ -20,13 +25,18 @@ import argparse
 import os
 import tempfile
 import time
+from contextlib import ExitStack
 from importlib import import_module
 from importlib.util import find_spec
 from statistics import median
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import sympy
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import Choices
+from eigenmotion.codegen.program import kernels, memory_layout
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -37,6 +47,9 @@ FORMULATIONS = {"articulated_body": 24, "lagrange": 24, "eigenfactor": 12}
 """Formulation -> largest n that it is built for."""
 ROUNDS = 5
 ANGLES = (4, 8, 12, 16, 20, 32)
+ROOTED = (4, 6, 8, 12, 16, 32, 64)
+LARGEST_M = 32
+"""Joints for which the root of M is built: beyond, a compiler takes minutes."""
 LENGTHS = (4, 8, 16, 32, 64, 65, 100, 200, 300)
 
 
@@ -158,14 +171,48 @@ def written_as_energies() -> None:
                 print(f"| {n} | {formulation} | {seconds[0]:.1f} | {seconds[1]:.1f} |", flush=True)
 
 
+def rooted(n: int, way: str, folder: str) -> tuple[int, em.System]:
+    """Return the operations of a right-hand side of an arm, and its system.
+
+    `way` : "M", "bodies" (the root by either, whatever it costs), or "accelerations"
+    """
+    os.environ["EIGENMOTION_CACHE"] = f"{folder}/{way}"  # the cache does not know of `way`
+    dense = kernels.dense_weight
+    choices = Choices("articulated_body" if way == "accelerations" else "cholesky")
+    with ExitStack() as stack:
+        if way == "M":
+            for module in (compiler, memory_layout):
+                stack.enter_context(patch.object(module, "has_recursive_root", lambda _: False))
+        stack.enter_context(patch.object(kernels, "dense_weight", lambda *_: 10**9))
+        made = compiler.program(arm(n), choices, whole=False)
+        beside = sum(dense(block, 0) for block in made.blocks) if way == "M" else 0
+        return made.kernels.published.cost.weight + beside, em.build(arm(n), formulation=choices.formulation)
+
+
+def roots() -> None:
+    """Print the table of the triangular root."""
+    ways = ("M", "bodies", "accelerations")
+    heads = ("n", *(f"operations, {way}" for way in ways), *(f"{way}, ns" for way in ways))
+    print(f"| {' | '.join(heads)} |\n|{' --- |' * len(heads)}")
+    with tempfile.TemporaryDirectory() as folder:
+        for n in ROOTED:
+            made = {way: rooted(n, way, folder) for way in ways if way != "M" or n <= LARGEST_M}
+            rounds = [{way: nanoseconds(system) for way, (_, system) in made.items()} for _ in range(ROUNDS)]
+            times = [f"{median(one[way] for one in rounds):.0f}" if way in made else "" for way in ways]
+            counts = [f"{made[way][0]}" if way in made else "" for way in ways]
+            print(f"| {n} | {' | '.join((*counts, *times))} |", flush=True)
+
+
 def main() -> None:
     """Print a table."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--growth", action="store_true", help="arms of 4 to 300 joints")
     which.add_argument("--angles", action="store_true", help="chains written as energies")
+    which.add_argument("--root", action="store_true", help="the triangular root by M and by articulated bodies")
     given = parser.parse_args()
-    (growth if given.growth else written_as_energies if given.angles else formulations)()
+    tables = {"growth": growth, "angles": written_as_energies, "root": roots}
+    next((table for name, table in tables.items() if getattr(given, name)), formulations)()
 
 
 def formulations() -> None:

@@ -10,6 +10,7 @@ from .equations.derive import derive
 from .equations.forms import saves_by_nesting
 from .equations.specialise import ALL_SAVINGS, Saving, Scene, specialise
 from .equations.tree.separation import masses_in_trees
+from .equations.tree.triangular_root import has_recursive_root
 from .model import Model, ModelError
 from .model.check.assumptions import ANY, allowed, declared
 from .model.normalise import name_of
@@ -67,7 +68,9 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
     def scene(may_loop: bool) -> Scene:
         return specialise(derive(mechanism, may_loop, nested), mechanism.scales, savings)
 
-    made = scene(choices.formulation in OF_TREES)
+    made = scene(choices.formulation in (*OF_TREES, "cholesky"))
+    if made.in_loops and choices.formulation == "cholesky" and not has_recursive_root(made.mechanics):
+        made = scene(False)
     differentiated = scene(False) if whole and made.in_loops else made
     return lower(made, _defaults(model), choices, differentiated if whole else None)
 

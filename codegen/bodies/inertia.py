@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .rotation import General, Rotation, Symmetric, full, matrix_vector
-from .scalar import HALF, Scalar, Vector, cross, dot, plus, scaled, total
+from .scalar import HALF, Scalar, Vector, cross, dot, minus, plus, scaled, total
 
 Spatial = tuple[Vector, Vector]
 """Angular part, then linear part: angular velocity and velocity of the origin, or torque about the origin and force"""
@@ -118,6 +118,19 @@ class ArticulatedInertia:
         J = [total(p[0].graph, (self.J[k], left[i][j], -right[i][j])) for k, (i, j) in enumerate(places)]
         return ArticulatedInertia(J, _flat(moved), self.M)
 
+    def rate(self, motion: Spatial) -> ArticulatedInertia:
+        """Return its derivative in the parent's frame, in the axes of a child that moves so: v x* I - I v x.
+
+        J' = A + A^T, A = w x J + v x H^T; H' = w x H - H w x + v x M; M' = B + B^T, B = w x M.
+        """
+        (w, v), M = motion, full(self.M)
+        H, H_T = _rows(self.H), [self.H[k::3] for k in range(3)]
+        A = [plus(*rows) for rows in zip(_crossed_columns(w, full(self.J)), _crossed_columns(v, H_T), strict=True)]
+        B = _crossed_columns(w, M)
+        terms = zip(_crossed_columns(w, H), H, _crossed_columns(v, M), strict=True)
+        moved = [minus(plus(one, other), cross(row, w)) for one, row, other in terms]
+        return ArticulatedInertia(_doubled(A), _flat(moved), _doubled(B))
+
     def without(self, forces: Sequence[Spatial], gains: Sequence[Spatial]) -> ArticulatedInertia:
         """Return it less sum of force gain^T, what a joint that gives way does not pass on."""
         J, H, M = list(self.J), list(self.H), list(self.M)
@@ -141,3 +154,8 @@ def _crossed_columns(p: Vector, matrix: Sequence[Vector]) -> list[Vector]:
     """Return [p x] matrix."""
     columns = [cross(p, column) for column in zip(*matrix, strict=True)]
     return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _doubled(A: Sequence[Vector]) -> Symmetric:
+    """Return A + A^T."""
+    return [A[i][j] + A[j][i] for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))]

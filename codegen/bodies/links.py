@@ -118,7 +118,7 @@ class Links:
         T = product(C, transposed(last))
         numbers = [self._numbers[q] for q in body.coordinates]
         moves, S = self._joint(body, [self.q[k] for k in numbers])
-        rates = [self._rate(one) for one in S]
+        rates = [self.rate(one) for one in S]
         rate = spatial_sum(self.still, *(times(r, self.v[k]) for r, k in zip(rates, numbers, strict=True)))
         self.carried[body] = Carried(len(self.moving), transposed(T), [self.zero] * 3)
         ratio, offset = self.scalars((body.ratio, body.offset))
@@ -135,7 +135,8 @@ class Links:
         steps, S = _JOINTS[body.joint]([ratio * one + offset for one in q])
         return steps, [times(one, ratio) for one in S]
 
-    def _rate(self, S: Spatial) -> Spatial:
+    def rate(self, S: Spatial) -> Spatial:
+        """Return the derivative of a motion along the motion, entry by entry."""
         return [self._along(entry) for entry in S[0]], [self._along(entry) for entry in S[1]]
 
     def _along(self, entry: Scalar) -> Scalar:

@@ -14,7 +14,7 @@ from .line_breaks import folded, wrapped
 from .parts import KEPT, Part, cut
 from .printer import Printer
 
-INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
+INPUTS = ("t", "x", "v", "eta", "a", "lambda", "c", "u", "parameters")
 """The possible inputs of a kernel, in the order of its arguments; all but the time are arrays."""
 SHARED = "shared"
 """The array of values that one kernel computes and the next one also needs."""

@@ -99,6 +99,7 @@ class Kernels:
     reaction_rate_partials : their derivatives with respect to multipliers
     published, triangular : right-hand sides in modes 0 and 1; settled : the treatment of an accepted state
     asks_the_root : whether `settled` shares the kernels of the triangular root, which compute the lower triangle of M
+    velocity_of_eta, eta_of_velocity : if `published` takes the triangular root from articulated bodies
     mass_matrix : None if settled.masses computes all of M; factored : M + A^T W A, None if M itself is factored
     partials : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
@@ -133,3 +134,5 @@ class Kernels:
     triangular: Stages
     settled: Stages
     asks_the_root: bool
+    velocity_of_eta: Kernel | None
+    eta_of_velocity: Kernel | None

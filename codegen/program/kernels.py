@@ -17,10 +17,11 @@ from ..equations.terms import Rows
 from ..equations.tree.articulated_bodies import armature
 from ..equations.tree.link_table import is_parametric
 from ..equations.tree.tree_terms import TreeTerms, terms_of
+from ..equations.tree.triangular_root import eta_names
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from ..model.model import ModelError
-from ..schedule.schedule import Constants
+from ..schedule.schedule import Constants, weight
 from .kernel_roles import Kernels, Stages
 from .memory_layout import Layout
 from .partial_kernels import partial_kernels
@@ -30,6 +31,7 @@ from .time_event_kernel import time_event_kernel
 
 OF_STATE = {"x": "y", "v": "dy"}
 """The arrays of coordinates and velocities in a right-hand side."""
+WITH_ETA = OF_STATE | {"eta": "y + N"}
 
 
 def kernels_of(scene: Scene, choices: Choices, layout: Layout, differentiated: Scene | None) -> tuple[Kernels, int]:
@@ -55,9 +57,12 @@ class _Writing:
         self.places: dict[str, tuple[str, int | None]] = {
             symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
         } | {"t": ("t", None)}
+        if layout.from_tips:
+            self.places |= {name: ("eta", k) for k, name in enumerate(eta_names(mechanics))}
 
     def kernels(self, differentiated: Scene | None) -> Kernels:
-        published, triangular, settled = self.equations()
+        recursive = self.recursive_root()
+        published, triangular, settled = self.beside(recursive) if recursive else self.equations()
         shared = settled.masses is not None and settled.masses.exported
         has_M = shared and not any(block.fixed for block in self.blocks)  # without rows, nothing is added to M
         mass_matrix = None if has_M or self.scene.in_loops else self.mass_matrix("mass_matrix", self.terms.M)
@@ -67,6 +72,7 @@ class _Writing:
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
         reactions = self.of_reactions()
+        velocity_of_eta, eta_of_velocity = self.maps_of_root() if recursive else (None, None)
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
         symbols = Symbols(self.places, self.layout.first_constant)
@@ -80,7 +86,8 @@ class _Writing:
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
                        drawing=drawing, partials=partials, time_events=time_events, tables=tables,
                        frames=frames, own_masses=own_masses, prepared=prepared, **reactions,
-                       asks_the_root=shared, mass_matrix=mass_matrix, **by_name)  # fmt: skip
+                       asks_the_root=shared, mass_matrix=mass_matrix, velocity_of_eta=velocity_of_eta,
+                       eta_of_velocity=eta_of_velocity, **by_name)  # fmt: skip
 
     @property
     def root_suffices(self) -> bool:
@@ -98,6 +105,10 @@ class _Writing:
             return self.with_root_kernels(root, root.motion, passing)
         settled = self.stages(self.settled_masses(), self.settled_rates())
         return (root, none, settled) if cholesky else (self.published(), root, settled)
+
+    def beside(self, recursive: Stages) -> tuple[Stages, Stages, Stages]:
+        """Return `equations` with a recursive root."""
+        return recursive, Stages(None, None), self.stages(self.settled_masses(), self.settled_rates())
 
     def root_kernels(self) -> tuple[Stages, Kernel | None]:
         """Return the triangular root's kernels; if they suffice and are long, also one of the values passed on."""
@@ -254,6 +265,53 @@ class _Writing:
             Draft("articulated_body_motion", [*entries, *rows], actual={"x": "y", "v": "y + N"}, on_lanes=True),
         )
 
+    def recursive_root(self) -> Stages | None:
+        """Return the kernels of the root by articulated bodies; None if there are none, or M and its root cost less."""
+        if not (self.layout.from_tips and isinstance(self.terms, TreeTerms)):
+            return None
+        drafts = self.recursive_drafts(self.terms)
+        rows = len(self.terms.A) + len(self.terms.P) * self.mechanics.pushes
+        if not self.scene.in_loops:  # M is not written then
+            by_M = self.weight(*self.drafts("triangular")) + sum(dense_weight(block, rows) for block in self.blocks)
+            if by_M <= self.weight(*drafts):
+                return None
+        return self.stages(*drafts)
+
+    def weight(self, *drafts: Draft) -> int:
+        """Return the approximate time of kernels, in additions."""
+        nodes = [self.terms.expanded(entry.node) for draft in drafts for entry in draft.entries]
+        return weight(self.terms.graph, nodes)
+
+    def recursive_drafts(self, terms: TreeTerms) -> tuple[Draft, Draft]:
+        """Return the drafts of the root by articulated bodies: pivots and v, then a, rows B (and Q) and gamma.
+
+        gamma is A v' + gamma at zero multipliers, since v' is not among what the right-hand side computes.
+        """
+        root, size = terms.root, Array("v", "[N]")
+        velocities = [*self.column("pivots", root.pivots, "N"),
+                      *(Entry(size, (f"[{k}]",), node) for k, node in enumerate(root.v))]  # fmt: skip
+        moving = [*self.forces(root.eta_rates(terms.forces), "a"), *self.by_row("B", list(map(root.row, terms.A)))]
+        if self.mechanics.pushes:
+            moving.extend(self.by_row("Q", list(map(root.row, terms.P))))
+        moving.extend(self.column("gamma", terms.root_loads, "N_ROWS"))
+        return (
+            Draft("root_velocities", velocities, actual=WITH_ETA, on_lanes=True),
+            Draft("root_motion", moving, actual=WITH_ETA, on_lanes=True),
+        )
+
+    def maps_of_root(self) -> tuple[Kernel | None, Kernel | None]:
+        """Write v of eta and eta of v by the recursive root, as functions of a state."""
+        if not isinstance(self.terms, TreeTerms):
+            return None, None
+        root, pivots = self.terms.root, self.column("pivots", self.terms.root.pivots)
+        eta = root.eta_of([self.terms.graph.symbol(name) for name in self.terms.v])
+        arguments = "t", "x", "c", "pivots"
+        velocities, quasi = self.column("rates", root.v), self.column("quasi", eta)
+        return (
+            self.one("velocity_of_eta", [*pivots, *velocities], *arguments, "eta", "rates"),
+            self.one("eta_of_velocity", [*pivots, *quasi], *arguments, "v", "quasi"),
+        )
+
     def inverse_of(self, block: BlockView) -> list[Entry]:
         """Return the assignments of det = (determinant of M, product of its diagonal) and W = M^-1."""
         if block.size > LARGEST:
@@ -404,3 +462,9 @@ def _each_once(array: str, nodes: Iterable[Node]) -> list[Entry]:
     for k, node in enumerate(nodes):
         places.setdefault(node, []).append(f"[{k}]")
     return [Entry(Array(array, ""), tuple(at), node) for node, at in places.items()]
+
+
+def dense_weight(block: BlockView, rows: int) -> int:
+    """Return the approximate time, in additions, of a root of M, of L^-1 Mdot L^-T and of rows, where C loops."""
+    n = block.size
+    return 0 if block.fixed else 7 * n**3 // 3 + (6 + rows) * n**2

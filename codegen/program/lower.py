@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
-from ..choices import Choices
+from ..choices import OF_TREES, Choices
 from ..equations.specialise import Kind, Scene
 from ..equations.tree.link_table import numbers_of
 from ..kernel.identifiers import c_identifier
@@ -93,7 +93,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices, differentiated: Sc
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         n_prepared=layout.first_constant + n_constants, costs=_costs(kernels, choices.formulation),
-        tables=_tables(defaults), bodies=_bodies(scene), links=_links(scene, layout),
+        tables=_tables(defaults), bodies=_bodies(scene), links=_links(scene, layout, choices),
         rotations=mechanics.trees.rotations if mechanics.trees else (), kernels=kernels,
     )  # fmt: skip
 
@@ -150,7 +150,7 @@ def _bodies(scene: Scene) -> tuple[BodyView, ...]:
     return tuple(BodyView(b.name, b.parent, b.joint, b.coordinates) for b in trees.placements) if trees else ()
 
 
-def _links(scene: Scene, layout: Layout) -> LinksView | None:
+def _links(scene: Scene, layout: Layout, choices: Choices) -> LinksView | None:
     """Return the table of moving bodies over which C loops."""
     trees = scene.mechanics.trees
     if not (trees and trees.table):
@@ -158,7 +158,8 @@ def _links(scene: Scene, layout: Layout) -> LinksView | None:
     rows = trees.table.rows
     return LinksView(
         bodies=tuple(BodyView("", row.parent, row.joint, row.coordinates) for row in rows),
-        slots=sum(len(row.coordinates) for row in rows), start=layout.first_link, solves=trees.table.solves,
+        slots=sum(len(row.coordinates) for row in rows), start=layout.first_link,
+        solves=trees.table.solves and choices.formulation in OF_TREES,
         numbers=tuple(repr(number) for row in rows for number in numbers_of(trees.graph, row.numbers)),
     )  # fmt: skip
 

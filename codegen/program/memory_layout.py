@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..choices import Choices
 from ..equations.specialise import Block, Kind, Scene
+from ..equations.tree.triangular_root import has_recursive_root, root_order
 from .program import BlockCoordinate, BlockView, RowGroup, Slice
 
 
@@ -26,6 +27,7 @@ class Layout:
     """The offsets of all quantities.
 
     blocks, row_groups : with their offsets; there are no row groups if Delta is factored numerically
+    from_tips : whether the triangular root is that of articulated bodies, in whose order blocks are then
     slices : the parts of the state
     extrapolated : offset in the memory of whether, and since when, Omega is extrapolated; None if it never is
     first_link : offset in the prepared parameters of the table of moving bodies, if there is one
@@ -33,6 +35,7 @@ class Layout:
     """
 
     blocks: tuple[BlockView, ...]
+    from_tips: bool
     row_groups: tuple[RowGroup, ...]
     slices: tuple[Slice, ...]
     n_state: int
@@ -53,18 +56,29 @@ def laid_out(scene: Scene, choices: Choices) -> Layout:
     turning = [block for block in scene.blocks if block.kind is Kind.TURNING and choices.eigenfactor]
     C = {block.number: state.take(block.size**2) for block in turning}
     s = {block.number: state.take(block.size) for block in turning}
+    from_tips = choices.formulation == "cholesky" and has_recursive_root(scene.mechanics)
     blocks = tuple(
         _view(scene, block, choices, (C.get(block.number, 0), s.get(block.number, 0)), memory, prepared)
-        for block in scene.blocks
+        for block in (_from_tips(scene) if from_tips else scene.blocks)
     )
     extrapolated = memory.take(2) if choices.extrapolate else None
     groups = _row_groups(scene, choices, state, memory)
     trees = scene.mechanics.trees
     first_link = prepared.take(sum(len(row.numbers) for row in trees.table.rows) if trees and trees.table else 0)
     return Layout(
-        blocks=blocks, row_groups=groups, slices=_slices(scene, blocks, groups, choices), n_state=state.length,
-        n_memory=memory.length, first_link=first_link, first_constant=prepared.length, extrapolated=extrapolated,
+        blocks=blocks, from_tips=from_tips, row_groups=groups, slices=_slices(scene, blocks, groups, choices),
+        n_state=state.length, n_memory=memory.length, first_link=first_link, first_constant=prepared.length,
+        extrapolated=extrapolated,
     )  # fmt: skip
+
+
+def _from_tips(scene: Scene) -> tuple[Block, ...]:
+    """Return the blocks with their coordinates in the order of the recursive root."""
+    trees = scene.mechanics.trees
+    order = root_order(scene.mechanics, trees) if trees else ()
+    return tuple(
+        replace(block, coordinates=tuple(sorted(block.coordinates, key=order.index))) for block in scene.blocks
+    )
 
 
 def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int], memory: _Store, prepared: _Store

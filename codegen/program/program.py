@@ -21,7 +21,7 @@ class BlockCoordinate:
 class BlockView:
     """A block of M, for templates.
 
-    number, size, coordinates, block_coordinates, names : its coordinates
+    number, size, coordinates, block_coordinates, names : its coordinates, in the order of its triangular root
     turning, single, fixed : how its eigenfactors are computed (exactly one is true; see `specialise.Kind`)
     constrained : whether one of them occurs in a constraint row
     home : where its root is stored, an em_root_location

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:c3a852be0cbb4d4226a6e019acd77a43746617cd3286902a0d9bddf1d4fe5d74 */
+/* body sha256:7ab4c6d7cc78859fc926e0aff4591f5c37d1b87335678b1345ec9a40998c8537 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -957,10 +957,10 @@ EM_EXPORT int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_EXPORT int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    em_root root;
-    if (em_root_at(t, x, c, &root, fault)) return -1;
-    memcpy(y + N, v, N * sizeof *y);
-    em_transposed(N, root.L, y + N);
+    double M[N*N];
+    factored(t, x, c, M);
+    if (em_eta_at(&block1, M, c, v, y, fault)) return -1;
+    if (em_eta_at(&block2, M, c, v, y, fault)) return -1;
     memcpy(y, x, N * sizeof *y);
     return 0;
 }

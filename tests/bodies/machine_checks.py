@@ -57,12 +57,13 @@ def check(seed: int, counts: Counts, *flags: str) -> None:
             counts.systems += 1
             for v, equations in at:
                 counts.wrong.extend(f"machine {seed}, {formulation}: {fault}"
-                                    for fault in _faults(systems[-1], machine.x, v, equations, counts))  # fmt: skip
+                                    for fault in faults(systems[-1], machine.x, v, equations, counts))  # fmt: skip
     if runs:
         counts.wrong.extend(f"machine {seed}: {fault}" for fault in _run_faults(systems, machine, counts))
 
 
-def _faults(system: System, x: np.ndarray, v: np.ndarray, equations: tuple, counts: Counts) -> Iterator[str]:  # type: ignore[type-arg]
+def faults(system: System, x: np.ndarray, v: np.ndarray, equations: tuple, counts: Counts) -> Iterator[str]:  # type: ignore[type-arg]
+    """Yield what differs from Newton-Euler equations at x, v (n,)."""
     M, F, A, b = equations
     counts.states += 1
     known = np.array(M.tolist(), dtype=float)

@@ -59,7 +59,7 @@ class Case:
                                           factor, float) else known[child] * mp.mpf(factor)
                                       for child, factor in operands)  # fmt: skip
             elif kind is Kind.PRODUCT:
-                known[node] = mp.fprod(known[child] ** int(power) for child, power in operands)
+                known[node] = mp.fprod(mp.power(known[child], mp.mpf(float(power))) for child, power in operands)
             else:
                 known[node] = getattr(mp, operands[0])(known[operands[1]])
         return [known[scalar.node] for scalar in scalars]

@@ -11,6 +11,7 @@ from ..specialise import Scene
 from ..terms import HALF, Terms
 from .articulated_bodies import ArticulatedBodies, articulated_bodies
 from .separation import Trees
+from .triangular_root import RecursiveRoot
 
 
 def terms_of(scene: Scene) -> Terms:
@@ -63,3 +64,14 @@ class TreeTerms(NestedTerms):
     def yielded(self) -> ArticulatedBodies:
         """Accelerations and M^-1 P^T by articulated bodies."""
         return articulated_bodies(self.mechanics, self.trees, self.forces, self.P)
+
+    @cached_property
+    def root(self) -> RecursiveRoot:
+        """The triangular root of M by articulated bodies, at eta."""
+        return RecursiveRoot(self.mechanics, self.trees, self.along)
+
+    @cached_property
+    def root_loads(self) -> tuple[Node, ...]:
+        """(m,) A v' + gamma at zero multipliers (39), with v' by the root."""
+        a = self.root.accelerations(self.forces) if self.A else ()
+        return tuple(self.graph.add(self.dot(row, a), gamma) for row, gamma in zip(self.A, self.gamma, strict=True))

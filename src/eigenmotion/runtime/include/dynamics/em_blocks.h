@@ -34,6 +34,7 @@ typedef struct em_group {
 /* Functions of blocks of any size; the comments are below. */
 EM_COLD_PATH EM_ANY_SIZE int em_prepare(const em_block *b, const double *M, double *c, em_fault *fault);
 EM_ANY_SIZE int em_velocity_of_root(const em_block *b, const double *M, double *eta, em_fault *fault);
+EM_COLD_PATH EM_ANY_SIZE int em_eta_of_root(const em_block *b, const double *M, double *v, em_fault *fault);
 EM_COLD_PATH EM_ANY_SIZE int em_change_mode(const em_block *b, int mode, const double *M, double *y, double *memory,
                                             em_fault *fault);
 EM_COLD_PATH EM_ANY_SIZE int em_begin_group(const em_group *g, int m, const double *Delta, double *y, em_fault *fault);
@@ -108,6 +109,17 @@ EM_INLINE int em_velocity_at(const em_block *b, int mode, const double *M, const
     } else
         em_velocity_in_run(b, 0, y, c, NULL, part);
     em_put_velocity(b, part, v);
+    return 0;
+}
+
+/* y <- with eta = L^T v of this block, whose order is that of the triangular root; M (n, n). 0, or -1 and *fault */
+EM_INLINE int em_eta_at(const em_block *b, const double *M, const double *c, const double *v, double *y,
+                        em_fault *fault) {
+    double part[b->size];
+    em_take(b, v, part);
+    if (b->location == EM_PREPARED_ROOT) em_transposed(b->size, c + b->L, part);
+    else if (em_eta_of_root(b, M, part, fault)) return -1;
+    em_put(b, part, y + b->n);
     return 0;
 }
 
@@ -225,6 +237,16 @@ EM_ANY_SIZE int em_velocity_of_root(const em_block *b, const double *M, double *
     case 6: return em_velocity_of_size(6, b, M, eta, fault);
     default: return em_velocity_of_size(b->size, b, M, eta, fault);
     }
+}
+
+/* v (size) <- L^T v, M (n, n) = L L^T */
+EM_COLD_PATH EM_ANY_SIZE int em_eta_of_root(const em_block *b, const double *M, double *v, em_fault *fault) {
+    double part[b->size * b->size], L[b->size * b->size], r[b->size];
+    em_block_of(b, M, part);
+    const int singular = em_cholesky_aside(b->size, part, L, r, EM_SINGULAR_PIVOT);
+    if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
+    em_transposed(b->size, L, v);
+    return 0;
 }
 
 /* y <- with the quasi-velocities of the other root of M (size, size), that of `mode`. 0, or -1 and *fault */
