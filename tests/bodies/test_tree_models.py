@@ -233,6 +233,17 @@ def test_right_angles_in_floating_point_are_proved():
     assert system.n == 2
 
 
+def test_a_rotation_contains_roots():
+    """Half of a right angle about z, as SymPy writes it, and with numbers."""
+    root, number = sympy.sqrt(2) / 2, 0.5**0.5
+    places = []
+    for one in (root, number):
+        body = em.Tree().body("one", joint="fixed", rotation=[[one, -one, 0], [one, one, 0], [0, 0, 1]])
+        places.append(np.array(body.position((1, 2, 3)), dtype=float).ravel())
+    np.testing.assert_allclose(places[0], [-number, 3 * number, 3], rtol=1e-15)
+    np.testing.assert_allclose(places[1], places[0], rtol=1e-15)
+
+
 def test_what_drives_a_joint_is_checked():
     tree = em.Tree()
     x = tree.body("arm", joint="revolute").coordinates[0]

@@ -284,7 +284,7 @@ def _rotation(given: Any, what: str) -> tuple[sympy.Expr, ...]:
     for _ in range(2 if error > 1e-15 else 0):  # Newton's iteration for the nearest rotation: R (3 - R^T R) / 2
         R = R.evalf(30)
         R = R * (3 * sympy.eye(3) - R.T * R) / 2
-    return tuple(_exact(sympy.Float(entry, 15)) for entry in R.flat())
+    return tuple(_exact(sympy.Float(entry.evalf(30), 15)) for entry in R.flat())
 
 
 def _matrix(given: Any, what: str) -> sympy.Matrix:
