@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from functools import lru_cache
 
 import sympy
 
@@ -91,5 +93,10 @@ def in_rates(expression: sympy.Expr, quasi_velocities: tuple[tuple[sympy.Expr, s
     """Replace quasi-velocities, given as pairs y_i and P xdot (3), in an expression."""
     if not quasi_velocities:
         return expression
-    replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in quasi_velocities}
-    return expression.xreplace(replacements).xreplace(dict(quasi_velocities))
+    return expression.xreplace(_accelerations(quasi_velocities)).xreplace(dict(quasi_velocities))
+
+
+@lru_cache(maxsize=8)
+def _accelerations(quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> Mapping[sympy.Expr, sympy.Expr]:
+    """Return the rates of quasi-velocities, from their rates as SymPy writes them."""
+    return {y.diff(t): P_xdot.diff(t) for y, P_xdot in quasi_velocities}
