@@ -41,7 +41,9 @@ class Acting:
 def acting_on(system: System, speeds: Speeds) -> list[Acting]:
     """Return the effects of the loads and actuators of a system."""
     single = [_acting(system, speeds, [load], _potential_of(load, system)) for load in system.loads]
-    return single + [_acting(system, speeds, actuator.to_loads(), _stored(actuator)) for actuator in system.actuators]
+    return single + [
+        _acting(system, speeds, actuator.to_loads(), stored_energy(actuator)) for actuator in system.actuators
+    ]
 
 
 def velocity(point: Point, frame: ReferenceFrame) -> Vector:
@@ -111,14 +113,14 @@ def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
     return -load.vector.dot(r)
 
 
-def _stored(actuator: ActuatorBase) -> sympy.Expr | None:
-    """Return the energy of a spring; None for other actuators."""
+def stored_energy(actuator: ActuatorBase, length: sympy.Expr | None = None) -> sympy.Expr | None:
+    """Return the energy of a spring of this length, by default that of its pathway; None for other actuators."""
+    if not isinstance(actuator, LinearSpring | DuffingSpring):
+        return None
+    d = (actuator.pathway.length if length is None else length) - actuator.equilibrium_length
     if isinstance(actuator, LinearSpring):
-        return actuator.stiffness * (actuator.pathway.length - actuator.equilibrium_length) ** 2 / 2
-    if isinstance(actuator, DuffingSpring):
-        d = actuator.pathway.length - actuator.equilibrium_length
-        return actuator.linear_stiffness * d**2 / 2 + actuator.nonlinear_stiffness * d**4 / 4
-    return None
+        return actuator.stiffness * d**2 / 2
+    return actuator.linear_stiffness * d**2 / 2 + actuator.nonlinear_stiffness * d**4 / 4
 
 
 def check_weights(system: System, acting: Iterable[Acting]) -> None:

@@ -63,7 +63,9 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "codegen.calculus": ("codegen.graph",),
     "codegen.bodies": ("codegen.model.tree", "codegen.graph", "codegen.calculus"),
     "codegen.schedule": ("codegen.graph",),
-    "codegen.mechanics": ("codegen.model.normalise", "codegen.model", "codegen.graph", "codegen.calculus"),
+    "codegen.mechanics": tuple(
+        f"codegen.{room}" for room in ("model.normalise", "model", "model.tree", "graph", "calculus")
+    ),
     "codegen.equations": (
         "codegen.model.normalise",
         "codegen.model.statement",
