@@ -199,7 +199,10 @@ def _named(defaults: Iterable[tuple[str, float]]) -> tuple[Named, ...]:
 def _shapes(scene: Scene) -> tuple[ShapeView, ...]:
     counts = [len(shape.numbers) for shape in scene.mechanics.drawing]
     firsts = accumulate(counts, initial=0)
-    return tuple(map(ShapeView, (shape.kind for shape in scene.mechanics.drawing), firsts, counts))
+    return tuple(
+        ShapeView(shape.kind, first, len(shape.numbers), tuple(f"{x:.6g}" for corner in shape.corners for x in corner))
+        for shape, first in zip(scene.mechanics.drawing, firsts, strict=False)
+    )
 
 
 def _block_of(scene: Scene) -> tuple[int, ...]:

@@ -137,11 +137,12 @@ class SwitchView:
 
 @dataclass(frozen=True, slots=True)
 class ShapeView:
-    """A shape of the drawing: its kind, and its numbers p[first .. first + count)."""
+    """A shape of the drawing: its kind, its numbers p[first .. first + count), and the corners of a solid."""
 
     kind: str
     first: int
     count: int
+    corners: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.compiler import generate
-from sympy import Symbol, cos, lambdify, sin
+from scipy.spatial.transform import Rotation
+from sympy import Matrix, Symbol, cos, lambdify, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -111,11 +112,38 @@ def test_a_mark_on_a_wheel_is_counted_from_the_line_of_nodes():
 
 def test_outlines_reach_from_point_to_point():
     numbers = np.array([[0.0, 0.0, 3.0, 4.0, 1.0, 1.0, 0.5, np.pi / 2]])
-    found = outlines(Drawing("made_up", np.zeros(1), 2, (("spring", 0, 4), ("disk", 4, 4)), numbers), 0)
+    found = outlines(Drawing("made_up", np.zeros(1), 2, (("spring", 0, 4, None), ("disk", 4, 4, None)), numbers), 0)
     spring, mark = found.lines
     assert spring[[0, -1]] == pytest.approx(np.array([[0.0, 0.0], [3.0, 4.0]]))
     assert mark == pytest.approx(np.array([[1.0, 1.0], [1.0, 1.5]]))
     assert np.hypot(*(found.wheels[0] - 1.0).T) == pytest.approx(np.full(len(found.wheels[0]), 0.5))
+
+
+CORNERS = ((0.3, 0, 0), (0, 0.2, 0), (0, 0, -1), (0.1, 0.1, 0.1))
+
+
+def solid(corners=CORNERS, rotation=None):
+    """A solid that turns about the y axis and moves along it."""
+    turned = Matrix([[cos(q), 0, sin(q)], [0, 1, 0], [-sin(q), 0, cos(q)]]) if rotation is None else rotation
+    return em.Model(name="solid", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=-cos(q),
+                    initial={q: 1.0}, drawing=[draw.Solid((0, 2 * q, 1), turned, corners)])  # fmt: skip
+
+
+def test_corners_of_a_solid_move_with_its_frame():
+    run = em.build(solid()).simulate((0, 1), t_eval=[0, 1])
+    shape, angles = run.drawing.shapes[0], run.x[0]
+    for row, turned in enumerate(Rotation.from_euler("y", angles[:, None])):
+        assert shape.points[row] == pytest.approx(turned.apply(CORNERS) + np.array([0, 2 * angles[row], 1]), abs=1e-7)
+    assert len(outlines(run.drawing, 0).faces) == 4  # of a tetrahedron
+
+
+def test_a_solid_names_what_it_needs():
+    with pytest.raises(em.ModelError, match=r"drawing\[0\] \(solid\) has 2 corners and needs at least 3"):
+        solid(CORNERS[:2])
+    with pytest.raises(em.ModelError, match=r"its rotation is 2 by 2. Give a matrix 3 by 3"):
+        solid(rotation=Matrix([[1, 0], [0, 1]]))
+    with pytest.raises(em.ModelError, match=r"positions of 3 and of 2 numbers|positions of 2 and of 3"):
+        solid(((0, 1), (1, 0), (1, 1)))
 
 
 def test_animations_show_the_motion_frame_by_frame():

@@ -51,12 +51,12 @@ def test_numbers_of_joints_are_there(write):
 
 
 def test_what_is_not_used_is_said_by_explain(write, capsys):
-    shape = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    shape = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
     path = write(link("base"), ROD.replace("</link>", f"{shape}</link>"),
                  swing(more='<dynamics friction="0.5"/><limit effort="3" velocity="1"/>'))  # fmt: skip
     assert main(["explain", str(path)]) == 0
     said = capsys.readouterr().out.partition("\nNotes\n")[2]
-    assert "1 visual and collision shapes are not used" in said
+    assert "1 collision shapes are not used: no contacts" in said
     assert "friction is not used; Robot.frictions gives it to contacts: swing" in said
     assert "limits of efforts and velocities are not used: swing" in said
 

@@ -61,6 +61,20 @@ class Body:
     points: Iterable[Position]
 
 
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """A rigid body in space: the convex hull of corners that move with a frame.
+
+    position : of the frame's origin
+    rotation : (3, 3), the axes of the frame as columns
+    corners : (k, 3) numbers, in the frame [m]; many cost no time, since only the frame is computed
+    """
+
+    position: Position
+    rotation: Any
+    corners: Iterable[Sequence[float]]
+
+
 @dataclass(frozen=True, slots=True, init=False)
 class Ground:
     """A fixed part: a support (one point), a wall or floor (two), a floor in space (a polygon of more points)."""

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from ..normalise import ModelError, expression, sequence_of, shown
+from ..normalise import ModelError, expression, number, sequence_of, shown
 from . import draw
 
 KINDS = {
@@ -16,6 +16,7 @@ KINDS = {
     draw.Spring: "spring",
     draw.Disk: "disk",
     draw.Body: "body",
+    draw.Solid: "solid",
     draw.Ground: "ground",
     draw.Trace: "trace",
 }
@@ -26,12 +27,14 @@ _DIMENSIONS = (2, 3)
 class Shape:
     """One shape: the points, `dimension` numbers each; for a disk its center, radius, axle (in space) and angle.
 
-    The axle and the angle are omitted where a disk has none.
+    The axle and the angle are omitted where a disk has none. For a solid: the position of its frame and its rotation,
+    row by row; apart from these, its corners in the frame.
     """
 
     kind: str
     dimension: int
     numbers: tuple[sympy.Expr, ...]
+    corners: tuple[tuple[float, float, float], ...] = ()
 
 
 def drawing_of(drawing: Any) -> tuple[Shape, ...]:
@@ -62,6 +65,8 @@ def _shape(shape: Any, what: str) -> Shape:
     what = f"{what} ({kind})"
     if isinstance(shape, draw.Disk):
         return _disk(shape, what)
+    if isinstance(shape, draw.Solid):
+        return _solid(shape, what)
     points = [_position(point, f"{what}: {name}") for name, point in _points(shape, what)]
     for point in points:
         _check_dimension(point, len(points[0]), what)
@@ -95,6 +100,29 @@ def _disk(disk: draw.Disk, what: str) -> Shape:
             )
         numbers.append(expression(disk.angle, f"{what}: angle"))
     return Shape("disk", len(center), tuple(numbers))
+
+
+def _solid(solid: draw.Solid, what: str) -> Shape:
+    position = _position(solid.position, f"{what}: position")
+    _check_dimension(position, 3, what)
+    rotation = sympy.Matrix(solid.rotation)
+    if rotation.shape != (3, 3):
+        raise ModelError(f"{what}: its rotation is {rotation.shape[0]} by {rotation.shape[1]}. Give a matrix 3 by 3.")
+    axes = (expression(entry, f"{what}: rotation[{k // 3}, {k % 3}]") for k, entry in enumerate(rotation))
+    return Shape("solid", 3, (*position, *axes), _corners(solid.corners, what))
+
+
+def _corners(given: Any, what: str) -> tuple[tuple[float, float, float], ...]:
+    """Return corners of a solid, at least three."""
+    corners = []
+    for k, corner in enumerate(sequence_of(given, f"{what}: corners")):
+        entries = sequence_of(corner, f"{what}: corners[{k}]")
+        _check_dimension(entries, 3, what)
+        x, y, z = (number(entry, f"{what}: corners[{k}]") for entry in entries)
+        corners.append((x, y, z))
+    if len(corners) < 3:
+        raise ModelError(f"{what} has {len(corners)} corners and needs at least 3. Add some.")
+    return tuple(corners)
 
 
 def _position(position: Any, what: str) -> tuple[sympy.Expr, ...]:

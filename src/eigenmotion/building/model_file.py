@@ -21,7 +21,7 @@ _loading = RLock()
 """Lock around changes of sys.path, with which a model file finds its imports: it belongs to the whole process."""
 _TRUTH = {"1": True, "true": True, "yes": True, "on": True, "0": False, "false": False, "no": False, "off": False}
 ROBOTS = (".urdf", ".xml")
-_TEXTS = ("base", "locked", "name")
+_TEXTS = ("base", "locked", "name", "meshes")
 """Arguments of `load_urdf` and `load_mjcf` that can be given as texts"""
 
 
@@ -35,7 +35,7 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
         of a robot: .urdf, or .xml, which is MJCF or URDF.
     **keywords
         Arguments of that function, parsed from text to the type of the default, as for `-D` on the command line. For a
-        robot: `base`, `locked` (joints with commas between them) or `name` of `load_urdf` and `load_mjcf`.
+        robot: `base`, `locked` (joints with commas between them), `name` or `meshes` of `load_urdf` and `load_mjcf`.
 
     Raises
     ------
@@ -77,7 +77,15 @@ def _robot(file: Path, keywords: Mapping[str, object]) -> Model:
     given: dict[str, Any] = dict(keywords)
     if isinstance(given.get("locked"), str):
         given["locked"] = given["locked"].split(",")
+    if isinstance(given.get("meshes"), str):
+        given["meshes"] = _truth(file, given["meshes"])
     return load(file, **given)
+
+
+def _truth(file: Path, text: str) -> bool:
+    if text.lower() not in _TRUTH:
+        raise ModelError(f"{file}: meshes={text!r} is neither yes nor no")
+    return _TRUTH[text.lower()]
 
 
 def _file(path: object) -> Path:

@@ -1,7 +1,7 @@
 """Common arguments and options of the commands."""
 
 import tempfile
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -38,6 +38,10 @@ class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer ver
 ABOVE_ZERO = Finite(above_zero=True)
 
 
+Completion = Callable[[Path, Mapping[str, object]], Mapping[str, object]]
+"""Function of a file and the arguments of -D that returns the arguments in full"""
+
+
 @dataclass(frozen=True, slots=True)
 class Shape:
     """The options of the generated code."""
@@ -47,11 +51,12 @@ class Shape:
     close_eigenvalues: str
     schur: str
 
-    def request(self, model: Path) -> Request:
-        """Return the request for the code of the model in a file."""
+    def request(self, model: Path, more: Completion | None = None) -> Request:
+        """Return the request for the code of the model in a file; `more` may add to the arguments of -D."""
+        given = assignments(self.define, "-D")
         return request(
             model,
-            assignments(self.define, "-D"),
+            more(model, given) if more else given,
             formulation=self.formulation,
             close_eigenvalues=self.close_eigenvalues,
             schur=self.schur,

@@ -15,10 +15,10 @@ from sympy.physics.mechanics import dynamicsymbols
 from ..codegen.model import ModelError, Tree
 from ..codegen.model.normalise import nearest, shown
 from .description import FREEDOMS, Closure, Description, Part, listed
+from .drawing.skeleton import drawing_of
 from .driven import Drives, reduced
 from .names import identifier, identifiers
 from .robot import Robot
-from .skeleton import skeleton
 
 _log = logging.getLogger("eigenmotion")
 _SUFFIXES = {
@@ -69,7 +69,7 @@ def robot_of(
     }
     return Robot(
         identifier(name or given.name), tree, dict(tree.bodies), {p.joint.name: p.joint for p in given.parts},
-        positions, torques, skeleton(given.parts, tree), (*given.notes, *flaws, *_left_out(given)), labels, fields,
+        positions, torques, drawing_of(given.parts, tree), (*given.notes, *flaws, *_left_out(given)), labels, fields,
     )  # fmt: skip
 
 

@@ -93,6 +93,7 @@ class Part:
     """A part: the frame of its joint on the parent, moved by the joint. `parent` is None for the ground.
 
     at : (3,) [m]; rotation : (3, 3), the axes of the joint's frame as columns, in the parent's axes
+    solids : of each visible solid, corners (k, 3) in the part's frame [m]
     """
 
     name: str
@@ -101,6 +102,7 @@ class Part:
     at: Array
     rotation: Array
     mass: Mass | None = None
+    solids: tuple[Array, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,13 +24,14 @@ def read_urdf(
     close: Closed | None = None,
     gravity: Sequence[Any] = (0, 0, -9.81),
     name: str | None = None,
+    meshes: bool = False,
 ) -> Robot:
     """Read a URDF file and return a `Robot`: its bodies by name, and models of it.
 
     Parameters
     ----------
     path
-        The file. Meshes are not read.
+        The file.
     base
         "fixed": the first link is the ground. "floating": it moves freely, with the coordinates base_x, base_y, base_z
         [m] and base_s1, base_s2, base_s3, modified Rodrigues parameters: tan(angle / 4) times the axis of its rotation.
@@ -43,6 +44,9 @@ def read_urdf(
         (3,) acceleration of gravity in the axes of the ground [m / s^2]; numbers, or expressions in parameters.
     name
         Name of the model; None for that of the robot.
+    meshes
+        Whether drawings show the convex hulls of meshes, which are read by trimesh; reading them may take longer than
+        all else. Boxes, cylinders and balls are shown in any case, and lines between joints of links without solids.
 
     Raises
     ------
@@ -67,7 +71,7 @@ def read_urdf(
     """
     if base not in ("fixed", "floating"):
         raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
-    described = urdf.read(_file(path), base)
+    described = urdf.read(_file(path), base, meshes)
     return robot_of(described, locked=locked, close=close or {}, gravity=gravity, name=name)
 
 
@@ -106,7 +110,7 @@ def read_mjcf(
     >>> rod = '<body name="rod"><joint name="pin" axis="0 1 0"/><geom pos="0 0 -1" size="0.1"/></body>'
     >>> _ = Path("pendulum.xml").write_text(f"<mujoco><worldbody>{rod}</worldbody></mujoco>")
     >>> em.read_mjcf("pendulum.xml").notes
-    ('not used: geoms: no contacts, and drawings show lines between joints',)
+    ('not used: contacts of geoms',)
     """
     described = mjcf.read(_file(path))
     given = described.gravity if gravity is None else gravity
@@ -121,6 +125,7 @@ def load_urdf(
     close: Closed | None = None,
     gravity: Sequence[Any] = (0, 0, -9.81),
     name: str | None = None,
+    meshes: bool = False,
 ) -> Model:
     """Return the model of a URDF file: `read_urdf(...).model()`.
 
@@ -139,7 +144,8 @@ def load_urdf(
     >>> system.simulate((0, 1), inputs={"tau_pin": 1.5}).success
     True
     """
-    return read_urdf(path, base=base, locked=locked, close=close, gravity=gravity, name=name).model()
+    robot = read_urdf(path, base=base, locked=locked, close=close, gravity=gravity, name=name, meshes=meshes)
+    return robot.model()
 
 
 def load_mjcf(

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from ..codegen.model.normalise import ModelError
 from .description import Array, Closure, Description, Driven, Joint, Mass, Part
+from .drawing.geoms import solids
 from .mjcf_tables import BALL, BODY, CONNECT, FREE, HINGE, JOINT, SLIDE, Names, notes
 
 _KINDS = {FREE: "free", BALL: "spherical", SLIDE: "prismatic", HINGE: "revolute"}
@@ -64,6 +65,7 @@ def _parts(m: Any, names: Names, body: int) -> Iterator[Part]:
     joints = range(first, first + count)
     last = m.jnt_pos[first + count - 1] if count and m.jnt_type[first] != FREE else np.zeros(3)
     own = Mass(float(m.body_mass[body]), m.body_ipos[body].copy(), _inertia(m, body))
+    seen = tuple(solids(m, body))
     apart = not count or bool(np.any(last))
     before = np.zeros(3)
     for k in joints:
@@ -71,12 +73,15 @@ def _parts(m: Any, names: Names, body: int) -> Iterator[Part]:
         at, R = (np.zeros(3), np.eye(3)) if free else (place + rotation @ (m.jnt_pos[k] - before), rotation)
         ends = k == joints[-1] and not apart
         yield Part(
-            name if ends else f"{name} {names.joints[k]}", parent, _joint(m, names, k), at, R, own if ends else None
-        )
+            name if ends else f"{name} {names.joints[k]}", parent, _joint(m, names, k), at, R, own if ends else None,
+            seen if ends else (),
+        )  # fmt: skip
         parent, place, rotation = (name if ends else f"{name} {names.joints[k]}"), np.zeros(3), np.eye(3)
         before = m.jnt_pos[k] if not free else before
     if apart:
-        yield Part(name, parent, Joint(f"{name} fixed", "fixed"), place - before if count else place, rotation, own)
+        yield Part(
+            name, parent, Joint(f"{name} fixed", "fixed"), place - before if count else place, rotation, own, seen
+        )
 
 
 def _inertia(m: Any, body: int) -> Array:

@@ -52,7 +52,7 @@ def notes(m: Any, names: Names) -> Iterator[str]:
     for count, words in (
         (m.nu, "actuators: torques act at joints"),
         (m.ntendon, "tendons, with their springs and limits"),
-        (m.ngeom, "geoms: no contacts, and drawings show lines between joints"),
+        (m.ngeom, "contacts of geoms"),
         (m.nkey, "keyframes"),
         (m.opt.density or m.opt.viscosity, "density and viscosity of a fluid"),
     ):

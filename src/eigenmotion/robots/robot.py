@@ -31,7 +31,7 @@ class Robot:
     positions : joint of one coordinate -> its position as an expression: q, or k q + b where another joint drives it
     coordinates : functions of time, named after the joints
     torques : joint -> its input tau_JOINT [N m or N], 0 by default
-    drawing : lines between the frames of joints
+    drawing : solids of the file, and lines between the frames of joints of links without solids
     notes : what of the file is not used
     labels : joint -> its name as an identifier
     fields : the other arguments of its models
@@ -59,7 +59,7 @@ class Robot:
     joints: Mapping[str, Joint]
     positions: Mapping[str, sympy.Expr]
     torques: Mapping[str, sympy.Expr]
-    drawing: tuple[draw.Line, ...]
+    drawing: tuple[draw.Line | draw.Solid, ...]
     notes: tuple[str, ...]
     labels: Mapping[str, str]
     fields: Mapping[str, Any]

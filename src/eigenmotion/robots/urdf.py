@@ -7,6 +7,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -15,13 +16,14 @@ import numpy as np
 
 from ..codegen.model.normalise import ModelError, nearest, shown
 from .description import Array, Description, Driven, Joint, Mass, Part, listed
+from .drawing.visuals import Visuals, place
 
 _KINDS = {"fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic",
           "planar": "planar", "floating": "free"}  # fmt: skip
 
 
-def read(file: Path, base: str) -> Description:
-    """Return what a URDF file describes.
+def read(file: Path, base: str, meshes: bool = False) -> Description:
+    """Return what a URDF file describes; with `meshes`, those that its links show are read, too.
 
     Raises
     ------
@@ -33,14 +35,16 @@ def read(file: Path, base: str) -> Description:
     _check(file, robot, links)
     root = _root(file, robot, links)
     first = Joint("base", "free" if base == "floating" else "fixed")
-    parts = [Part(root, None, first, np.zeros(3), np.eye(3), _mass(file, links[root]))]
+    seen = Visuals(file, meshes)
+    parts = [Part(root, None, first, np.zeros(3), np.eye(3), _mass(file, links[root]), seen.solids(links[root]))]
     for joint in _outwards(root, robot.joints):
-        at, rotation = _place(joint.origin)
-        parts.append(_part(file, joint, at, rotation, links[joint.child]))
+        at, rotation = place(joint.origin)
+        part = _part(file, joint, at, rotation, links[joint.child])
+        parts.append(replace(part, solids=seen.solids(links[joint.child])))
     if len(parts) < len(links):
         missing = sorted(set(links) - {part.name for part in parts})
         raise ModelError(f"{file}: no joint leads from {root!r} to {listed(missing)}.")
-    return Description(robot.name or file.stem, tuple(parts), (0.0, 0.0, -9.81), notes=tuple(_notes(robot)))
+    return Description(robot.name or file.stem, tuple(parts), (0.0, 0.0, -9.81), notes=(*_notes(robot), *seen.notes()))
 
 
 def _parsed(file: Path) -> Any:
@@ -106,10 +110,6 @@ def _outwards(root: str, joints: Iterable[Any]) -> Iterator[Any]:
         waiting += reversed(children.get(joint.child, []))
 
 
-def _place(origin: Array | None) -> tuple[Array, Array]:
-    return (np.zeros(3), np.eye(3)) if origin is None else (origin[:3, 3], origin[:3, :3])
-
-
 def _part(file: Path, joint: Any, at: Array, rotation: Array, link: Any) -> Part:
     kind = _KINDS[joint.type]
     axis: tuple[float, ...] = (0.0, 0.0, 1.0)
@@ -153,7 +153,7 @@ def _mass(file: Path, link: Any) -> Mass | None:
     inertial = link.inertial
     if inertial is None:
         return None
-    center, turned = _place(inertial.origin)
+    center, turned = place(inertial.origin)
     inertia = np.zeros((3, 3)) if inertial.inertia is None else np.array(inertial.inertia, dtype=float)
     numbers = [_number(inertial.mass, 0.0), *center, *inertia.flat, *turned.flat]
     if not np.all(np.isfinite(numbers)):
@@ -163,9 +163,8 @@ def _mass(file: Path, link: Any) -> Mass | None:
 
 def _notes(robot: Any) -> Iterator[str]:
     """Give what is in the file and not used."""
-    shapes = sum(len(link.visuals) + len(link.collisions) for link in robot.links)
     for count, what in (
-        (shapes, "visual and collision shapes are not used: drawings show lines between joints"),
+        (sum(len(link.collisions) for link in robot.links), "collision shapes are not used: no contacts"),
         (len(robot.transmission), "transmissions are not used: torques act at joints"),
         (len(robot.gazebo), "gazebo elements are not used"),
         (sum(joint.safety_controller is not None for joint in robot.joints), "safety controllers are not used"),

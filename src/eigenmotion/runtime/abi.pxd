@@ -24,6 +24,8 @@ cdef extern from "eigenmotion.h" nogil:
         const char *kind
         int first
         int count
+        int n_corners
+        const float *corners
 
     ctypedef enum em_signal_kind:
         pass

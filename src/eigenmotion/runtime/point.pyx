@@ -9,7 +9,7 @@ from libc.math cimport INFINITY
 from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy
 
-from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault, em_model
+from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault, em_model, em_shape
 from .arrays cimport Numbers, constants, floats, is_float_output, texts, zeros
 from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start
 
@@ -21,6 +21,13 @@ from .tables import arguments_at, is_table_address, packed, unpacked
 
 _REASONS = tuple(StopReason)
 _OUTSIDE = ("refuse", "hold", "extend", "periodic")  # as em_outside of em_table.h
+
+
+cdef object corners_of(const em_shape *shape):
+    """The corners (n_corners, 3) of a solid; None for other shapes."""
+    if shape.corners == NULL:
+        return None
+    return np.array([[shape.corners[3 * k + axis] for axis in range(3)] for k in range(shape.n_corners)])
 
 
 cdef class Prepared:
@@ -147,9 +154,9 @@ cdef class PointModel:
         self.input_defaults = constants(c.input_defaults, c.n_inputs)
         self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
         self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
-        self.shapes = tuple([(c.shapes[k].kind.decode("utf-8"), c.shapes[k].first, c.shapes[k].count)
-                             for k in range(c.n_shapes)])
-        self.dimension, self.n_drawn = c.dimension, sum([count for _, _, count in self.shapes])
+        self.shapes = tuple([(c.shapes[k].kind.decode("utf-8"), c.shapes[k].first, c.shapes[k].count,
+                              corners_of(&c.shapes[k])) for k in range(c.n_shapes)])
+        self.dimension, self.n_drawn = c.dimension, sum([count for _, _, count, _ in self.shapes])
         self.scales = constants(c.scales, c.n)
         self.augmented = c.factored_matrix != NULL
 

@@ -12,9 +12,16 @@ from ..codegen.model.normalise import t
 
 
 def faces(model: Model) -> Iterator[dict[str, Any]]:
-    """Yield for each shape {"faces": indices of corners, face by face} if it is a solid in space, else {}."""
+    """Yield for each shape {"faces": indices of corners, face by face} if it is a solid in space, else {}.
+
+    With a frame the corners are those in the frame, which are data of the page, too.
+    """
     values = dict(zip(model.coordinates, model.initial_x, strict=True)) | dict(model.parameters)
     for shape in model.drawing:
+        if shape.kind == "solid":
+            corners = np.round(np.array(shape.corners), 6)
+            yield {"corners": corners.tolist(), "faces": around(corners)}
+            continue
         if shape.kind != "body" or shape.dimension == len("xy"):
             yield {}
             continue

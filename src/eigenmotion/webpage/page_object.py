@@ -1,5 +1,6 @@
 """Page object: displayed in a notebook, or written to a file."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape
 from os import PathLike
@@ -82,10 +83,16 @@ def show(
     >>> shown
     <Page of ... kB>
     """
-    requested = request(source, keywords, formulation=formulation)
+    requested = request(source, with_meshes(source, keywords), formulation=formulation)
     text = "" if isinstance(source, Model) else Path(source).read_text(encoding="utf-8")
     library, missing = of_space(requested.model)
     return Page(page(requested, text, Run(t_end, rtol, atol), library), missing)
+
+
+def with_meshes(source: object, definitions: Mapping[str, object]) -> dict[str, object]:
+    """Return the arguments of the file of a robot, which shows its meshes unless they say otherwise."""
+    is_robot = not isinstance(source, Model) and Path(str(source)).suffix.lower() == ".urdf"
+    return {"meshes": True, **definitions} if is_robot else dict(definitions)
 
 
 def of_space(model: Model) -> tuple[Three | None, str]:

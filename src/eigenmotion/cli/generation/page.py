@@ -11,7 +11,7 @@ from eigenmotion.codegen.model.normalise import name_of
 from eigenmotion.files import write
 from eigenmotion.progress import clock
 from eigenmotion.webpage.page import Run, page
-from eigenmotion.webpage.page_object import of_space
+from eigenmotion.webpage.page_object import of_space, with_meshes
 
 from ..options import Finite, Shape, check_file, ending, model, setting, shaping, values
 
@@ -32,9 +32,10 @@ def command(
 ) -> None:
     """Write an interactive page of MODEL: one HTML file with the model compiled to WebAssembly, for any browser.
 
-    Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
+    Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'. Robots from URDF files show their meshes, unless
+    -D meshes=no.
     """
-    request = Shape(**shape).request(model)
+    request = Shape(**shape).request(model, with_meshes)
     target = output or Path(f"{request.model.name}.html")
     _check(target, t_end, rtol, atol)
     run = Run(t_end, rtol, atol, _given(request.model, settings))

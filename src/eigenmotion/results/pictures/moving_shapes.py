@@ -41,14 +41,15 @@ class Drawing:
 
     t : (k,) [s]
     dimension : 2 or 3
-    kinds : for each shape its kind, and the first column and number of columns of its numbers
+    kinds : for each shape its kind, the first column and number of columns of its numbers, and of a solid the corners
+        (k, 3) in its frame, else None
     numbers : (k, n_drawn), of all shapes
     """
 
     name: str
     t: Vector
     dimension: int
-    kinds: tuple[tuple[str, int, int], ...]
+    kinds: tuple[tuple[str, int, int, Vector | None], ...]
     numbers: Vector
 
     @cached_property
@@ -56,8 +57,11 @@ class Drawing:
         """Every shape, in the order of the model."""
         return tuple(self._shape(*kind) for kind in self.kinds)
 
-    def _shape(self, kind: str, first: int, count: int) -> Shape:
+    def _shape(self, kind: str, first: int, count: int, corners: Vector | None) -> Shape:
         numbers, d = self.numbers[:, first : first + count], self.dimension
+        if corners is not None:
+            axes = numbers[:, d:].reshape(-1, d, d)
+            return Shape(kind, numbers[:, None, :d] + corners @ axes.transpose(0, 2, 1), numbers[:, :0])
         end = d if kind == "disk" else count
         return Shape(kind, numbers[:, :end].reshape(len(numbers), -1, d), numbers[:, end:])
 

@@ -110,7 +110,8 @@ def _trace(outlined: Outlines, shape: Shape, row: int, size: float) -> None:
     """Add nothing: `outlines` adds the path."""
 
 
-_ADD = {"line": _line, "spring": _spring, "disk": _disk, "body": _body, "ground": _ground, "trace": _trace}
+_ADD = {"line": _line, "spring": _spring, "disk": _disk, "body": _body, "solid": _body, "ground": _ground,
+        "trace": _trace}  # fmt: skip
 
 
 def frame(direction: Vector) -> tuple[Vector, Vector]:

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 32 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 33 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -21,11 +21,12 @@ typedef struct em_slice {
     int start, length;
 } em_slice;
 
-/* One shape of a drawing: its points are p[first .. first + count). The other fields are those of
- * codegen/model/drawing.py. */
+/* One shape of a drawing: its numbers are p[first .. first + count), in the order of
+ * codegen/model/statement/drawing.py; for a solid also its corners (n_corners, 3), which move with its frame. */
 typedef struct em_shape {
     const char *kind;
-    int first, count;
+    int first, count, n_corners;
+    const float *corners;
 } em_shape;
 
 /* Action of an event: the indices of the model's impact and reset, and of the contact that it closes or opens; -1:

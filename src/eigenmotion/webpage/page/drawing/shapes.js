@@ -1,5 +1,6 @@
 // shapes.js: conversion of a drawing to strokes { kind, points } in space; kind is one of
-// bar, line, face, floor, wheel, ball (with a radius). The stage decides how strokes look.
+// bar, line, face, floor, wheel, ball (with a radius), solid (with corners, faces and a frame). The stage decides how
+// strokes look.
 
 const COILS = 8;
 const AROUND = Array.from({ length: 49 }, (_, k) => (2 * Math.PI * k) / 48);
@@ -20,6 +21,7 @@ const STROKES = {
     const corners = pointsOf(shape, point, d);
     return (shape.faces ?? [corners.keys()]).map((face) => ({ kind: "face", points: [...face].map((k) => corners[k]) }));
   },
+  solid: (shape, _point, numbers) => [solid(shape, numbers.slice(shape.first, shape.first + shape.count))],
   ground(shape, point, _numbers, d, size) {
     const points = pointsOf(shape, point, d);
     if (points.length > 2) return [{ kind: "floor", points }];
@@ -49,6 +51,12 @@ function disk(center, numbers, shape, d) {
   const marked = d === 3 ? more === 4 : more === 1;
   if (marked) result.push({ kind: "line", points: [center, rim(numbers[shape.first + shape.count - 1])] });
   return result;
+}
+
+// A solid whose corners move with a frame: position, and rotation row by row.
+function solid({ corners, faces }, frame) {
+  const place = (corner) => [0, 1, 2].map((axis) => frame[axis] + dot(frame.slice(3 + 3 * axis, 6 + 3 * axis), corner));
+  return { kind: "solid", points: corners.map(place), corners, faces, frame };
 }
 
 const plate = (p, side) => [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => plus(p, [x, y, 0], side));

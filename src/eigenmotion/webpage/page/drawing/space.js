@@ -116,6 +116,24 @@ class SpaceStage extends Stage {
     return group;
   }
 
+  // A solid, created in its frame; edges between faces that meet at a small angle are not drawn.
+  solid({ corners, faces }) {
+    const { three } = this, group = new three.Group(), geometry = new three.BufferGeometry();
+    const triangles = faces.flatMap((face) => face.slice(2).flatMap((_, k) => [face[0], face[k + 1], face[k + 2]]));
+    const places = Float32Array.from(triangles.flatMap((k) => corners[k]));
+    geometry.setAttribute("position", new three.BufferAttribute(places, 3));
+    geometry.computeVertexNormals();
+    const material = this.material("face", { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    const edges = new three.EdgesGeometry(geometry, SMOOTH_ANGLE);
+    group.add(new three.Mesh(geometry, material), new three.LineSegments(edges, new three.LineBasicMaterial({ color: this.look.faceEdge })));
+    group.matrixAutoUpdate = false;
+    group.place = ({ frame: [x, y, z, ...R] }) => {
+      group.matrix.set(...R.slice(0, 3), x, ...R.slice(3, 6), y, ...R.slice(6), z, 0, 0, 0, 1);
+      group.matrixWorldNeedsUpdate = true;
+    };
+    return group;
+  }
+
   // A thin translucent disk with a rim; created perpendicular to z, then rotated to its axle.
   wheel() {
     const { three } = this, group = new three.Group(), axis = new three.Vector3(0, 0, 1), to = new three.Vector3();
@@ -137,6 +155,8 @@ class SpaceStage extends Stage {
   }
 }
 
+const SMOOTH_ANGLE = 35; // degrees
+
 const MESHES = {
   bar: (stage) => stage.rod(0.01 * stage.box.size, "bar"),
   line: (stage, { points }) => (points.length > 2 ? stage.wire(0.004 * stage.box.size, "line") : stage.rod(0.005 * stage.box.size, "line")),
@@ -144,6 +164,7 @@ const MESHES = {
   face: (stage, { points }) => stage.plane(points.length, "face", "faceEdge"),
   floor: (stage, { points }) => stage.plane(points.length, "floor", "floorEdge", { transparent: true, opacity: 0.7 }),
   wheel: (stage) => stage.wheel(),
+  solid: (stage, stroke) => stage.solid(stroke),
   ball: (stage) => stage.ball(),
 };
 

@@ -80,7 +80,7 @@ class Stage {
     if (!this.motion?.rows || !this.canvas.clientWidth) return;
     sharpen(this.canvas, this.brush);
     const camera = this.camera(), look = theme();
-    const allStrokes = strokes(this.about, this.motion.drawn(this.t), this.box.size);
+    const allStrokes = strokes(this.about, this.motion.drawn(this.t), this.box.size).flatMap(faceByFace);
     allStrokes.push(...this.paths());
     const depth = (stroke) => stroke.points.reduce((sum, p) => sum + camera.depth(p), 0) / stroke.points.length;
     if (this.space) {
@@ -127,6 +127,9 @@ class Stage {
     return `color-mix(in srgb, ${look.face} ${Math.round(45 + 55 * camera.light(normal))}%, ${look.faceEdge})`;
   }
 }
+
+const faceByFace = (stroke) => (stroke.kind !== "solid" ? [stroke]
+  : stroke.faces.map((face) => ({ kind: "face", points: face.map((k) => stroke.points[k]) })));
 
 const LAYERS = ["floor", "face", "path", "wheel", "line", "bar", "ball"];
 const FILLED = new Set(["floor", "face", "wheel", "ball"]);

@@ -46,21 +46,27 @@ class Motion {
     return this.at(row, place) + part * (this.at(next, place) - this.at(row, place));
   }
 
+  // Coordinates of the points of a shape in a row, point by point.
+  extremes(shape, row) {
+    const first = this.places.drawn + shape.first, count = shape.kind === "disk" ? this.about.dimension : shape.count;
+    const numbers = Array.from({ length: count }, (_, k) => this.at(row, first + k));
+    return shape.kind === "solid" ? solid(shape, numbers).points.flat() : numbers;
+  }
+
   // Bounding box of all shapes at all times.
   box() {
     const { dimension, shapes } = this.about;
     const low = Array(3).fill(Infinity), high = Array(3).fill(-Infinity);
     for (let row = 0; row < this.rows; row += Math.max(1, this.rows >> 8)) {
       for (const shape of shapes) {
-        const points = shape.kind === "disk" ? 1 : shape.count / dimension;
         const first = this.places.drawn + shape.first;
         const room = shape.kind === "disk" ? Math.abs(this.at(row, first + dimension)) : 0;
-        for (let k = 0; k < points * dimension; ++k) {
-          const value = this.at(row, first + k), axis = k % dimension;
-          if (!Number.isFinite(value)) continue;
+        this.extremes(shape, row).forEach((value, k) => {
+          const axis = k % dimension;
+          if (!Number.isFinite(value)) return;
           low[axis] = Math.min(low[axis], value - room);
           high[axis] = Math.max(high[axis], value + room);
-        }
+        });
       }
     }
     for (let axis = 0; axis < 3; ++axis) if (!(low[axis] <= high[axis])) low[axis] = high[axis] = 0;

@@ -1,0 +1,1 @@
+"""The drawing of a robot: solids of its file, and a skeleton."""
