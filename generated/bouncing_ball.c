@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
-/* body sha256:2b0018dbb30e6228be6f0dbdd1b27b4ea9046536950017bf1179fa39e45ba3a8 */
+/* input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545 */
+/* body sha256:490670f50aa1fe110f0dd29706e48770f1a697e6baf67f87e89dc0f3a06fc2fa */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -607,9 +607,9 @@ static const double initial_x[N] = { 0.0, 1.0 };
 static const double initial_v[N] = { 0.2, 0.0 };
 static const int carried[N] = { 0, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"line", 2, 4},
-    {"disk", 6, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"line", 2, 4, 0, NULL},
+    {"disk", 6, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 2},

@@ -1,5 +1,5 @@
 /* eigenmotion generate bouncing_ball.py */
-/* input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439 */
+/* input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545 */
 /* body sha256:31954ddb748efa3715516767fa7351366892556f19af0b9cec4eabf38e97fdb3 */
 /* bouncing_ball: 2 coordinates, 1 constraint rows, 4 states.
  * Link bouncing_ball.c with a program of your own,

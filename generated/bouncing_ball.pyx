@@ -1,5 +1,5 @@
 # eigenmotion generate bouncing_ball.py
-# input sha256:a32b1e6aa8f95644e895a7d8fef01cbd8f56ebac1ee25cfa6f861827098e1439
+# input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545
 # body sha256:f27e8f8290de1414aa49161108ca03c7d32f420cef6aa2f827a455a09bddf8fe
 # cython: language_level=3
 """bouncing_ball, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063 */
-/* body sha256:0b63cfb662bfc6e685f1f6cdf9f88a97cbdd1d5a0e19dc4f99c8d98a6f0621e2 */
+/* input sha256:db7ffc172ffdf80cd8a7345118304d621e67bf6a384cc2081b57636f2bda4deb */
+/* body sha256:c4bb85144ff6bd1b9f3c455f9e6e880ee034b646e9f15ae67518c9b03912c79c */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1227,16 +1227,16 @@ static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"ground", 4, 2},
-    {"spring", 6, 4},
-    {"spring", 10, 4},
-    {"line", 14, 4},
-    {"line", 18, 4},
-    {"disk", 22, 3},
-    {"disk", 25, 3},
-    {"disk", 28, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"ground", 4, 2, 0, NULL},
+    {"spring", 6, 4, 0, NULL},
+    {"spring", 10, 4, 0, NULL},
+    {"line", 14, 4, 0, NULL},
+    {"line", 18, 4, 0, NULL},
+    {"disk", 22, 3, 0, NULL},
+    {"disk", 25, 3, 0, NULL},
+    {"disk", 28, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 4},

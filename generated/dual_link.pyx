@@ -1,5 +1,5 @@
 # eigenmotion generate dual_link.py
-# input sha256:265d8892a5a4b7aeb90d2a04585617a209d831a7a9ea64b4efac5e5060f02063
+# input sha256:db7ffc172ffdf80cd8a7345118304d621e67bf6a384cc2081b57636f2bda4deb
 # body sha256:8e7848d838dd9b669e0c91051cd5f2061c099146a4f1aac961dcceb2840f0244
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (eigenfactor)."""

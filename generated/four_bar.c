@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387 */
-/* body sha256:a70bad48090dbc965955c70961d6ef19d30f7b0b1e597f1cea07a5494dd596ba */
+/* input sha256:10ea64c65b0625c37ac606379d8e7cc0bf2575aa65b654f2e2d516bf1b2ce748 */
+/* body sha256:ee0efb43b985db26069277b01c1654ef316bbbe81c5595a42b624b76f3375b34 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1150,13 +1150,13 @@ static const double initial_x[N] = { 1.5707963267948966, 0.4069607577066713, 1.6
 static const double initial_v[N] = { 4.0, -0.1712309218771849, 1.9253387515666516 };
 static const int carried[N] = { 1, 1, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"ground", 4, 2},
-    {"line", 6, 4},
-    {"line", 10, 4},
-    {"line", 14, 4},
-    {"disk", 18, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"ground", 4, 2, 0, NULL},
+    {"line", 6, 4, 0, NULL},
+    {"line", 10, 4, 0, NULL},
+    {"line", 14, 4, 0, NULL},
+    {"disk", 18, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 3},

@@ -1,5 +1,5 @@
 # eigenmotion generate four_bar.py
-# input sha256:1333e250796aa24c7022f1769be0265d1e729ac8be35d568f550fb6797500387
+# input sha256:10ea64c65b0625c37ac606379d8e7cc0bf2575aa65b654f2e2d516bf1b2ce748
 # body sha256:bae5c2f26671f34790b45b86208e7ce0c094b4396b137ee50af4696d68a7b010
 # cython: language_level=3
 """four_bar, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
-/* body sha256:d42d5f6821ba05e03843221d11bfea5175e0ea59744e58747ba5da840e991252 */
+/* input sha256:4cb3d75cfa750254dd7c7a92a151c59bb658f7285d3817bfdd1092f33379d1ad */
+/* body sha256:299785b24b685f1e1d28b2200692647638f6ead7d7f2456a9ef817984bedd1f4 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -435,10 +435,10 @@ static const double initial_x[N] = { 2.0 };
 static const double initial_v[N] = { 0.0 };
 static const int carried[N] = { 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"line", 4, 4},
-    {"disk", 8, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"line", 4, 4, 0, NULL},
+    {"disk", 8, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 1},

@@ -1,5 +1,5 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab */
+/* input sha256:4cb3d75cfa750254dd7c7a92a151c59bb658f7285d3817bfdd1092f33379d1ad */
 /* body sha256:f6c8fc295b2ca4101b7cb6c5a5258fe147337c04cddda58f2a2fec0ce04b15b1 */
 /* pendulum: 1 coordinates, 0 constraint rows, 2 states.
  * Link pendulum.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum.py
-# input sha256:1d29c9c54ee1d964305b3fed8997b249573cb5c2ca5c6367d604281b594a43ab
+# input sha256:4cb3d75cfa750254dd7c7a92a151c59bb658f7285d3817bfdd1092f33379d1ad
 # body sha256:b17700f659ed3ff64b304e033594638d00b1445ee386c165e776ba596ab6b809
 # cython: language_level=3
 """pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
-/* body sha256:58987b4ae998d2837b36ced6cd6be1eba4d428332f3168d0e23d944ae6d4d03d */
+/* input sha256:54f552f8bf8eaf402fe74f441e34761761c25ec8db4dad6aa08f8e7416ea6409 */
+/* body sha256:b5bd2b5c5e3e229caa94cc55d1ff0cf08297f8d19b1a1596fe2fa43b9d82820f */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1204,9 +1204,9 @@ static const double initial_x[N] = { 0.0, 0.0, 0.0, 0.3, 0.0 };
 static const double initial_v[N] = { 2.146192491889161, 0.0, 1.0, 0.0, 4.292384983778322 };
 static const int carried[N] = { 1, 1, 1, 1, 1 };
 static const em_shape shapes[] = {
-    {"trace", 0, 3},
-    {"ground", 3, 12},
-    {"disk", 15, 8}
+    {"trace", 0, 3, 0, NULL},
+    {"ground", 3, 12, 0, NULL},
+    {"disk", 15, 8, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 5},

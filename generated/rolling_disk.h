@@ -1,5 +1,5 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c */
+/* input sha256:54f552f8bf8eaf402fe74f441e34761761c25ec8db4dad6aa08f8e7416ea6409 */
 /* body sha256:b3d6a5e71a5e9aedd44b600ebb61fadca12f686fd28fcf3dacae9b42e9585833 */
 /* rolling_disk: 5 coordinates, 2 constraint rows, 40 states.
  * Link rolling_disk.c with a program of your own,

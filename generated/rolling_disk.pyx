@@ -1,5 +1,5 @@
 # eigenmotion generate rolling_disk.py
-# input sha256:79152ce9a70780f4325278032ef1389f2d102285d0e7bce6c3bcb5c1a5a4850c
+# input sha256:54f552f8bf8eaf402fe74f441e34761761c25ec8db4dad6aa08f8e7416ea6409
 # body sha256:d0c1f6c10ccc54b4076de0976f726a53cf661bc6168488cacbc0651b68d79b09
 # cython: language_level=3
 """rolling_disk, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
-/* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
-/* body sha256:7ab4c6d7cc78859fc926e0aff4591f5c37d1b87335678b1345ec9a40998c8537 */
+/* input sha256:ee6f21131ce26700b20eff2c6c1d1414598ccb2d41634016406f7e75ca1151d6 */
+/* body sha256:8da2cb25ca6c7ce62f506d9845c0fca5391c80204949b2b4ba160abcd93cdba2 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -998,16 +998,16 @@ static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 0, 0, 0, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"ground", 4, 2},
-    {"spring", 6, 4},
-    {"spring", 10, 4},
-    {"line", 14, 4},
-    {"line", 18, 4},
-    {"disk", 22, 3},
-    {"disk", 25, 3},
-    {"disk", 28, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"ground", 4, 2, 0, NULL},
+    {"spring", 6, 4, 0, NULL},
+    {"spring", 10, 4, 0, NULL},
+    {"line", 14, 4, 0, NULL},
+    {"line", 18, 4, 0, NULL},
+    {"disk", 22, 3, 0, NULL},
+    {"disk", 25, 3, 0, NULL},
+    {"disk", 28, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 4},

@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
-/* input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b */
+/* input sha256:ee6f21131ce26700b20eff2c6c1d1414598ccb2d41634016406f7e75ca1151d6 */
 /* body sha256:ce0351c853d180c4e3f3572d7df72f9968f16e402b9edc8d29a05bbf7efd3eea */
 /* dual_link: 4 coordinates, 1 constraint rows, 8 states.
  * Link dual_link.c with a program of your own,

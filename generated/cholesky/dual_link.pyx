@@ -1,5 +1,5 @@
 # eigenmotion generate dual_link.py --formulation cholesky
-# input sha256:df7bb6a0e8a7ccae115ffd5a4199255e043926e1730038f5561b0029f974f77b
+# input sha256:ee6f21131ce26700b20eff2c6c1d1414598ccb2d41634016406f7e75ca1151d6
 # body sha256:49511aa0673d22a717f1f1d4cbba16e26ccc969acfcbbf3a4d84a6c621ddd5ab
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (cholesky)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
-/* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
-/* body sha256:9a33333ca992798794875365b2e4497ec124b78bb1ba1bab21d2ff0d38be5a63 */
+/* input sha256:1093f8d0de759d8d08dc9d63d3112a5f4c2f8bfe33f09048d1984c6e4a0efdf7 */
+/* body sha256:9bb5f22b4e55143949da9065fbb65e978105b134723a2d565c23b857215c9394 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -969,16 +969,16 @@ static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 0, 0, 0, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"ground", 4, 2},
-    {"spring", 6, 4},
-    {"spring", 10, 4},
-    {"line", 14, 4},
-    {"line", 18, 4},
-    {"disk", 22, 3},
-    {"disk", 25, 3},
-    {"disk", 28, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"ground", 4, 2, 0, NULL},
+    {"spring", 6, 4, 0, NULL},
+    {"spring", 10, 4, 0, NULL},
+    {"line", 14, 4, 0, NULL},
+    {"line", 18, 4, 0, NULL},
+    {"disk", 22, 3, 0, NULL},
+    {"disk", 25, 3, 0, NULL},
+    {"disk", 28, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 4},

@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
-/* input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76 */
+/* input sha256:1093f8d0de759d8d08dc9d63d3112a5f4c2f8bfe33f09048d1984c6e4a0efdf7 */
 /* body sha256:ce0351c853d180c4e3f3572d7df72f9968f16e402b9edc8d29a05bbf7efd3eea */
 /* dual_link: 4 coordinates, 1 constraint rows, 8 states.
  * Link dual_link.c with a program of your own,

@@ -1,5 +1,5 @@
 # eigenmotion generate dual_link.py --formulation inverse
-# input sha256:e6ddb15e469a0bd43c4b0cb8aeadde7cfcb573a5863a772371f4b6ef5fb93f76
+# input sha256:1093f8d0de759d8d08dc9d63d3112a5f4c2f8bfe33f09048d1984c6e4a0efdf7
 # body sha256:1be0be9958a47e7c1b74228744108863c66865e31247fae273ea6bdf39a2411a
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (inverse)."""

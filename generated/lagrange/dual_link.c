@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
-/* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
-/* body sha256:a981baa4c9ae671d3fcbfbacbae09f1d13d9345ae14018e740ef496dc9d91b74 */
+/* input sha256:831cacef6d0f2b457bc168580b239f60e0d317722a8f3f92538eb5b78a31990d */
+/* body sha256:e42858a2b7ade9167f4e58ab0958cdc5c939d902388ff2c4af0840e4fae50256 */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -941,16 +941,16 @@ static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 0, 0, 0, 0 };
 static const em_shape shapes[] = {
-    {"trace", 0, 2},
-    {"ground", 2, 2},
-    {"ground", 4, 2},
-    {"spring", 6, 4},
-    {"spring", 10, 4},
-    {"line", 14, 4},
-    {"line", 18, 4},
-    {"disk", 22, 3},
-    {"disk", 25, 3},
-    {"disk", 28, 3}
+    {"trace", 0, 2, 0, NULL},
+    {"ground", 2, 2, 0, NULL},
+    {"ground", 4, 2, 0, NULL},
+    {"spring", 6, 4, 0, NULL},
+    {"spring", 10, 4, 0, NULL},
+    {"line", 14, 4, 0, NULL},
+    {"line", 18, 4, 0, NULL},
+    {"disk", 22, 3, 0, NULL},
+    {"disk", 25, 3, 0, NULL},
+    {"disk", 28, 3, 0, NULL}
 };
 static const em_slice layout[] = {
     {"x", 0, 4},

@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
-/* input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18 */
+/* input sha256:831cacef6d0f2b457bc168580b239f60e0d317722a8f3f92538eb5b78a31990d */
 /* body sha256:ce0351c853d180c4e3f3572d7df72f9968f16e402b9edc8d29a05bbf7efd3eea */
 /* dual_link: 4 coordinates, 1 constraint rows, 8 states.
  * Link dual_link.c with a program of your own,

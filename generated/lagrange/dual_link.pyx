@@ -1,5 +1,5 @@
 # eigenmotion generate dual_link.py --formulation lagrange
-# input sha256:7b059552c245cdd53260302a22a4501c7fbc28c7ec192ef324b592c3c23ccf18
+# input sha256:831cacef6d0f2b457bc168580b239f60e0d317722a8f3f92538eb5b78a31990d
 # body sha256:22b52f4d6784b9d85f82de5bd8d2da6934b62007d6309031cba0260bebdd316a
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (lagrange)."""

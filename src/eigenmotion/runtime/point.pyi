@@ -47,7 +47,7 @@ class PointModel:
     switches: tuple[tuple[int, int, int, int, int], ...]
     has_cones: bool
     acts: bool
-    shapes: tuple[tuple[str, int, int], ...]
+    shapes: tuple[tuple[str, int, int, Vector | None], ...]
     quasi_velocities: tuple[str, ...]
     row_names: tuple[str, ...]
     carried: tuple[int, ...]

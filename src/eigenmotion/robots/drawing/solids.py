@@ -31,7 +31,7 @@ def ball(radii: Array) -> Array:
 def capsule(radius: float, length: float) -> Array:
     """Return corners of a cylinder about the z axis with half balls at both ends, `length` apart."""
     ends = directions(_DIRECTIONS // 2) * radius
-    return ends + np.where(ends[:, 2:] < 0, -1, 1) * [0, 0, length / 2]
+    return np.array(ends + np.where(ends[:, 2:] < 0, -1, 1) * [0, 0, length / 2])
 
 
 def hull(points: Array) -> Array:

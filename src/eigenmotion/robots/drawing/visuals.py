@@ -77,5 +77,5 @@ def _vertices(file: Path, name: str) -> Array:
     path = Path(filename_handler_magic(name, dir=str(file.resolve().parent)))
     if not path.is_file():
         raise FileNotFoundError(f"there is no file {path.name} at that place or under a package of that name")
-    mesh = trimesh.load(path, force="mesh")
-    return np.asarray(mesh.vertices, dtype=float)
+    mesh: Any = trimesh.load(path, force="mesh")
+    return np.array(mesh.vertices, dtype=np.float64)
