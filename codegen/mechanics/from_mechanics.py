@@ -16,7 +16,7 @@ from .loads import acting_on, check_weights
 from .nonholonomic_correction import missing_forces
 from .speeds import Speeds, speeds_of
 from .tree_check import check_motion
-from .tree_loads import check_potentials, generalised_forces, potentials, sort_loads, springs
+from .tree_loads import check_potentials, generalised_forces, potentials, sort_loads
 from .velocity_constraints import velocity_rows
 
 Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
@@ -140,15 +140,12 @@ def _of_tree(system: System, speeds: Speeds, parameters: dict[Any, Any]) -> dict
     check_potentials(system)
     loads = sort_loads(system)
     made = joint_tree(system, loads.gravity)
-    check_motion(made, system, speeds)
+    is_rate_of_place = check_motion(made, system, speeds)
     T = made.tree.kinetic_energy
     _check_values([T], parameters)
-    stored, of_actuators = springs(system, made)
-    return {
-        "kinetic_energy": T,
-        "potential_energy": potentials(system, made, loads) + stored,
-        "forces": generalised_forces(system, made, speeds, [*loads.others, *of_actuators]),
-    }
+    V, others = potentials(system, made, loads, is_rate_of_place)
+    forces = generalised_forces(system, made, speeds, others)
+    return {"kinetic_energy": T, "potential_energy": V, "forces": forces}
 
 
 def _written_out(system: System, speeds: Speeds) -> dict[str, Any]:

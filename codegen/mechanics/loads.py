@@ -42,7 +42,7 @@ def acting_on(system: System, speeds: Speeds) -> list[Acting]:
     """Return the effects of the loads and actuators of a system."""
     single = [_acting(system, speeds, [load], _potential_of(load, system)) for load in system.loads]
     return single + [
-        _acting(system, speeds, actuator.to_loads(), stored_energy(actuator)) for actuator in system.actuators
+        _acting(system, speeds, actuator.to_loads(), stored_energy(actuator, system)) for actuator in system.actuators
     ]
 
 
@@ -113,14 +113,22 @@ def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
     return -load.vector.dot(r)
 
 
-def stored_energy(actuator: ActuatorBase, length: sympy.Expr | None = None) -> sympy.Expr | None:
-    """Return the energy of a spring of this length, by default that of its pathway; None for other actuators."""
-    if not isinstance(actuator, LinearSpring | DuffingSpring):
+def stored_energy(actuator: ActuatorBase, system: System, length: sympy.Expr | None = None) -> sympy.Expr | None:
+    """Return the energy of a spring of this length, by default that of its pathway.
+
+    None for other actuators, and for springs whose stiffness or rest length depends on coordinates or velocities.
+    """
+    if isinstance(actuator, LinearSpring):
+        stiffness: tuple[sympy.Expr, ...] = (actuator.stiffness, sympy.S.Zero)
+    elif isinstance(actuator, DuffingSpring):
+        stiffness = actuator.linear_stiffness, actuator.nonlinear_stiffness
+    else:
+        return None
+    constants = sympy.Tuple(*stiffness, actuator.equilibrium_length)
+    if constants.atoms(sympy.Derivative) or constants.has(*system.q, *system.u):
         return None
     d = (actuator.pathway.length if length is None else length) - actuator.equilibrium_length
-    if isinstance(actuator, LinearSpring):
-        return actuator.stiffness * d**2 / 2
-    return actuator.linear_stiffness * d**2 / 2 + actuator.nonlinear_stiffness * d**4 / 4
+    return stiffness[0] * d**2 / 2 + stiffness[1] * d**4 / 4
 
 
 def check_weights(system: System, acting: Iterable[Acting]) -> None:

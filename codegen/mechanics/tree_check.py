@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import Particle, RigidBody, System, Vector
+from sympy.physics.mechanics import Particle, Point, RigidBody, System, Vector
 
 from ..model import ModelError, t
 from ..model.tree.forward_kinematics import Arithmetic, ForwardKinematics
@@ -25,8 +26,10 @@ from .speeds import Speeds
 _NEAR = 1e-9
 
 
-def check_motion(made: JointTree, system: System, speeds: Speeds) -> None:
-    """Compare the bodies of a tree with SymPy's.
+def check_motion(made: JointTree, system: System, speeds: Speeds) -> Callable[[Point], bool]:
+    """Compare the bodies of a tree with SymPy's; return what says whether a point's velocity is that of its place.
+
+    It need not be: SymPy's contact points may be places that move on over a body, with the velocity of the body there.
 
     Raises
     ------
@@ -43,6 +46,7 @@ def check_motion(made: JointTree, system: System, speeds: Speeds) -> None:
             raise ModelError(f"the motion of the body {body.name} depends on more than coordinates") from error
         if not agrees:
             raise ModelError(f"the body {body.name} does not move as its joint does")
+    return check.is_rate_of_place
 
 
 class _Check:
@@ -56,14 +60,46 @@ class _Check:
         self.bodies = ForwardKinematics(numbers, state)
 
     def __call__(self, body: Particle | RigidBody) -> bool:
-        """Whether a body moves as in SymPy: relative to its parent, and in the fixed frame where that is set."""
+        """Whether a body moves as in SymPy: relative to its parent, and in the fixed frame where that is set.
+
+        SymPy takes a velocity that is not set from the nearest point that has one, which users may have set.
+        """
         place, N = self.made.places[body], self.system.frame
         pairs = [*self._relative(body, place, place.parent)] if place.parent else []
-        if place.body is None or N in body.masscenter._vel_dict:
+        if place.body is None or N in body.masscenter._vel_dict or self.has_odd_points:
             pairs.append((self._placed(place.body)[1][1], self.vector(velocity(body.masscenter, N))))
         if place.body and N in place.frame._ang_vel_dict:
             pairs.append((_spin(*self._placed(place.body)[0]), self.vector(angular_velocity(place.frame, N))))
-        return all(np.abs(found - right).max() < _NEAR * (1 + np.abs(right).max()) for found, right in pairs)
+        return all(_near(found, right) for found, right in pairs)
+
+    def is_rate_of_place(self, point: Point) -> bool:
+        """Whether the velocity of a point in SymPy is the derivative of its place; False where that is unknown."""
+        try:
+            place = point.pos_from(self.system.fixed_point)
+            v = self.vector(velocity(point, self.system.frame))
+            return _near(self._rate(place), v)
+        except (ModelError, TypeError, ValueError):
+            return False
+
+    @cached_property
+    def has_odd_points(self) -> bool:
+        """Whether a point that is connected to the fixed point has a velocity that is not the rate of its place."""
+        found = pending = [self.system.fixed_point]
+        while pending:
+            pending = [one for point in pending for one in point._pos_dict if one not in found]
+            found = [*found, *dict.fromkeys(pending)]
+        N = self.system.frame
+        return any(N in point._vel_dict and not self.is_rate_of_place(point) for point in found)
+
+    def _rate(self, vector: Vector) -> np.ndarray:
+        """Return the derivative (3,) of a vector of SymPy in the fixed frame."""
+        whole = np.zeros(3)
+        for entries, frame in vector.args:
+            body, axes = self.made.fixed_in(frame)
+            (R, Rdot), fixed = self._placed(body)[0], self.matrix(axes)
+            rate = entries.diff(t).xreplace(self.in_rates)
+            whole += Rdot @ fixed @ self.matrix(entries).ravel() + R @ fixed @ self.matrix(rate).ravel()
+        return whole
 
     def _relative(
         self, body: Particle | RigidBody, place: Place, carrier: Place
@@ -111,6 +147,10 @@ class _Check:
         if symbol not in self.values:
             self.values[symbol] = sympy.Float(self.random.uniform(0.3, 1.2))
         return self.values[symbol]
+
+
+def _near(found: np.ndarray, right: np.ndarray) -> bool:
+    return bool(np.abs(found - right).max() < _NEAR * (1 + np.abs(right).max()))
 
 
 def _spin(R: np.ndarray, Rdot: np.ndarray) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,10 +41,10 @@ def sort_loads(system: System) -> Sorted:
             others.append(load)
         else:
             constant.append((load.point, F))
-    field = _field(system, constant)
+    masses = _masses(system)
+    field = _field(masses, constant)
     if field is not None:
-        centres = {body.masscenter for body in _moving(system)}
-        constant = [(point, F) for point, F in constant if point not in centres]
+        constant = [(point, F) for point, F in constant if point not in masses]
     return Sorted(field or NO_GRAVITY, constant, others)
 
 
@@ -55,44 +55,56 @@ def _constant(load: Force | Torque, frame: ReferenceFrame) -> sympy.ImmutableDen
     return F if is_constant(F) else None
 
 
-def _moving(system: System) -> list[Any]:
-    return [body for body in system.bodies if getattr(body, "frame", None) != system.frame]
+def _masses(system: System) -> dict[Point, sympy.Expr]:
+    """Return the mass at each mass centre that moves: bodies may share one, and may have none."""
+    masses: dict[Point, sympy.Expr] = {}
+    for body in system.bodies:
+        if getattr(body, "frame", None) != system.frame:
+            masses[body.masscenter] = masses.get(body.masscenter, sympy.S.Zero) + body.mass
+    return {point: mass for point, mass in masses.items() if mass != 0}
 
 
-def _field(system: System, constant: Iterable[tuple[Point, Any]]) -> tuple[sympy.Expr, ...] | None:
+def _field(masses: Mapping[Point, sympy.Expr], constant: Iterable[tuple[Point, Any]]) -> tuple[sympy.Expr, ...] | None:
     """Return g (3,) if the constant forces at mass centres are m g; None if they are those of no field."""
     totals: dict[Point, Any] = {}
     for point, F in constant:
         totals[point] = totals[point] + F if point in totals else F
-    bodies = [body for body in _moving(system) if body.mass != 0]
-    if not all(body.masscenter in totals for body in bodies):
+    if not all(point in totals for point in masses):
         return None
-    fields = {tuple(sympy.cancel(one / body.mass) for one in totals[body.masscenter]) for body in bodies}
+    fields = {tuple(sympy.cancel(one / mass) for one in totals[point]) for point, mass in masses.items()}
     return fields.pop() if len(fields) == 1 else None
 
 
-def potentials(system: System, made: JointTree, loads: Sorted) -> sympy.Expr:
-    """Return the potential energy of gravity, and -F . r of other constant forces [J]."""
-    V = made.tree.potential_energy
+def potentials(
+    system: System, made: JointTree, loads: Sorted, is_rate_of_place: Callable[[Point], bool]
+) -> tuple[sympy.Expr, list[Force | Torque]]:
+    """Return the potential energy of gravity, constant forces (-F . r) and springs [J], and all loads without one."""
+    V, others = made.tree.potential_energy, list(loads.others)
     for point, F in loads.constant:
-        V -= F.dot(made.in_ground(point.pos_from(system.fixed_point)))
-    return V
-
-
-def springs(system: System, made: JointTree) -> tuple[sympy.Expr, list[Force | Torque]]:
-    """Return the potential energy of springs along straight lines [J], and the loads of all other actuators."""
-    V, loads = sympy.S.Zero, []
+        if is_rate_of_place(point):
+            V -= F.dot(made.in_ground(point.pos_from(system.fixed_point)))
+        else:
+            others.append(Force(point, Vector([(sympy.Matrix(F), system.frame)])))
     for actuator in system.actuators:
-        energy = None
-        if isinstance(getattr(actuator, "pathway", None), LinearPathway):
-            first, last = actuator.pathway.attachments
-            line = made.in_ground(last.pos_from(first))
-            energy = stored_energy(actuator, sympy.sqrt(line.dot(line)))
+        energy = _energy_of_spring(actuator, system, made, is_rate_of_place)
         if energy is None:
-            loads += actuator.to_loads()
+            others += actuator.to_loads()
         else:
             V += energy
-    return V, loads
+    return V, others
+
+
+def _energy_of_spring(
+    spring: Any, system: System, made: JointTree, is_rate_of_place: Callable[[Point], bool]
+) -> sympy.Expr | None:
+    """Return the energy of a spring along a straight line; None for other actuators, and where it is no potential."""
+    if not isinstance(getattr(spring, "pathway", None), LinearPathway):
+        return None
+    first, last = spring.pathway.attachments
+    if not (is_rate_of_place(first) and is_rate_of_place(last)):
+        return None
+    line = made.in_ground(last.pos_from(first))
+    return stored_energy(spring, system, sympy.sqrt(line.dot(line)))
 
 
 def generalised_forces(

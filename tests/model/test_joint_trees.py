@@ -8,12 +8,14 @@ import sympy
 from sympy import Rational, symbols
 from sympy.physics.mechanics import (
     CylindricalJoint,
+    DuffingSpring,
     Force,
     LinearDamper,
     LinearPathway,
     LinearSpring,
     PinJoint,
     PlanarJoint,
+    Point,
     PrismaticJoint,
     ReferenceFrame,
     RigidBody,
@@ -237,3 +239,97 @@ def test_what_is_no_tree_says_why(case):
     make, words = NO_TREES[case]
     with pytest.raises(em.ModelError, match=words):
         em.from_mechanics(make(), tree=True)
+
+
+# --- velocities and loads that users set ------------------------------------------------------------------------------
+
+
+def arm(count: int = 2) -> tuple[System, list[RigidBody]]:
+    """A chain of links by pin joints about several axes; returns its system and its bodies, the wall first."""
+    bodies = [RigidBody("wall")]
+    system = System.from_newtonian(bodies[0])
+    for number in range(count):
+        parent, link = bodies[-1], RigidBody(f"link_{number}", mass=m)
+        link.central_inertia = inertia(link.frame, Rational(1, 50), Rational(1, 60), Rational(1, 70))
+        axis = (parent.frame.z, parent.frame.x)[number % 2]
+        system.add_joints(PinJoint(f"pin_{number}", parent, link, parent_point=l * parent.frame.x / 2, joint_axis=axis,
+                                   child_point=-l * link.frame.x / 2))  # fmt: skip
+        bodies.append(link)
+    return system, bodies
+
+
+def contact(system: System, bodies: list[RigidBody]) -> Point:
+    """A point below the last body, with the velocity of the body there: as the body turns, it is another part of it."""
+    wall, last = bodies[0], bodies[-1]
+    point = last.masscenter.locatenew("contact", -l * wall.y)
+    point.v2pt_theory(last.masscenter, wall.frame, last.frame)
+    return point
+
+
+def path(bodies: list[RigidBody], end: Point) -> LinearPathway:
+    post = bodies[0].masscenter.locatenew("post", 3 * l * bodies[0].x)
+    post.set_vel(bodies[0].frame, 0)
+    return LinearPathway(post, end)
+
+
+def force_on_contact(system: System, bodies: list[RigidBody]) -> None:
+    system.add_loads(Force(contact(system, bodies), 5 * bodies[0].x))
+
+
+def spring_on_contact(system: System, bodies: list[RigidBody]) -> None:
+    system.add_actuators(LinearSpring(k, path(bodies, contact(system, bodies)), l))
+
+
+def force_on_no_place(system: System, bodies: list[RigidBody]) -> None:
+    point = Point("somewhere")
+    point.set_vel(bodies[0].frame, system.u[0] * l * bodies[0].x)
+    system.add_loads(Force(point, 5 * bodies[0].x))
+
+
+def force_on_massless(system: System, bodies: list[RigidBody]) -> None:
+    tip = RigidBody("tip", mass=0)
+    tip.central_inertia = inertia(tip.frame, 0, 0, 0)
+    system.add_joints(WeldJoint("weld", bodies[-1], tip, parent_point=l * bodies[-1].frame.x))
+    system.apply_uniform_gravity(-g * bodies[0].y)
+    system.add_loads(Force(tip.masscenter, 5 * bodies[0].x))
+
+
+def stiffness_of_angle(system: System, bodies: list[RigidBody]) -> None:
+    stiffness, length = k * (1 + system.q[0] ** 2), l * sympy.cos(system.q[1])
+    ways = path(bodies, bodies[-1].masscenter), path(bodies, bodies[1].masscenter)
+    system.add_actuators(LinearSpring(stiffness, ways[0], l), DuffingSpring(k, k, ways[1], length))
+
+
+def stiffness_of_speed(system: System, bodies: list[RigidBody]) -> None:
+    system.add_actuators(LinearSpring(k * (1 + system.u[0] ** 2), path(bodies, bodies[-1].masscenter), l))
+
+
+LOADS = (force_on_contact, spring_on_contact, force_on_no_place, force_on_massless, stiffness_of_angle,
+         stiffness_of_speed)  # fmt: skip
+
+
+@pytest.mark.parametrize("load", LOADS)
+def test_loads_are_those_of_kanes_equations(load):
+    def loaded() -> System:
+        system, bodies = arm()
+        load(system, bodies)
+        return system
+
+    system = loaded()
+    system.validate_system()
+    system.form_eoms()
+    for tree in (True, False):
+        model = em.from_mechanics(loaded(), name="arm", parameters=VALUES, tree=tree)
+        kane, compiled = Example(model, system.eom_method), system_for(model, "lagrange")
+        for x, v in states(model):
+            right, found = kane.speed_rates(x, v, []), kane.found(x, v, compiled.acceleration(x, v)[0], [])
+            assert np.abs(found - right).max() < 1e-9 * (1 + np.abs(right).max())
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_velocity_that_others_follow_from_is_compared():
+    system, bodies = arm()
+    point = bodies[-1].masscenter.locatenew("held", l * bodies[-1].x)
+    point.set_vel(bodies[0].frame, 0)
+    with pytest.raises(em.ModelError, match="does not move as its joint does"):
+        em.from_mechanics(system, name="arm", parameters=VALUES, tree=True)
