@@ -174,6 +174,8 @@ def _joint(motion: Motion) -> Mapping[str, Any]:
 
 def _inertia(body: Particle | RigidBody) -> Mapping[str, Any]:
     """Return mass and inertia about the mass centre, which is the origin of the body's frame."""
+    if not is_constant([sympy.sympify(body.mass)]):
+        raise ModelError(f"the mass of the body {body.name} varies")
     if not isinstance(body, RigidBody):
         return {"mass": body.mass}
     J = body.central_inertia.to_matrix(body.frame)

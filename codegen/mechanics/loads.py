@@ -105,12 +105,11 @@ def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
     if not isinstance(load, Force):
         return None
     try:
-        F, r = load.vector.to_matrix(system.frame), load.point.pos_from(system.fixed_point)
-    except ValueError:  # the position of the point is undefined
+        F = load.vector.to_matrix(system.frame)
+        V = -load.vector.dot(load.point.pos_from(system.fixed_point))
+    except ValueError:  # the position of the point, or a frame in it, is undefined
         return None
-    if F.atoms(AppliedUndef) or t in F.free_symbols:
-        return None
-    return -load.vector.dot(r)
+    return None if F.atoms(AppliedUndef) or t in F.free_symbols else V
 
 
 def stored_energy(actuator: ActuatorBase, system: System, length: sympy.Expr | None = None) -> sympy.Expr | None:

@@ -13,6 +13,7 @@ from sympy.physics.mechanics import (
     LinearDamper,
     LinearPathway,
     LinearSpring,
+    Particle,
     PinJoint,
     PlanarJoint,
     Point,
@@ -186,6 +187,20 @@ def test_a_chain_of_many_pins_is_a_tree_and_a_short_one_is_written_out():
     assert pins(2).notes[0].endswith("there are no more than 4 coordinates.")
 
 
+def arm(count: int = 2) -> tuple[System, list[RigidBody]]:
+    """A chain of links by pin joints about several axes; returns its system and its bodies, the wall first."""
+    bodies = [RigidBody("wall")]
+    system = System.from_newtonian(bodies[0])
+    for number in range(count):
+        parent, link = bodies[-1], RigidBody(f"link_{number}", mass=m)
+        link.central_inertia = inertia(link.frame, Rational(1, 50), Rational(1, 60), Rational(1, 70))
+        axis = (parent.frame.z, parent.frame.x)[number % 2]
+        system.add_joints(PinJoint(f"pin_{number}", parent, link, parent_point=l * parent.frame.x / 2, joint_axis=axis,
+                                   child_point=-l * link.frame.x / 2))  # fmt: skip
+        bodies.append(link)
+    return system, bodies
+
+
 # --- what is no tree --------------------------------------------------------------------------------------------------
 
 
@@ -225,7 +240,24 @@ def turned_axis() -> System:
     return system
 
 
+def varying() -> System:
+    system, bodies = arm()
+    bodies[-1].mass = m * (1 + system.q[0] ** 2)
+    return system
+
+
+def parted() -> System:
+    """Two joints at a particle, whose frames there nothing connects."""
+    wall, first, last = RigidBody("wall"), Particle("first", mass=m), Particle("last", mass=m)
+    system = System.from_newtonian(wall)
+    system.add_joints(PrismaticJoint("a", wall, first), PrismaticJoint("b", first, last))
+    system.apply_uniform_gravity(-g * wall.y)
+    return system
+
+
 NO_TREES = {
+    "mass": (varying, "the mass of the body link_1 varies"),
+    "particle": (parted, "No connecting orientation path found between a_first_frame and b_first_frame"),
     "loose body": (loose, "no joint moves the body free"),
     "velocity": (slipping, "the body first does not move as its joint does"),
     "energy": (with_energy, "the body first has a potential energy of its own"),
@@ -241,21 +273,17 @@ def test_what_is_no_tree_says_why(case):
         em.from_mechanics(make(), tree=True)
 
 
+def test_a_mass_that_varies_is_written_out():
+    model = em.from_mechanics(varying(), parameters=VALUES, tree=None)
+    assert model.kinetic_energy.has(model.coordinates[0])
+
+
+def test_a_system_that_sympy_cannot_place_is_refused():
+    with pytest.raises(em.ModelError, match=r"The velocity of the point last_masscenter .* is not known"):
+        em.from_mechanics(parted(), parameters=VALUES)
+
+
 # --- velocities and loads that users set ------------------------------------------------------------------------------
-
-
-def arm(count: int = 2) -> tuple[System, list[RigidBody]]:
-    """A chain of links by pin joints about several axes; returns its system and its bodies, the wall first."""
-    bodies = [RigidBody("wall")]
-    system = System.from_newtonian(bodies[0])
-    for number in range(count):
-        parent, link = bodies[-1], RigidBody(f"link_{number}", mass=m)
-        link.central_inertia = inertia(link.frame, Rational(1, 50), Rational(1, 60), Rational(1, 70))
-        axis = (parent.frame.z, parent.frame.x)[number % 2]
-        system.add_joints(PinJoint(f"pin_{number}", parent, link, parent_point=l * parent.frame.x / 2, joint_axis=axis,
-                                   child_point=-l * link.frame.x / 2))  # fmt: skip
-        bodies.append(link)
-    return system, bodies
 
 
 def contact(system: System, bodies: list[RigidBody]) -> Point:
