@@ -97,8 +97,9 @@ EM_EXPORT void em_handle_save(const void *run_state, void *saved) {
     tally.n_bounded = run->n_bounded, tally.n_stiff = run->n_stiff, tally.t_reached = run->t_reached;
     em_saved_blocks(w, piece);
     for (int i = 0; i < EM_PIECES; to += piece[i].size, ++i) memcpy(to, piece[i].at, piece[i].size);
-    memcpy(to, &tally, sizeof tally);
-    memcpy(to + sizeof tally, run->prepared, em_saved_prepared(w->model) * sizeof(double));
+    memcpy(to, &tally, sizeof tally), to += sizeof tally;
+    memcpy(to, run->prepared, em_saved_prepared(w->model) * sizeof(double)), to += em_saved_prepared(w->model) * sizeof(double);
+    memset(to, 0, em_handle_saved(w->model) - (size_t)(to - (char *)saved)); /* of tables that the method does not have */
 }
 
 /* em_model.restore */

@@ -62,11 +62,10 @@ static void em_run_state_prepare(em_run_state *w) {
 
 /* An initialised run state, not yet at a state; or NULL. */
 static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
-    em_run_state *const w = em_run_state_allocate(model);
+    em_run_state *const w = em_run_state_allocate(model, em_scheme_of(run->method));
     if (w == NULL) return NULL;
     w->run = run;
     w->requested_least_norm = run->least_norm;
-    w->scheme = em_scheme_of(run->method);
     em_run_state_prepare(w);
     w->clock_interval = 1;
     timespec_get(&w->clock_read, TIME_UTC);

@@ -23,12 +23,12 @@ EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
     return (em_scheme){{EM_STEP_SIZE_ORDER, 1.0, 0.3, 3.0}, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
-                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
+                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within, 1};
 }
 
 static em_scheme em_collocation(const em_radau_iia *rk, int (*step)(em_run_state *w)) {
     return (em_scheme){{rk->stages, 1.0, 0.0, 8.0}, rk->stages, 0, step, NULL, em_collocation_interpolate,
-                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL};
+                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL, 0};
 }
 
 /* The table; an entry without a step: there is no such method. */

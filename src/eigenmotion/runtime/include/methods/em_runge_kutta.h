@@ -122,7 +122,7 @@ EM_INLINE int em_rk_sketch(const em_tableau *rk, em_run_state *w) {
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){EM_RUNGE_KUTTA_CONTROL(tableau), 3 + tableau.corrections,                   \
                            tableau.errors == 0, em_##name##_step, judge,                                 \
-                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL, NULL}; \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL, NULL, 0}; \
     }
 
 #endif

@@ -66,6 +66,7 @@ static void em_lay_out_events(em_run_state *w, em_layout *at) {
     w->pile = em_take_bytes(at, events * sizeof *w->pile);
 }
 
+/* The tables of nodes and of implicit stages are the largest: only methods that need them have them. */
 static void em_lay_out(em_run_state *w, em_layout *at) {
     const size_t width = (size_t)w->width, rows = (size_t)w->n_rows, n = (size_t)w->n;
     double **const states[] = {&w->y, &w->y_new, &w->f_new, &w->y_raw, &w->argument, &w->error, &w->weight, &w->spare};
@@ -81,11 +82,11 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
     w->last_pivots_x = em_take_numbers(at, n), w->last_pivots = em_take_numbers(at, n);
     em_lay_out_events(w, at);
     const size_t before = at->used;
-    em_lay_out_nodes(w, at);
+    if (w->scheme.at_nodes) em_lay_out_nodes(w, at);
     w->node_tables = at->place ? at->place + before : NULL, w->node_tables_size = at->used - before;
-    em_lay_out_stages(w, at);
+    if (w->scheme.radau_iia) em_lay_out_stages(w, at);
     w->tables = at->place, w->tables_size = at->used;
-    w->c = em_take_bytes(at, (size_t)w->lanes->n_prepared * sizeof *w->c);
+    if (w->scheme.at_nodes) w->c = em_take_bytes(at, (size_t)w->lanes->n_prepared * sizeof *w->c);
 }
 
 /* Sizes of the run state, from its model. */
@@ -102,9 +103,9 @@ static void em_run_state_sizes(em_run_state *w, const em_model *model) {
 }
 
 /* A zeroed run state with its tables, aligned to cache lines; or NULL. */
-static em_run_state *em_run_state_allocate(const em_model *model) {
+static em_run_state *em_run_state_allocate(const em_model *model, em_scheme scheme) {
     const size_t own = (sizeof(em_run_state) + EM_LINE - 1) / EM_LINE * EM_LINE;
-    em_run_state counted = {0};
+    em_run_state counted = {.scheme = scheme};
     em_layout at = {NULL, 0};
     em_run_state_sizes(&counted, model);
     em_lay_out(&counted, &at);
@@ -112,6 +113,7 @@ static em_run_state *em_run_state_allocate(const em_model *model) {
     if (block == NULL) return NULL;
     char *const place = (char *)(((uintptr_t)block + EM_LINE - 1) / EM_LINE * EM_LINE);
     em_run_state *const w = (em_run_state *)place;
+    w->scheme = scheme;
     at = (em_layout){place + own, 0};
     em_run_state_sizes(w, model);
     em_lay_out(w, &at);
@@ -133,9 +135,9 @@ EM_NOINLINE void em_saved_blocks(em_run_state *w, em_memory_block *piece) {
     piece[3] = (em_memory_block){w->tables, w->tables_size};
 }
 
-/* Their total size in bytes. */
+/* Their total size in bytes, whatever the method. */
 EM_NOINLINE size_t em_saved_size(const em_model *model) {
-    em_run_state counted = {0};
+    em_run_state counted = {.scheme = {.at_nodes = 1, .radau_iia = &EM_RADAU9_TABLEAU}};
     em_layout at = {NULL, 0};
     em_run_state_sizes(&counted, model);
     em_lay_out(&counted, &at);

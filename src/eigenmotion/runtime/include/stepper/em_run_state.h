@@ -44,6 +44,7 @@ typedef struct em_scheme {
     const em_radau_iia *radau_iia;       /* coefficients of an implicit method, else NULL */
     void (*within)(em_run_state *w);     /* recomputes error_norm, size_norm if a state within the step is requested;
                                             or NULL */
+    int at_nodes;                        /* whether its steps need `nodes` */
 } em_scheme;
 
 /* A value g of an event function at a time; a pair of opposite signs, and the event. */
@@ -191,7 +192,7 @@ struct em_run_state {
     int *side, *side_new;                      /* (n_events) the last non-zero sign of g, 0: none so far */
     int *fired, *acted;                       /* events that act, and those whose function jumps; events that have
                                                  acted */
-    em_node_vector *c;                              /* (n_prepared) on lanes */
+    em_node_vector *c;                              /* (n_prepared) on lanes, if the method needs `nodes` */
 };
 
 #endif
