@@ -42,7 +42,7 @@ def acting_on(system: System, speeds: Speeds) -> list[Acting]:
     """Return the effects of the loads and actuators of a system."""
     single = [_acting(system, speeds, [load], _potential_of(load, system)) for load in system.loads]
     return single + [
-        _acting(system, speeds, actuator.to_loads(), stored_energy(actuator, system)) for actuator in system.actuators
+        _acting(system, speeds, actuator.to_loads(), stored_energy(actuator)) for actuator in system.actuators
     ]
 
 
@@ -83,10 +83,11 @@ def angular_velocity(frame: ReferenceFrame, fixed: ReferenceFrame) -> Vector:
 def _acting(system: System, speeds: Speeds, loads: Sequence[Force | Torque], V: sympy.Expr | None) -> Acting:
     Q = tuple(sum(column) for column in zip(*(_generalised(load, system.frame, speeds) for load in loads), strict=True))
     place = loads[0].location if len(loads) == 1 else None
-    if V is not None:
+    if V is not None and not V.atoms(AppliedUndef) - {*speeds.coordinates}:  # inputs are no part of an energy
         power = (entry + V.diff(q) for entry, q in zip(Q, speeds.coordinates, strict=True))
-        V = V if vanish(power) else None
-    return Acting(Q, V, place)
+        if vanish(power):
+            return Acting(Q, V, place)
+    return Acting(Q, None, place)
 
 
 def _generalised(load: Force | Torque, frame: ReferenceFrame, speeds: Speeds) -> sympy.ImmutableDenseMatrix:
@@ -112,10 +113,11 @@ def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
     return None if F.atoms(AppliedUndef) or t in F.free_symbols else V
 
 
-def stored_energy(actuator: ActuatorBase, system: System, length: sympy.Expr | None = None) -> sympy.Expr | None:
+def stored_energy(actuator: ActuatorBase, length: sympy.Expr | None = None) -> sympy.Expr | None:
     """Return the energy of a spring of this length, by default that of its pathway.
 
-    None for other actuators, and for springs whose stiffness or rest length depends on coordinates or velocities.
+    None for other actuators, and for springs whose stiffness or rest length varies with coordinates, velocities or
+    inputs.
     """
     if isinstance(actuator, LinearSpring):
         stiffness: tuple[sympy.Expr, ...] = (actuator.stiffness, sympy.S.Zero)
@@ -123,8 +125,7 @@ def stored_energy(actuator: ActuatorBase, system: System, length: sympy.Expr | N
         stiffness = actuator.linear_stiffness, actuator.nonlinear_stiffness
     else:
         return None
-    constants = sympy.Tuple(*stiffness, actuator.equilibrium_length)
-    if constants.atoms(sympy.Derivative) or constants.has(*system.q, *system.u):
+    if sympy.Tuple(*stiffness, actuator.equilibrium_length).atoms(AppliedUndef):
         return None
     d = (actuator.pathway.length if length is None else length) - actuator.equilibrium_length
     return stiffness[0] * d**2 / 2 + stiffness[1] * d**4 / 4

@@ -86,7 +86,7 @@ def potentials(
         else:
             others.append(Force(point, Vector([(sympy.Matrix(F), system.frame)])))
     for actuator in system.actuators:
-        energy = _energy_of_spring(actuator, system, made, is_rate_of_place)
+        energy = _energy_of_spring(actuator, made, is_rate_of_place)
         if energy is None:
             others += actuator.to_loads()
         else:
@@ -94,9 +94,7 @@ def potentials(
     return V, others
 
 
-def _energy_of_spring(
-    spring: Any, system: System, made: JointTree, is_rate_of_place: Callable[[Point], bool]
-) -> sympy.Expr | None:
+def _energy_of_spring(spring: Any, made: JointTree, is_rate_of_place: Callable[[Point], bool]) -> sympy.Expr | None:
     """Return the energy of a spring along a straight line; None for other actuators, and where it is no potential."""
     if not isinstance(getattr(spring, "pathway", None), LinearPathway):
         return None
@@ -104,7 +102,7 @@ def _energy_of_spring(
     if not (is_rate_of_place(first) and is_rate_of_place(last)):
         return None
     line = made.in_ground(last.pos_from(first))
-    return stored_energy(spring, system, sympy.sqrt(line.dot(line)))
+    return stored_energy(spring, sympy.sqrt(line.dot(line)))
 
 
 def generalised_forces(

@@ -328,12 +328,20 @@ def stiffness_of_angle(system: System, bodies: list[RigidBody]) -> None:
     system.add_actuators(LinearSpring(stiffness, ways[0], l), DuffingSpring(k, k, ways[1], length))
 
 
+def length_of_input(system: System, bodies: list[RigidBody]) -> None:
+    """Two cables: a winch gives the length of one, and moves the post of the other."""
+    moved = bodies[0].masscenter.locatenew("moved", F * bodies[0].x)
+    moved.set_vel(bodies[0].frame, 0)
+    second = LinearPathway(moved, bodies[1].masscenter)
+    system.add_actuators(LinearSpring(k, path(bodies, bodies[-1].masscenter), F), LinearSpring(k, second, l))
+
+
 def stiffness_of_speed(system: System, bodies: list[RigidBody]) -> None:
     system.add_actuators(LinearSpring(k * (1 + system.u[0] ** 2), path(bodies, bodies[-1].masscenter), l))
 
 
 LOADS = (force_on_contact, spring_on_contact, force_on_no_place, force_on_massless, stiffness_of_angle,
-         stiffness_of_speed)  # fmt: skip
+         length_of_input, stiffness_of_speed)  # fmt: skip
 
 
 @pytest.mark.parametrize("load", LOADS)
@@ -347,10 +355,12 @@ def test_loads_are_those_of_kanes_equations(load):
     system.validate_system()
     system.form_eoms()
     for tree in (True, False):
-        model = em.from_mechanics(loaded(), name="arm", parameters=VALUES, tree=tree)
+        inputs = {F: 0.7} if load is length_of_input else {}
+        model = em.from_mechanics(loaded(), name="arm", parameters=VALUES, inputs=inputs, tree=tree)
+        given = list(inputs.values())
         kane, compiled = Example(model, system.eom_method), system_for(model, "lagrange")
         for x, v in states(model):
-            right, found = kane.speed_rates(x, v, []), kane.found(x, v, compiled.acceleration(x, v)[0], [])
+            right, found = kane.speed_rates(x, v, given), kane.found(x, v, compiled.acceleration(x, v)[0], given)
             assert np.abs(found - right).max() < 1e-9 * (1 + np.abs(right).max())
 
 
