@@ -333,3 +333,10 @@ def test_trees_are_articulated_bodies_unless_another_mass_couples():
     assert formulation(tree.kinetic_energy + (a + b) ** 2) == "eigenfactor"
     assert formulation(a**2 + b**2) == "eigenfactor"
     assert formulation(tree.kinetic_energy, formulation="eigenfactor") == "eigenfactor"
+
+
+def test_jacobians_of_articulated_bodies_are_slopes_of_their_right_hand_side():
+    made, energies = spring_pendulum()
+    tree, other = em.build(made, formulation="articulated_body"), em.build(energies, formulation="lagrange")
+    y = [0.2, 0.7, -0.4, 1.3]
+    np.testing.assert_allclose(tree.jacobian(0.0, y), other.jacobian(0.0, y), rtol=1e-12, atol=1e-12)

@@ -240,7 +240,7 @@ cdef class CompiledModel(PointModel):
         cdef em_fault fault
         cdef Numbers q = floats(y, (self.n_state,), "y"), s = floats(u, (self.n_inputs,), "inputs")
         cdef Numbers J = zeros((self.n_state, self.n_state)), dy = zeros((self.n_state,))
-        if self.formulation == "lagrange" or self.formulation == "inverse":
+        if self.formulation not in ("eigenfactor", "cholesky"):  # the state is (x, xdot)
             self.need_derivatives()
         elif self.model.rate_jacobian == NULL:
             self.need("duals")
