@@ -1,6 +1,6 @@
 """Benchmark of trees of bodies: time of a right-hand side and of a build, for arms of n joints.
 
-python benchmarks/trees.py [--growth | --angles | --root]
+python benchmarks/trees.py [--growth | --angles | --root | --derivatives]
 
 For each n: seconds to build (derivation, compiler, proof) and nanoseconds of a right-hand side within a run by dop853,
 for each formulation. It prints the table of docs/trees.md, with times relative to articulated bodies. Pinocchio's `aba`
@@ -17,12 +17,17 @@ With `--root`: formulation cholesky, whose root of M follows from M or from arti
 operations. For each n, the operations of a right-hand side (an addition counts 1, a multiplication 1, a division 4, a
 root 5, a function 15), and its nanoseconds within a run by dop853: with the root of M, with that of articulated bodies,
 and in formulation articulated_body.
+
+With `--derivatives`: what the first Jacobian of an arm that is built takes with an empty cache, in processor seconds of
+this process and of the compiler, and microseconds of a later one: by loops over a table of bodies, and by straight-line
+code.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import resource
 import tempfile
 import time
 from contextlib import ExitStack
@@ -50,6 +55,9 @@ ANGLES = (4, 8, 12, 16, 20, 32)
 ROOTED = (4, 6, 8, 12, 16, 32, 64)
 LARGEST_M = 32
 """Joints for which the root of M is built: beyond, a compiler takes minutes."""
+DIFFERENTIATED = (16, 20, 32, 100)
+STRAIGHT = 20
+"""Joints up to which derivatives are built as straight-line code, too: of 32 it takes minutes."""
 LENGTHS = (4, 8, 16, 32, 64, 65, 100, 200, 300)
 
 
@@ -203,6 +211,44 @@ def roots() -> None:
             print(f"| {n} | {' | '.join((*counts, *times))} |", flush=True)
 
 
+def cpu(who: int) -> float:
+    """Return processor seconds of this process, or of those that it has waited for."""
+    used = resource.getrusage(who)
+    return used.ru_utime + used.ru_stime
+
+
+def differentiated(n: int, loops: bool, folder: str) -> tuple[float, float, float]:
+    """Return seconds of this process and of the compiler for the first Jacobian, and seconds of one more."""
+    os.environ["EIGENMOTION_CACHE"] = f"{folder}/{loops}"
+    everyone = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    with ExitStack() as stack:
+        if not loops:
+            stack.enter_context(patch.object(compiler, "loops_differentiate", lambda _: False))
+        em.build(arm(2), formulation="articulated_body").jacobian(0.0, np.zeros(4))
+        system, y = em.build(arm(n), formulation="articulated_body"), np.full(2 * n, 0.2)
+        before = [cpu(who) for who in everyone]
+        system.jacobian(0.0, y)
+        own, compiling = (cpu(who) - start for who, start in zip(everyone, before, strict=True))
+        rounds = []
+        for _ in range(ROUNDS):
+            start = time.process_time()
+            for _ in range(100):
+                system.jacobian(0.0, y)
+            rounds.append((time.process_time() - start) / 100)
+        return own, compiling, min(rounds)
+
+
+def derivatives() -> None:
+    """Print the table of derivatives."""
+    print("| n | by | own, s | compiler, s | a Jacobian, us |\n|" + " --- |" * 5)
+    with tempfile.TemporaryDirectory() as folder:
+        for n in DIFFERENTIATED:
+            for loops in (True, False) if n <= STRAIGHT else (True,):
+                own, compiling, each = differentiated(n, loops, folder)
+                kind = "loops" if loops else "straight-line code"
+                print(f"| {n} | {kind} | {own:.1f} | {compiling:.1f} | {each * 1e6:.0f} |", flush=True)
+
+
 def main() -> None:
     """Print a table."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
@@ -210,8 +256,9 @@ def main() -> None:
     which.add_argument("--growth", action="store_true", help="arms of 4 to 300 joints")
     which.add_argument("--angles", action="store_true", help="chains written as energies")
     which.add_argument("--root", action="store_true", help="the triangular root by M and by articulated bodies")
+    which.add_argument("--derivatives", action="store_true", help="the first Jacobian, by loops and without")
     given = parser.parse_args()
-    tables = {"growth": growth, "angles": written_as_energies, "root": roots}
+    tables = {"growth": growth, "angles": written_as_energies, "root": roots, "derivatives": derivatives}
     next((table for name, table in tables.items() if getattr(given, name)), formulations)()
 
 

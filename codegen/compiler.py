@@ -9,6 +9,7 @@ from .choices import OF_TREES, STANDARD, Choices
 from .equations.derive import derive
 from .equations.forms import saves_by_nesting
 from .equations.specialise import ALL_SAVINGS, Saving, Scene, specialise
+from .equations.tree.link_table import is_parametric
 from .equations.tree.separation import masses_in_trees
 from .equations.tree.triangular_root import has_recursive_root
 from .model import Model, ModelError
@@ -71,8 +72,14 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
     made = scene(choices.formulation in (*OF_TREES, "cholesky"))
     if made.in_loops and choices.formulation == "cholesky" and not has_recursive_root(made.mechanics):
         made = scene(False)
-    differentiated = scene(False) if whole and made.in_loops else made
+    differentiated = scene(False) if whole and made.in_loops and not loops_differentiate(made) else made
     return lower(made, _defaults(model), choices, differentiated if whole else None)
+
+
+def loops_differentiate(scene: Scene) -> bool:
+    """Whether C adds the trees' part of derivatives in loops, too, which know none by parameters."""
+    trees = scene.mechanics.trees
+    return trees is not None and trees.table is not None and not is_parametric(trees.graph, *trees.table.nodes)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:

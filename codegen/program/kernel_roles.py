@@ -72,8 +72,10 @@ class PartialKernels:
     time_events : of at and period of each time event, with respect to the arguments
     mass_matrix, factored : of M, and of M + A^T W A if that is factored instead, with respect to x (n, n, n)
     blow : the impact balance: of M a + A^T lambda and A a at fixed a, lambda
+    in_loops : whether state, mass_matrix and blow leave out the trees of bodies, which C adds in loops
     """
 
+    in_loops: bool
     state: Kernel
     forcing: Kernel
     constraints: Kernel | None

@@ -22,6 +22,7 @@ def partial_kernels(terms: Terms, symbols: Symbols) -> PartialKernels:
 class _Writing:
     def __init__(self, terms: Terms, symbols: Symbols) -> None:
         self.terms, self.symbols, self.partials = terms, symbols, Partials(terms)
+        self.own = "own_" if terms.scene.in_loops else ""
 
     def kernels(self) -> PartialKernels:
         mechanics, partials = self.terms.mechanics, self.partials
@@ -32,14 +33,15 @@ class _Writing:
         )
         times = [node for one in self.terms.time_events.times for node in (one.at, one.period)]
         return PartialKernels(
-            state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
+            in_loops=self.terms.scene.in_loops,
+            state=self.dense(f"{self.own}state_partials", partials.residual, partials.state, *MOTION),
             forcing=self.dense("forcing_partials", partials.residual, partials.forcing, *MOTION),
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
             time_events=self.if_any("time_event_partials", times, arguments, "c"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
-            mass_matrix=self.gradient("mass_matrix_gradient", self.terms.dM),
+            mass_matrix=self.gradient(f"{self.own}mass_matrix_gradient", self.terms.dM),
             factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
             **self.event_actions(),
         )
@@ -57,7 +59,8 @@ class _Writing:
             return dict.fromkeys((*rows, "blow"))
         nodes = {name: [self.terms.node(entry) for row in of_name for entry in row] for name, of_name in rows.items()}
         of_state = "t", "x", "v", "c", "u"
-        blow = self.dense("impact_balance_partials", partials.impact_balance, arguments, "t", "x", "a", "lambda", "c")
+        name, of_blow = f"{self.own}impact_balance_partials", ("t", "x", "a", "lambda", "c")
+        blow = self.dense(name, partials.impact_balance, arguments, *of_blow)
         of_each = {
             name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
         }

@@ -33,7 +33,7 @@ class Pair:
 
 
 class Machine:
-    """A random machine that is at x, and its Newton-Euler equations there.
+    """A random machine that is at x, and its Newton-Euler equations there; without `parametric` it has no parameters.
 
     Attributes
     ----------
@@ -41,8 +41,8 @@ class Machine:
     x : (n,)
     """
 
-    def __init__(self, seed: int) -> None:
-        self.made = RandomTree(seed, most=MOST[seed % len(MOST)], driven=seed % 3 == 0)
+    def __init__(self, seed: int, parametric: bool = True) -> None:
+        self.made = RandomTree(seed, MOST[seed % len(MOST)], driven=seed % 3 == 0, parametric=parametric)
         self.chance, self.tree = self.made.chance, self.made.tree
         self._load()
         self.q = self.tree.coordinates

@@ -13,7 +13,7 @@ FREEDOMS = {"revolute": 1, "prismatic": 1, "cylindrical": 2, "planar": 3, "spher
 
 
 class RandomTree:
-    """A tree with at most `most` coordinates; with `driven`, joints that others drive besides.
+    """A tree with at most `most` coordinates; with `driven`, joints that others drive besides; maybe no parameters.
 
     Attributes
     ----------
@@ -21,8 +21,8 @@ class RandomTree:
     parameters : symbols with their values, for every second mass and length
     """
 
-    def __init__(self, seed: int, most: int = 6, driven: bool = False) -> None:
-        self.chance = random.Random(seed)
+    def __init__(self, seed: int, most: int = 6, driven: bool = False, parametric: bool = True) -> None:
+        self.chance, self.parametric = random.Random(seed), parametric
         self.parameters: dict[sympy.Symbol, float] = {}
         self.tree = Tree(gravity=[self.number(scale=9.8) for _ in range(3)])
         self.bodies = [self._body(0, None, most)]
@@ -36,7 +36,7 @@ class RandomTree:
         """A number of either sign, 0 or 1 at times; every second positive one a parameter."""
         if positive:
             value = scale * self.chance.uniform(0.3, 2.0)
-            if self.chance.random() < 0.5:
+            if self.chance.random() < 0.5 or not self.parametric:
                 return value
             symbol = sympy.Symbol(f"p{len(self.parameters)}", positive=True)
             self.parameters[symbol] = value

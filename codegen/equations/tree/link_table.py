@@ -49,6 +49,11 @@ class LinkTable:
     rows: tuple[LinkRow, ...]
     solves: bool
 
+    @property
+    def nodes(self) -> Iterator[Node]:
+        """All entries."""
+        return (node for row in self.rows for node in row.numbers)
+
 
 def link_table(trees: Sequence[tuple[Dynamics, Sequence[int], Vector]]) -> LinkTable | None:
     """Return the table of trees; None if they are small, or have joints that the recursions in C do not know.
@@ -84,9 +89,9 @@ def _rows(dynamics: Dynamics, numbers: Sequence[int], gravity: Vector, first: in
         )  # fmt: skip
 
 
-def is_parametric(graph: Graph, node: Node) -> bool:
-    """Whether an entry of the table depends on parameters."""
-    return any(graph.records[one].kind is Kind.SYMBOL for one in graph.reachable([node]))
+def is_parametric(graph: Graph, *nodes: Node) -> bool:
+    """Whether any of these entries of the table depends on parameters."""
+    return any(graph.records[one].kind is Kind.SYMBOL for one in graph.reachable(nodes))
 
 
 def numbers_of(graph: Graph, nodes: Sequence[Node]) -> list[float]:

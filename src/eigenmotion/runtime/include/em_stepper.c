@@ -2,6 +2,7 @@
 #define EM_UNIT EM_STEPPER
 #include "bodies/em_articulated_bodies.h"
 #include "bodies/em_recursions.h"
+#include "bodies/em_tree_partials.h"
 #include "dynamics/em_blocks.h"
 #include "loop/em_handle.h"
 #include "batch/em_lane_run.h"
