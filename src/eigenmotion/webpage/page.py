@@ -60,7 +60,7 @@ def page(requested: Request, source: str, run: Run, space: Three | None = None) 
     BuildError
         There is no compiler for WebAssembly, or it failed.
     """
-    model, generated = requested.model, program(requested.model, requested.choices)
+    model, generated = requested.model, program(requested.model, requested.choices, whole=False)
     return _environment().get_template("page.html.jinja").render(
         title=model.name.replace("_", " "), summary=summary(source), space=generated.dimension == len("xyz"),
         inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=generated.left_out,

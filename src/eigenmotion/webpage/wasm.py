@@ -8,16 +8,16 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..building.build import cached_sources
+from ..building.build import first_sources
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError, CompilerNotFoundError
+from ..building.lazy_units import at_first
 from ..building.request import Request
 from ..building.toolchain import INCLUDE, STEPPER, ZIG, headers, run, zig_is_there
 from ..codegen.render.emit import Sources
 
 _FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w")
-_UNITS = "-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES"
-"""The model's C file without the stepper, which is compiled once for all pages."""
+_OF_PAGES = ("model", "rhs", "aside", "derivatives")
 _HARNESS = Path(__file__).parent / "em_page.c"
 _TRIED = "#include <math.h>\n#include <stdlib.h>\nint main(void) { return malloc(1) == 0; }\n"
 
@@ -38,9 +38,9 @@ def module(requested: Request) -> bytes:
     CompilerNotFoundError
         There is no compiler; says what to install.
     """
-    tools, sources = wasm_compiler(), cached_sources(requested)
+    tools, sources = wasm_compiler(), first_sources(requested)
     texts = [file.text for file in sources.files if not file.name.endswith(".pyx")]
-    name = key(tools.identity, *_FLAGS, _UNITS, _HARNESS.read_bytes(), *texts, headers())
+    name = key(tools.identity, *_FLAGS, _HARNESS.read_bytes(), *texts, headers())
     folder = entry("pages", name, lambda folder: _compile(sources, tools, folder))
     with guarded():
         return (folder / f"{sources.name}.wasm").read_bytes()
@@ -53,9 +53,15 @@ def _compile(sources: Sources, tools: WasmCompiler, folder: Path) -> None:
         work = Path(place)
         for file in sources.files:
             (work / file.name).write_text(file.text, encoding="utf-8")
-        options = (*_FLAGS, _UNITS, f"-DEM_PAGE_MODEL={name}_model", f"-I{INCLUDE}", "-I.")
+        options = (*_FLAGS, f"-DEM_UNIT={_units(sources)}", f"-DEM_PAGE_MODEL={name}_model", f"-I{INCLUDE}", "-I.")
         run((*tools.command, *options, f"{name}.c", str(_HARNESS), _stepper(tools), "-o", f"{name}.wasm"), work)
         shutil.copyfile(work / f"{name}.wasm", folder / f"{name}.wasm")
+
+
+def _units(sources: Sources) -> str:
+    """Return the units that runs of a page need: explicit steps without lanes, so derivatives only where models do."""
+    text = "".join(file.text for file in sources.files)
+    return "|".join(f"EM_{unit.upper()}" for unit in at_first(text) if unit in _OF_PAGES)
 
 
 def _stepper(tools: WasmCompiler) -> str:
