@@ -6,6 +6,7 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 import sympy
+from eigenmotion.codegen.model.tree.functions import BodyFunction
 from sympy import Symbol
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -95,3 +96,15 @@ def test_notebooks_show_systems_and_solutions():
     shown = run._repr_html_()
     assert run.cost in shown
     assert "data:image/png;base64," in shown or find_spec("matplotlib") is None
+
+
+def test_functions_of_bodies_are_left_as_they_are(monkeypatch):
+    """Expressions in dozens of opaque functions were factored for minutes, and came out as they were."""
+    monkeypatch.setattr(sympy, "trigsimp", lambda expression: pytest.fail(f"{expression} is simplified"))
+    tree = em.Tree(gravity=(0, 0, -9.81))
+    rod = {"joint": "revolute", "axis": "y", "mass": 1.0, "center": (0, 0, -0.5)}
+    tree.body("lower", tree.body("upper", **rod), at=(0, 0, -1), **rod)
+    found = em.Model(name="two", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     potential_energy=tree.potential_energy).equations()  # fmt: skip
+    assert found.M.shape == (2, 2)
+    assert all(entry.atoms(BodyFunction) for entry in found.M)

@@ -57,7 +57,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "codegen.model.statement": ("codegen.model.normalise",),
     "codegen.model.tree": ("codegen.model.normalise",),
     "codegen.model.check": ("codegen.model.normalise", "codegen.model.statement", "codegen.model.tree"),
-    "codegen.model.symbolic": ("codegen.model.normalise", "codegen.model.statement"),
+    "codegen.model.symbolic": ("codegen.model.normalise", "codegen.model.statement", "codegen.model.tree"),
     "codegen.model": tuple(f"codegen.model.{room}" for room in ("normalise", "statement", "check", "symbolic", "tree")),
     "codegen.graph": ("codegen.model", "codegen.model.tree"),
     "codegen.calculus": ("codegen.graph",),

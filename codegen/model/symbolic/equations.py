@@ -9,6 +9,7 @@ import sympy
 
 from ..normalise import MULTIPLIER, t
 from ..statement.mechanism import Mechanism
+from ..tree.functions import BodyFunction
 from .expression_text import as_python, latex
 from .lagrange import lagrange, stated
 
@@ -101,6 +102,8 @@ def equations_of(model: Mechanism) -> Equations:
 
 def simplified(expression: sympy.Expr) -> sympy.Expr:
     """Return the shortest of an expression and those of its expanded, simplified and factored forms found fast."""
+    if expression.has(BodyFunction):  # opaque: trigsimp would factor polynomials in dozens of them, for minutes
+        return expression
     forms = [expression]
     if sympy.count_ops(expression) <= _MOST_EXPANDED:
         forms.append(sympy.expand(expression))
