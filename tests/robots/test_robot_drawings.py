@@ -6,7 +6,8 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 import eigenmotion as em
-from eigenmotion.robots.drawing.solids import capsule, hull
+from eigenmotion.robots.drawing.solids import capsule, directions, hull
+from eigenmotion.webpage.page_object import with_meshes
 
 ROBOT = """<robot name="shown">
   <link name="base">
@@ -56,8 +57,19 @@ def test_meshes_that_are_not_there_are_named(robot):
 
 def test_links_without_solids_have_lines(robot):
     assert {shape.kind for shape in em.load_urdf(robot).drawing} == {"solid"}
-    robot.write_text(ROBOT.replace("visual>", "collision>").replace('xyz="0 0 -1"/><mass', 'xyz="0 0 0"/><mass'))
-    assert not em.load_urdf(robot).drawing
+    pin = '<joint name="pin" type="continuous"><origin xyz="0 0 0.7"/>'
+    bare = ROBOT.replace("visual>", "collision>").replace('<joint name="pin" type="continuous">', pin)
+    robot.write_text(bare)
+    (line,) = em.load_urdf(robot).drawing
+    assert (line.kind, line.numbers[2], line.numbers[5]) == ("line", 0, pytest.approx(0.7))
+
+
+def test_pages_show_meshes_unless_told_not_to(robot):
+    assert len(em.load_model(robot, **with_meshes(robot, {})).drawing) == 3
+    assert len(em.load_model(robot, **with_meshes(robot, {"meshes": "no"})).drawing) == 2
+    assert with_meshes("pendulum.py", {"n": 2}) == {"n": 2}
+    with pytest.raises(em.ModelError, match="meshes='maybe' is neither yes nor no"):
+        em.load_model(robot, meshes="maybe")
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -66,6 +78,9 @@ def test_few_corners_have_nearly_the_hull_of_many(seed):
     corners = hull(points)
     assert len(corners) <= 160
     assert ConvexHull(corners).volume > 0.9 * ConvexHull(points).volume
+    ways = directions(2000).T  # how far each hull reaches, in ways that it was not made from
+    missed = (points @ ways).max(axis=0) - (corners @ ways).max(axis=0)
+    assert missed.max() < 0.05 * np.ptp(points, axis=0).max()
 
 
 def test_geoms_are_solids(tmp_path):
