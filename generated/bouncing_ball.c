@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545 */
-/* body sha256:490670f50aa1fe110f0dd29706e48770f1a697e6baf67f87e89dc0f3a06fc2fa */
+/* body sha256:747316584f327fdeca31803b079dc28f44fb0650229d64be6f11c86fd12092d7 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -210,6 +210,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     bias[1] = c_0;
     gamma[0] = 0.0;
 }
+
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
@@ -491,6 +492,9 @@ EM_EXPORT const em_switch switches[] = { {0, 4, -1, -1, 0, 5, 0, -1}, {-1, -1, -
 #if !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_ASIDE)
 #include "contact/em_event_actions.h"
 #endif
@@ -589,6 +593,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -668,6 +673,14 @@ static void release(em_run *run) { em_release(&bouncing_ball_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&bouncing_ball_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&bouncing_ball_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&bouncing_ball_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 
 const em_model bouncing_ball_model = {
     .abi = EM_ABI,
@@ -753,6 +766,8 @@ const em_model bouncing_ball_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

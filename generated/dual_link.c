@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:db7ffc172ffdf80cd8a7345118304d621e67bf6a384cc2081b57636f2bda4deb */
-/* body sha256:c4bb85144ff6bd1b9f3c455f9e6e880ee034b646e9f15ae67518c9b03912c79c */
+/* body sha256:c7276b45ec082037c69c78f4dc08aee88b11ade00386c92cb6f2f991ec1c683c */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -610,6 +610,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
 }
 
+
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
@@ -1094,6 +1095,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 #endif
@@ -1208,6 +1212,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1293,6 +1298,14 @@ static void release(em_run *run) { em_release(&dual_link_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&dual_link_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
@@ -1376,6 +1389,8 @@ const em_model dual_link_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:10ea64c65b0625c37ac606379d8e7cc0bf2575aa65b654f2e2d516bf1b2ce748 */
-/* body sha256:ee0efb43b985db26069277b01c1654ef316bbbe81c5595a42b624b76f3375b34 */
+/* body sha256:9664bfcc164846091582143e7983a6a42aa76bf095baf797301266da02eba6c7 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -455,6 +455,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     const double sin_q3 = em_sin(q3);
     gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
 }
+
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
@@ -954,6 +955,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 #endif
@@ -1131,6 +1135,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1212,6 +1217,14 @@ static void release(em_run *run) { em_release(&four_bar_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&four_bar_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&four_bar_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&four_bar_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&four_bar_model, run, mode); }
 
@@ -1295,6 +1308,8 @@ const em_model four_bar_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

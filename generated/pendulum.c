@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:4cb3d75cfa750254dd7c7a92a151c59bb658f7285d3817bfdd1092f33379d1ad */
-/* body sha256:299785b24b685f1e1d28b2200692647638f6ead7d7f2456a9ef817984bedd1f4 */
+/* body sha256:e77fb970f5c8bc764f6fafceda5f0756d99e87961a2b7ddf464fffa067258592 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -183,6 +183,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     bias[0] = -c_0*sin_theta;
 }
 
+
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
@@ -355,6 +356,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_derivatives.h"
 #endif
@@ -416,6 +420,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -487,6 +492,14 @@ static void release(em_run *run) { em_release(&pendulum_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&pendulum_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&pendulum_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&pendulum_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&pendulum_model, run, mode); }
 
@@ -568,6 +581,8 @@ const em_model pendulum_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:54f552f8bf8eaf402fe74f441e34761761c25ec8db4dad6aa08f8e7416ea6409 */
-/* body sha256:b5bd2b5c5e3e229caa94cc55d1ff0cf08297f8d19b1a1596fe2fa43b9d82820f */
+/* body sha256:13db4b326c1480bd0e1494561cf66aebf407a4ab40ba7be93e761c117c6f1dd8 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -637,6 +637,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     gamma[1] = -cos_phi*z_20;
 }
 
+
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
                       double *restrict e)
@@ -1074,6 +1075,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 #endif
@@ -1185,6 +1189,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1260,6 +1265,14 @@ static void release(em_run *run) { em_release(&rolling_disk_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&rolling_disk_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&rolling_disk_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&rolling_disk_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&rolling_disk_model, run, mode); }
 
@@ -1343,6 +1356,8 @@ const em_model rolling_disk_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

@@ -132,13 +132,40 @@ class Terms:
 
         Where A^T W A is added to M, -A^T W gamma is added to the bias.
         """
+        return self._plus_rows(self.loads, self.W, self.A, map(self.graph.negative, self.gamma))
+
+    @cached_property
+    def loads(self) -> tuple[Node, ...]:
+        """(n,) force - Mdot v without what belongs to A^T W A."""
         rates = self._rates_of_momentum()
         forms = [
             tuple(self._difference(force, rate) for force, rate in zip(self._force(form), kinetic, strict=True))
             for form in self._gradients_of_L()
             for kinetic in rates
         ]
-        return self._plus_rows(min(forms, key=self._weight), self.W, self.A, map(self.graph.negative, self.gamma))
+        return min(forms, key=self._weight)
+
+    @cached_property
+    def required(self) -> tuple[Node, ...]:
+        """(n,) M a - loads: the forces that must act besides, for accelerations a: inverse dynamics."""
+        return tuple(
+            self._difference(self.dot(row, self._accelerations), load)
+            for row, load in zip(self.M, self.loads, strict=True)
+        )
+
+    @cached_property
+    def row_accelerations(self) -> tuple[Node, ...]:
+        """(m,) A a + gamma, 0 for accelerations that the constraints allow (39)."""
+        return tuple(self.graph.add(self.dot(row, self._accelerations), gamma)
+                     for row, gamma in zip(self.A, self.gamma, strict=True))  # fmt: skip
+
+    @cached_property
+    def input_columns(self) -> Rows:
+        """(n, n_inputs) derivatives of the forces by the inputs."""
+        inputs = [symbol.name for symbol in self.mechanics.inputs]
+        energetic = any(self.graph.depends(energy, u) for energy in self._energies for u in inputs)
+        forces = map(self.graph.negative, self.required) if energetic else self.Q
+        return tuple(gradient(self.graph, force, inputs) for force in forces)
 
     @cached_property
     def time_events(self) -> TimeEvents:
@@ -166,6 +193,14 @@ class Terms:
     @property
     def _velocities(self) -> list[Node]:
         return [self.graph.symbol(name) for name in self.v]
+
+    @property
+    def _accelerations(self) -> list[Node]:
+        return [self.graph.symbol(symbol.name) for symbol in self.mechanics.accelerations]
+
+    @property
+    def _energies(self) -> tuple[Node, ...]:
+        return self.T, self.V
 
     @cached_property
     def _momentum(self) -> list[Node]:

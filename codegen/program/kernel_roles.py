@@ -103,6 +103,10 @@ class Kernels:
     asks_the_root : whether `settled` shares the kernels of the triangular root, which compute the lower triangle of M
     velocity_of_eta, eta_of_velocity : if `published` takes the triangular root from articulated bodies
     mass_matrix : None if settled.masses computes all of M; factored : M + A^T W A, None if M itself is factored
+    bias : None if it is `required` at zero accelerations
+    required : inverse dynamics; None if it follows from M and bias
+    input_columns : derivatives of forces with respect to inputs; None if there are no inputs
+    linear_inputs : for each input 1 or 0, whether forces are linear in it
     partials : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
     own_masses : entries of M besides those that C adds in loops; None if there are none
@@ -118,7 +122,10 @@ class Kernels:
     factored: Kernel | None
     pfaffian: Kernel
     position: Kernel
-    bias: Kernel
+    bias: Kernel | None
+    required: Kernel | None
+    input_columns: Kernel | None
+    linear_inputs: tuple[int, ...]
     energy: Kernel
     outputs: Kernel
     events: Kernel

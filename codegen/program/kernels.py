@@ -22,6 +22,7 @@ from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from ..model.model import ModelError
 from ..schedule.schedule import Constants, weight
+from .inverse_kernels import inverse_kernels, is_recursive
 from .kernel_roles import Kernels, Stages
 from .memory_layout import Layout
 from .partial_kernels import partial_kernels
@@ -66,12 +67,12 @@ class _Writing:
         shared = settled.masses is not None and settled.masses.exported
         has_M = shared and not any(block.fixed for block in self.blocks)  # without rows, nothing is added to M
         mass_matrix = None if has_M or self.scene.in_loops else self.mass_matrix("mass_matrix", self.terms.M)
-        by_name = {
+        by_name: dict[str, Any] = {
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
-        reactions = self.of_reactions()
+        reactions = self.of_reactions() | inverse_kernels(self.terms, self.one, self.column)
         velocity_of_eta, eta_of_velocity = self.maps_of_root() if recursive else (None, None)
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last, so that the numbers of the other constants do not depend on it
@@ -367,7 +368,9 @@ class _Writing:
         entries = [*self.column("phi", self.terms.phi), *self.column("terms", self.terms.phi_terms)]
         return self.one("position", entries, "t", "x", "c", "phi", "terms")
 
-    def bias(self) -> Kernel:
+    def bias(self) -> Kernel | None:
+        if is_recursive(self.terms):
+            return None
         entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma, "N_ROWS")]
         name = "own_bias" if self.scene.in_loops else "motion_bias"
         return self.one(name, entries, "t", "x", "v", "c", "u", "bias", "gamma")

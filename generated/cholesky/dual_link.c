@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:ee6f21131ce26700b20eff2c6c1d1414598ccb2d41634016406f7e75ca1151d6 */
-/* body sha256:8da2cb25ca6c7ce62f506d9845c0fca5391c80204949b2b4ba160abcd93cdba2 */
+/* body sha256:eb07ebbc81e9a99fab5f613f63c751fac4f333827f3e6f76237c6d87a971faca */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -409,6 +409,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     const double z_20 = theta3_dot*cos_theta1;
     gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
 }
+
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
@@ -894,6 +895,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 #endif
@@ -979,6 +983,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1061,6 +1066,14 @@ static void release(em_run *run) { em_release(&dual_link_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&dual_link_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
@@ -1144,6 +1157,8 @@ const em_model dual_link_model = {
 #endif
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:1093f8d0de759d8d08dc9d63d3112a5f4c2f8bfe33f09048d1984c6e4a0efdf7 */
-/* body sha256:9bb5f22b4e55143949da9065fbb65e978105b134723a2d565c23b857215c9394 */
+/* body sha256:13fb999127188410c732b4c438d6cba6fb3def408172645bcfd71e11d49a1af2 */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -366,6 +366,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     const double z_20 = theta3_dot*cos_theta1;
     gamma[0] = theta1_dot*(z_20 - sin_theta1*z_11) + theta1_dot*z_20 - z_14*(theta2_dot*theta2_dot);
 }
+
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
@@ -864,6 +865,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 
@@ -950,6 +954,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1032,6 +1037,14 @@ static void release(em_run *run) { em_release(&dual_link_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&dual_link_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
@@ -1113,6 +1126,8 @@ const em_model dual_link_model = {
     .tangent = em_tangent,
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:831cacef6d0f2b457bc168580b239f60e0d317722a8f3f92538eb5b78a31990d */
-/* body sha256:e42858a2b7ade9167f4e58ab0958cdc5c939d902388ff2c4af0840e4fae50256 */
+/* body sha256:f5456cb5c4a1c0edcfd65c56e8c65024c5793ff78bb543198178814dfbb4b088 */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -351,6 +351,7 @@ EM_EXPORT void motion_bias(double t, const double *restrict x, const double *res
     const double z_20 = theta3_dot*cos_theta1;
     gamma[0] = theta1_dot*(z_20 - sin_theta1*z_11) + theta1_dot*z_20 - z_14*(theta2_dot*theta2_dot);
 }
+
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
 EM_EXPORT void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
@@ -836,6 +837,9 @@ EM_EXPORT void model_events(double t, const double *restrict x, const double *re
 #if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "dynamics/em_dependent_rows.h"
 #endif
+#if EM_HOLDS(EM_MODEL)
+#include "dynamics/em_required_forces.h"
+#endif
 #if EM_HOLDS(EM_DERIVATIVES)
 #include "dynamics/em_tangent.h"
 
@@ -922,6 +926,7 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "loop/em_handle.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"
 #include "batch/em_lane_run.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
@@ -1004,6 +1009,14 @@ static void release(em_run *run) { em_release(&dual_link_model, run); }
 static void *open_run(em_run *run) { return em_handle_open(&dual_link_model, run); }
 /* the size of its saved state: */
 static size_t saved(void) { return em_handle_saved(&dual_link_model); }
+/* forces of actuators: */
+static int inverse_dynamics(double t, const double *x, const double *v, const double *a, const double *c,
+                            const double *u, const em_actuators *actuators, double *forces, double *lambda,
+                            double *residual, em_inverse_check *check, em_fault *fault)
+{
+    return em_inverse_dynamics(&dual_link_model, t, x, v, a, c, u, actuators, forces, lambda, residual,
+                               check, fault);
+}
 /* a run on lanes: */
 static void *enter(em_run *run, int *mode) { return em_member_enter(&dual_link_model, run, mode); }
 
@@ -1085,6 +1098,8 @@ const em_model dual_link_model = {
     .tangent = em_tangent,
     .dynamics = &dynamics,
     .declared = declared,
+    .required_forces = em_required_forces,
+    .inverse_dynamics = inverse_dynamics,
 };
 
 #endif

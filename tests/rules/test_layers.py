@@ -149,6 +149,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "simulation.initial_state",
         "analysis.state",
     ),
+    "analysis.inverse": ("codegen.model.normalise", "runtime", "arguments", "compiled", "analysis.state"),
     "analysis.equilibrium": (
         "codegen.model.normalise",
         "codegen.model",
@@ -184,7 +185,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "batch",
     ),
     "robots": ("codegen.model.normalise", "codegen.model.tree", "codegen.model"),
-    "system": ("compiled", "simulation", "analysis.linear", "batch.stepper"),
+    "system": ("compiled", "simulation", "analysis.inverse", "analysis.linear", "batch.stepper"),
     "building.errors": ("codegen.model",),
     "building.verification": (
         "codegen.model.normalise",
@@ -307,10 +308,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "cli",
     ),
 }
-"""What each room may import, itself apart, and only from above.
-
-"" is the package's own names, loaded when used.
-"""
+"""What each room may import, itself apart, and only from above; "" is the package's own names, loaded when used."""
 
 
 def within(name: str, package: str) -> bool:
@@ -427,7 +425,7 @@ def included(header: str, folder: Path) -> set[str]:
 
 STACK = ("", "kinematics", "numeric", "tables", "bodies", "mass", "constraints", "dynamics", "contact", "tableaux",
          "stepper", "gauss_radau", "radau_iia", "methods", "monitors", "events", "loop", "batch",
-         "sensitivity")  # fmt: skip
+         "inverse_dynamics", "sensitivity")  # fmt: skip
 """Folders of headers, from the ground up; a header includes none of a folder above its own."""
 
 

@@ -58,11 +58,15 @@ class Trees:
                     M[row][column] = self.graph.add(M[row][column], entry.node)
         return M
 
-    def bias(self, n: int) -> list[Node]:
-        """Return (n,) the forces that the trees take at zero accelerations, gravity included, unless C adds them."""
+    def forces(self, n: int, accelerations: Sequence[Node] | None = None) -> list[Node]:
+        """Return (n,) the forces that the trees take, gravity included, unless C adds them.
+
+        `accelerations` (n,): None for zero.
+        """
         forces: list[list[Scalar]] = [[] for _ in range(n)]
         for tree in () if self.table else self.recursions:
-            result = tree.dynamics.inverse_dynamics(None, tree.gravity)
+            a = None if accelerations is None else [Scalar(self.graph, accelerations[k]) for k in tree.numbers]
+            result = tree.dynamics.inverse_dynamics(a, tree.gravity)
             for number, force in zip(tree.numbers, result, strict=True):
                 forces[number].append(force)
         return [total(self.graph, terms).node for terms in forces]

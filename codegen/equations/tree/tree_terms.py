@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from ...calculus.derivatives import gradient
+from ...calculus.derivatives import Tangent, gradient
 from ...graph.store import Node
 from ..nested_terms import NestedTerms
 from ..specialise import Scene
@@ -40,25 +40,38 @@ class TreeTerms(NestedTerms):
         return self.graph.add(self.trees.kinetic_energy(), rest)
 
     @cached_property
-    def bias(self) -> tuple[Node, ...]:
-        """(n,) force - Mdot v (11): Q, less the trees' forces at zero accelerations, and what follows from T', V'.
+    def loads(self) -> tuple[Node, ...]:
+        """(n,) force - Mdot v (11): Q, less the trees' forces at zero accelerations, and what follows from T', V'."""
+        of_trees = self.trees.forces(len(self.x))
+        return tuple(self._difference(one, tree) for one, tree in zip(self.forces, of_trees, strict=True))
 
-        Where A^T W A is added to M, -A^T W gamma is added to the bias.
-        """
-        of_trees = self.trees.bias(len(self.x))
-        forces = tuple(self._difference(one, tree) for one, tree in zip(self.forces, of_trees, strict=True))
-        return self._plus_rows(forces, self.W, self.A, map(self.graph.negative, self.gamma))
+    @cached_property
+    def required(self) -> tuple[Node, ...]:
+        """(n,) the forces that must act besides, for accelerations a: recursive Newton-Euler, without M."""
+        accelerations = self._accelerations
+        of_trees = self.trees.forces(len(self.x), accelerations)
+        rates = dict(zip(self.v, accelerations, strict=True)) | dict(zip(self.x, self._velocities, strict=True))
+        forces = self._forces(Tangent(self.graph, rates | {self.mechanics.time.name: self.graph.one}))
+        return tuple(self._difference(tree, one) for one, tree in zip(forces, of_trees, strict=True))
 
     @cached_property
     def forces(self) -> tuple[Node, ...]:
         """(n,) Q + d(T' - V')/dx - d/dt dT'/dv at zero accelerations: all forces but those of the trees."""
+        return self._forces(self.along)
+
+    def _forces(self, along: Tangent) -> tuple[Node, ...]:
+        """Return `forces` with d/dt along the direction given."""
         graph, trees = self.graph, self.trees
         slopes = gradient(graph, self._difference(trees.T, trees.V), self.x)
         momenta = gradient(graph, trees.T, self.v)
         return tuple(
-            graph.sum([(q, 1), (slope, 1), (self.along(p), -1)])
-            for q, slope, p in zip(self.Q, slopes, momenta, strict=True)
+            graph.sum([(q, 1), (slope, 1), (along(p), -1)]) for q, slope, p in zip(self.Q, slopes, momenta, strict=True)
         )
+
+    @property
+    def _energies(self) -> tuple[Node, ...]:
+        """T' and V': those of the trees contain no input."""
+        return self.trees.T, self.trees.V
 
     @cached_property
     def yielded(self) -> ArticulatedBodies:

@@ -1,6 +1,6 @@
 from typing import Any
 
-from ..runtime import CompiledModel, Prepared
+from ..runtime import Actuators, CompiledModel, Prepared
 from ..runtime.point import Vector
 
 def begin(
@@ -21,3 +21,15 @@ def acceleration(
     inputs: Any,
     least_norm: int,
 ) -> tuple[Vector, Vector]: ...
+def inverse_dynamics(
+    system: Any,
+    model: CompiledModel,
+    defaults: Prepared,
+    x: Any,
+    v: Any,
+    a: Any,
+    t: Any,
+    parameters: Any,
+    inputs: Any,
+    of: Actuators,
+) -> tuple[Vector, Vector, Vector, float, float] | None: ...

@@ -7,7 +7,8 @@ other arguments are converted, or rejected, in Python. In each function `system`
 
 from ..arguments.options cimport array_of, number_of
 from ..runtime.arrays cimport Numbers, floats, zeros
-from ..runtime.point cimport PointModel, Prepared
+from ..runtime.abi cimport em_fault, em_inverse_check
+from ..runtime.point cimport Actuators, PointModel, Prepared
 
 from ..arguments.prescribed import with_prescribed
 from ..arguments.states import split_states, whole_x
@@ -88,6 +89,35 @@ def acceleration(system, PointModel model not None, Prepared defaults not None, 
     least_norm = model.treatment(at, q.data, c, least_norm)
     a, multipliers = model.acceleration_at(at, q, w, c, model.model.input_defaults if u is None else u.data, least_norm)
     return a.array[:model.n_coordinates] if model.n_states else a.array, multipliers.array
+
+
+def inverse_dynamics(system, PointModel model not None, Prepared defaults not None, x, v, a, t, parameters, inputs,
+                     Actuators of not None):
+    """Return forces (count,), lambda (m,), residual (n,) and the larger of both checks; None for what needs more care.
+
+    That is all but float64 arrays of one state of a model without states, modes or prescribed motions; and faults.
+    """
+    cdef em_fault fault
+    cdef em_inverse_check check
+    cdef Numbers q, w, b, u, forces, multipliers, residual
+    cdef Prepared c
+    cdef const double *signals = model.model.input_defaults
+    if model.n_states or model.model.n_switches or model.prescribed or model.model.inverse_dynamics == NULL:
+        return None
+    q, w, b = array_of(x, model.vector), array_of(v, model.vector), array_of(a, model.vector)
+    if q is None or w is None or b is None or type(t) is not float:
+        return None
+    if inputs is not None:
+        u = array_of(inputs, (model.n_inputs,))
+        if u is None:
+            return None
+        signals = u.data
+    c = constants(system, model, defaults, parameters)
+    forces, multipliers, residual = zeros((of.list.count or model.n,)), zeros((model.m,)), zeros(model.vector)
+    if model.model.inverse_dynamics(t, q.data, w.data, b.data, c.c, signals, &of.list, forces.data, multipliers.data,
+                                    residual.data, &check, &fault) != 0:
+        return None
+    return forces.array, multipliers.array, residual.array, check.undriven, check.forbidden
 
 
 cdef Numbers signals(object system, PointModel model, object inputs, double t):

@@ -4,6 +4,7 @@ from . import variations as variations
 from .incremental_run import IncrementalRun as IncrementalRun
 from .incremental_run import IncrementalRuns as IncrementalRuns
 from .model import CompiledModel as CompiledModel
+from .point import Actuators as Actuators
 from .point import Prepared as Prepared
 from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of

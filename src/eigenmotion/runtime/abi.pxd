@@ -141,6 +141,18 @@ cdef extern from "eigenmotion.h" nogil:
     ctypedef struct em_body:
         const char *name
 
+    ctypedef struct em_actuators:
+        int count
+        const int *coordinate
+        const int *input
+        const double *weight
+
+    ctypedef struct em_inverse_check:
+        double undriven
+        double forbidden
+        int equation
+        int row
+
     ctypedef struct em_model:
         int abi
         const char *name
@@ -251,3 +263,10 @@ cdef extern from "eigenmotion.h" nogil:
         void (*frames)(const double *, double *) noexcept nogil
         int n_rotations
         const int (*rotations)[3]
+        void (*required_forces)(double, const double *, const double *, const double *, const double *, const double *,
+                                double *, double *) noexcept nogil
+        const int *input_is_linear
+        int n_normals
+        int (*inverse_dynamics)(double, const double *, const double *, const double *, const double *, const double *,
+                                const em_actuators *, double *, double *, double *, em_inverse_check *,
+                                em_fault *) noexcept nogil

@@ -1,6 +1,6 @@
 from numpy.typing import ArrayLike
 
-from .point import PointModel, Prepared, Vector
+from .point import Actuators, PointModel, Prepared, Vector
 
 class CompiledModel(PointModel):
     @property
@@ -18,6 +18,15 @@ class CompiledModel(PointModel):
     def acceleration_rows(
         self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared, least_norm: int
     ) -> tuple[Vector, Vector]: ...
+    def required_rows(
+        self, t: Vector, x: Vector, v: Vector, a: Vector, u: Vector, c: Prepared
+    ) -> tuple[Vector, Vector]: ...
+    def actuated_rows(
+        self, t: Vector, x: Vector, v: Vector, a: Vector, u: Vector, c: Prepared, of: Actuators
+    ) -> tuple[Vector, Vector, Vector, Vector]: ...
+    def refuse_actuated(
+        self, t: float, x: Vector, v: Vector, a: Vector, u: Vector, c: Prepared, of: Actuators
+    ) -> None: ...
     def constraint_rows(self, t: Vector, x: Vector, v: Vector, c: Prepared) -> Vector: ...
     def position_rows(self, t: Vector, x: Vector, c: Prepared) -> Vector: ...
     def quasi_rows(self, t: Vector, x: Vector, v: Vector, c: Prepared) -> Vector: ...

@@ -7,11 +7,11 @@ Rows at which a function has no value are NaN.
 from libc.math cimport INFINITY, fabs, isnan
 from libc.string cimport memcpy
 
-from .abi cimport em_fault
+from .abi cimport em_fault, em_inverse_check
 from .arrays cimport Numbers, blank, floats, zeros
 from .assumptions cimport em_check_declared
 from .kinematics cimport EM_FRAME, em_body_jacobian, em_body_pose
-from .point cimport PointModel, Prepared
+from .point cimport Actuators, PointModel, Prepared
 from .start cimport em_factored_matrix
 
 cdef double ROUNDED = 1e-8  # about the square root of the rounding of doubles
@@ -124,6 +124,48 @@ cdef class CompiledModel(PointModel):
                     blank(a.row(i), self.n)
                     blank(L.row(i), self.m)
         return a.array, L.array
+
+    def required_rows(self, t, x, v, a, u, Prepared c not None):
+        """M a - f (k, n), the forces that must act besides, and A a + gamma (k, m)."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers b = floats(a, (k, self.n), "a"), o = floats(u, (k, self.n_inputs), "inputs")
+        cdef Numbers r = zeros((k, self.n)), s = zeros((k, self.m))
+        with nogil:
+            for i in range(k):
+                self.model.required_forces(T.data[i], q.row(i), w.row(i), b.row(i), c.c, o.row(i), r.row(i), s.row(i))
+        return r.array, s.array
+
+    def actuated_rows(self, t, x, v, a, u, Prepared c not None, Actuators of not None):
+        """Forces (k, count), lambda (k, m), residual (k, n) and checks (k, 4) of em_model.inverse_dynamics; checks are
+        undriven, forbidden, equation, row. A row without a solution is NaN."""
+        cdef em_fault fault
+        cdef em_inverse_check check
+        cdef Py_ssize_t i, k = len(t)
+        cdef int count = of.list.count or self.n_coordinates
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers b = floats(a, (k, self.n), "a"), o = floats(u, (k, self.n_inputs), "inputs")
+        cdef Numbers forces = zeros((k, count)), L = zeros((k, self.m)), left = zeros((k, self.n)), checks = zeros((k, 4))
+        with nogil:
+            for i in range(k):
+                if self.model.inverse_dynamics(T.data[i], q.row(i), w.row(i), b.row(i), c.c, o.row(i), &of.list,
+                                               forces.row(i), L.row(i), left.row(i), &check, &fault) != 0:
+                    blank(forces.row(i), count)
+                checks.row(i)[0], checks.row(i)[1] = check.undriven, check.forbidden
+                checks.row(i)[2], checks.row(i)[3] = check.equation, check.row
+        return forces.array, L.array, left.array, checks.array
+
+    def refuse_actuated(self, double t, x, v, a, u, Prepared c not None, Actuators of not None):
+        """Raise the EvaluationError of inverse dynamics at one state."""
+        cdef em_fault fault
+        cdef em_inverse_check check
+        cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), b = floats(a, (self.n,), "a")
+        cdef Numbers o = floats(u, (self.n_inputs,), "inputs"), forces = zeros((of.list.count + self.n,))
+        cdef Numbers L = zeros((self.m,)), left = zeros((self.n,))
+        self.check_arguments(t, q, w, c, o.data)
+        if self.model.inverse_dynamics(t, q.data, w.data, b.data, c.c, o.data, &of.list, forces.data, L.data, left.data,
+                                       &check, &fault) != 0:
+            raise self.failure(&fault)
 
     def constraint_rows(self, t, x, v, Prepared c not None):
         """A v + b as (k, m)."""

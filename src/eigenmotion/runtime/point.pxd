@@ -1,6 +1,6 @@
 # Declarations of point.pyx for the other modules of the runtime.
 
-from .abi cimport em_fault, em_model
+from .abi cimport em_actuators, em_fault, em_model
 from .arrays cimport Numbers
 
 
@@ -56,3 +56,8 @@ cdef class Prepared:
     cdef readonly PointModel model
     cdef readonly object parameters
     cdef double *c
+
+
+cdef class Actuators:
+    cdef em_actuators list
+    cdef readonly tuple names

@@ -1,4 +1,4 @@
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,17 @@ class Prepared:
     def model(self) -> PointModel: ...
     @property
     def parameters(self) -> tuple[float, ...]: ...
+
+class Actuators:
+    @property
+    def names(self) -> tuple[str, ...]: ...
+    def __init__(
+        self,
+        names: Sequence[str],
+        coordinates: Sequence[int],
+        inputs: Sequence[int],
+        weights: Sequence[float] | None = None,
+    ) -> None: ...
 
 class PointModel:
     name: str
@@ -62,6 +73,10 @@ class PointModel:
     extrapolates: bool
     recipe: Callable[[], Any] | None
     load_part: Callable[[str], Any] | None
+    @property
+    def linear_inputs(self) -> tuple[bool, ...]: ...
+    @property
+    def inverts(self) -> bool: ...
     @property
     def differentiates(self) -> bool: ...
     def __init__(self, capsule: object) -> None: ...

@@ -117,6 +117,16 @@ cdef class PointModel:
         return self.need_derivatives() if method == EM_RADAU5 or method == EM_RADAU9 else 0
 
     @property
+    def linear_inputs(self):
+        """For each input, whether forces are linear in it."""
+        return tuple([self.model.input_is_linear[k] != 0 for k in range(self.n_inputs)])
+
+    @property
+    def inverts(self):
+        """Whether it has inverse dynamics, which a model written by hand may lack."""
+        return self.model.inverse_dynamics != NULL
+
+    @property
     def differentiates(self):
         """Whether the Jacobian by dual numbers of a right-hand side with eta is loaded."""
         return self.model.rate_jacobian != NULL
@@ -432,6 +442,30 @@ cdef class PointModel:
             self.check_table_arguments(t, x, v, c)
             raise self.failure(&fault)
         return q.array, w.array
+
+
+cdef class Actuators:
+    """Where actuators act, in the order of `names`: coordinates and inputs (count,), -1 for none; weights (count,), None: 1.
+
+    count 0: an actuator on every coordinate.
+    """
+
+    def __cinit__(self, names, coordinates, inputs, weights=None):
+        cdef int k, count = len(names)
+        cdef int *places = <int *> calloc(2 * count + 1, sizeof(int))
+        cdef double *squares = <double *> calloc(len(weights) + 1, sizeof(double)) if weights is not None else NULL
+        self.names = tuple(names)
+        self.list.count, self.list.coordinate, self.list.input, self.list.weight = count, places, places + count, squares
+        if places == NULL or (weights is not None and squares == NULL):
+            raise MemoryError
+        for k in range(count):
+            places[k], places[count + k] = coordinates[k], inputs[k]
+        for k in range(len(weights) if weights is not None else 0):
+            squares[k] = weights[k]
+
+    def __dealloc__(self):
+        free(<void *> self.list.coordinate)
+        free(<void *> self.list.weight)
 
 
 def _compiled(recipe):

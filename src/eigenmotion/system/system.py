@@ -4,6 +4,7 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
+from ..analysis.inverse.inverse_dynamics import inverse_dynamics
 from ..analysis.linear.linearize import linearize
 from ..batch.stepper.open_steppers import steppers
 from ..compiled.compiled_system import CompiledSystem
@@ -52,3 +53,4 @@ class System(CompiledSystem):
     stepper = stepper
     steppers = steppers
     linearize = linearize
+    inverse_dynamics = inverse_dynamics

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 33 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 34 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -84,6 +84,22 @@ typedef struct em_body {
     const char *name;
     int parent, joint, count, coordinates[6];
 } em_body;
+
+/* Actuators: each acts on a coordinate or by an input (-1: it does not), and has a weight of its squared force, where a
+ * choice is left (weight NULL: 1). count 0: one on every coordinate, with n weights or NULL. */
+typedef struct em_actuators {
+    int count;
+    const int *coordinate, *input;
+    const double *weight;
+} em_actuators;
+
+/* Of inverse dynamics: the part of the required forces that no actuator gives, relative to their terms, in the mass
+ * metric; and the largest residual of a constraint, relative to its terms, with its equation and row. */
+typedef struct em_inverse_check {
+    double undriven, forbidden;
+    enum { EM_OF_POSITION, EM_OF_VELOCITY, EM_OF_ACCELERATION } equation; /* phi, A v + b, A a + gamma */
+    int row;
+} em_inverse_check;
 
 enum { EM_FIXED, EM_REVOLUTE, EM_PRISMATIC, EM_SPHERICAL, EM_FREE }; /* kinds of joints, as in codegen/model/tree/body.py */
 enum { EM_FRAME = 17 }; /* numbers of a joint: at (3), R (3, 3), axis (3), ratio, offset (em_forward_kinematics.h) */
@@ -240,6 +256,24 @@ typedef struct em_model {
     int n_rotations;
     const int (*rotations)[3]; /* (n_rotations) coordinates that are modified Rodrigues parameters. Steppers replace them
                                   by their shadow set (em_shadow_parameters.h) */
+
+    /* Inverse dynamics: the forces r (n) = M a - f that must act besides for accelerations a (n), without reactions;
+     * s (m) = A a + gamma, which vanishes where the constraints allow a. */
+    void (*required_forces)(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
+                            double *r, double *s);
+    void (*input_columns)(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
+                          double *B); /* (n, n_inputs) df / du; NULL: no inputs */
+    const int *input_is_linear;       /* (n_inputs) 1 where df / du depends on no input; NULL: no inputs */
+    /* P (m + n_normals, n): reactions are -P^T (lambda, rho), with friction proportional to multipliers; NULL: A */
+    void (*pushes)(double t, const double *x, const double *v, const double *c, const double *u, double *P);
+    int n_normals;                /* the number of rho: norms of multipliers in friction */
+    const unsigned char *normals; /* (n_normals, m) 1 for the multipliers of each */
+    /* The forces (count, or n) of actuators for accelerations a (n), through the constraints: of least weighted squares
+     * where there is a choice, lambda (m), and the required forces that no actuator gives, residual (n). Contacts and
+     * frictions are as their parameters in c say (em_inverse_dynamics.h). */
+    int (*inverse_dynamics)(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
+                            const em_actuators *actuators, double *forces, double *lambda, double *residual,
+                            em_inverse_check *check, em_fault *fault);
 } em_model;
 
 #endif

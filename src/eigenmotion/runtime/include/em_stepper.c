@@ -6,3 +6,4 @@
 #include "dynamics/em_blocks.h"
 #include "loop/em_handle.h"
 #include "batch/em_lane_run.h"
+#include "inverse_dynamics/em_inverse_dynamics.h"

@@ -5,7 +5,8 @@
 
 #include "bodies/em_links.h"
 
-EM_ANY_SIZE void em_subtract_tree_bias(const em_tree *tree, const real *x, const real *v, const real *table, real *bias);
+EM_ANY_SIZE void em_add_tree_forces(const em_tree *tree, const real *x, const real *v, const real *a, const real *table,
+                                    double sign, real *forces);
 EM_ANY_SIZE void em_add_tree_masses(const em_tree *tree, int n, const real *x, const real *table, real *M);
 EM_ANY_SIZE void em_add_tree_energies(const em_tree *tree, const real *x, const real *v, const real *table, real *e);
 
@@ -17,8 +18,9 @@ EM_INLINE void em_take_masses(int n, int size, const int *coordinate, const real
 
 #if EM_HOLDS_ANY_SIZE
 
-/* bias (n) -= the forces that the bodies take at zero accelerations, gravity included */
-EM_ANY_SIZE void em_subtract_tree_bias(const em_tree *tree, const real *x, const real *v, const real *table, real *bias) {
+/* forces (n) += sign times the forces that the bodies take at accelerations xddot (n), NULL for 0; gravity included */
+EM_ANY_SIZE void em_add_tree_forces(const em_tree *tree, const real *x, const real *v, const real *xddot, const real *table,
+                                    double sign, real *forces) {
     em_link links[tree->count];
     real S[tree->slots][6], a[tree->count][6], force[tree->count][6], momentum[6];
     em_move_links(tree, x, v, table, links, S);
@@ -26,6 +28,8 @@ EM_ANY_SIZE void em_subtract_tree_bias(const em_tree *tree, const real *x, const
         const real *const row = table + EM_LINK * i;
         const int parent = tree->bodies[i].parent;
         em_acceleration_before(&links[i], row, parent >= 0 ? a[parent] : NULL, 1, a[i]);
+        for (int k = 0; xddot && k < tree->bodies[i].count; ++k)
+            for (int j = 0; j < 6; ++j) a[i][j] += S[links[i].first + k][j] * xddot[tree->bodies[i].coordinates[k]];
         em_momentum(row + EM_LINK_INERTIA, links[i].v, momentum);
         em_momentum(row + EM_LINK_INERTIA, a[i], force[i]);
         em_add_crossed_force(links[i].v, momentum, force[i]);
@@ -33,7 +37,7 @@ EM_ANY_SIZE void em_subtract_tree_bias(const em_tree *tree, const real *x, const
     for (int i = tree->count - 1; i >= 0; --i) {
         const em_body *const body = &tree->bodies[i];
         for (int k = 0; k < body->count; ++k)
-            bias[body->coordinates[k]] -= em_dot_of(6, S[links[i].first + k], force[i]);
+            forces[body->coordinates[k]] += sign * em_dot_of(6, S[links[i].first + k], force[i]);
         if (body->parent >= 0) em_add_force_up(&links[i], force[i], force[body->parent]);
     }
 }

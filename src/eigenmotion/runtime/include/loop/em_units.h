@@ -39,6 +39,9 @@ int model_rhs(int mode, double t, const double *y, const double *c, const double
 /* --- of EM_ASIDE --- */
 
 void motion_bias(double t, const double *x, const double *v, const double *c, const double *u, double *bias, double *gamma);
+void required_forces(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
+                     double *r, double *s);
+void input_columns(double t, const double *x, const double *v, const double *a, const double *c, const double *u, double *B);
 void energy(double t, const double *x, const double *v, const double *c, double *e);
 void observe(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
              const double *u, double *out);
@@ -108,6 +111,9 @@ void em_handle_save(const void *run_state, void *saved);
 void em_handle_restore(void *run_state, const void *saved);
 void em_handle_close(void *run_state);
 int em_handle_again(void *run_state);
+int em_inverse_dynamics(const em_model *model, double t, const double *x, const double *v, const double *a, const double *c,
+                        const double *u, const em_actuators *of, double *forces, double *lambda, double *residual,
+                        em_inverse_check *check, em_fault *fault);
 void *em_member_enter(const em_model *model, em_run *run, int *mode);
 void em_member_load(void *run_state, em_lane_group *f, int lane);
 int em_member_check(void *run_state, em_lane_group *f, int lane, em_lane_outcome outcome);

@@ -23,6 +23,16 @@ EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *
     }
 }
 
+/* r (rows) <- D x + sign r */
+EM_INLINE void em_product_plus(int rows, int n, const real *restrict D, const real *restrict x, double sign,
+                               real *restrict r) {
+    for (int i = 0; i < rows; ++i) {
+        real sum = sign * r[i];
+        for (int k = 0; k < n; ++k) sum += D[i * n + k] * x[k];
+        r[i] = sum;
+    }
+}
+
 enum { EM_TILE = 4 }; /* rows of a product that are formed together, with independent sums */
 
 /* The number of rows of a product that are formed in tiles. */

@@ -1,0 +1,64 @@
+"""Actuators by name: coordinates on which forces act, and inputs."""
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from typing import Any
+
+from ...arguments.named_values import by_spelling, is_named, spelled, unknown
+from ...codegen.model.normalise import ModelError, number
+from ...runtime import Actuators, CompiledModel
+
+
+def actuators_of(c: CompiledModel, given: Any) -> Actuators:
+    """Return actuators given by name, or as a mapping name -> weight of the squared force; None: all coordinates.
+
+    Raises
+    ------
+    ModelError
+        A name is neither a coordinate nor an input; an input prescribes a motion, drives no coordinate, or is one in
+        which forces are not linear; a weight is not positive.
+    """
+    if given is None or type(given) is tuple:
+        return _named(c, given, None)
+    if isinstance(given, str) or not isinstance(given, Mapping | Iterable):
+        raise ModelError(
+            f"actuators is {given!r}. Give names of coordinates or inputs, such as ('{c.coordinates[0]}',)."
+        )
+    if not is_named(given):
+        return _named(c, tuple(given), None)
+    weights = by_spelling(given, "actuators")
+    values = tuple(number(value, f"the weight of actuator {name!r}") for name, value in weights.items())
+    if min(values, default=1.0) <= 0.0:
+        raise ModelError(f"actuators: weights are positive, and {dict(zip(weights, values, strict=True))} are given")
+    return _named(c, tuple(weights), values)
+
+
+@lru_cache(maxsize=256)
+def _named(c: CompiledModel, given: tuple[Any, ...] | None, weights: tuple[float, ...] | None) -> Actuators:
+    if given is None:
+        return Actuators((), (), ())
+    names = tuple(map(spelled, given))
+    for name in names:
+        _check(c, name, names)
+    own = c.coordinates[: c.n_coordinates]
+    coordinates = [own.index(name) if name in own else -1 for name in names]
+    inputs = [c.inputs.index(name) if name in c.inputs else -1 for name in names]
+    return Actuators(names, coordinates, inputs, weights)
+
+
+def _check(c: CompiledModel, name: str, names: tuple[str, ...]) -> None:
+    """Raise ModelError if this is no actuator."""
+    own = c.coordinates[: c.n_coordinates]
+    if names.count(name) > 1:
+        raise ModelError(f"{c.name}: actuator {name!r} is given twice")
+    if name in c.prescribed:
+        raise ModelError(f"{c.name}: input {name!r} prescribes a motion. The multiplier of its row is what drives it.")
+    if name in c.coordinates and name not in own:
+        raise ModelError(f"{c.name}: {name!r} is a first-order state, on which no force acts")
+    if name not in own and name not in c.inputs:
+        raise ModelError(f"{c.name}: {unknown('actuator', [name], (*own, *c.inputs))}")
+    if name in c.inputs and not c.linear_inputs[c.inputs.index(name)]:
+        raise ModelError(
+            f"{c.name}: forces are not linear in input {name!r}. Take the coordinates on which it acts for actuators, "
+            "and find the input that gives their forces."
+        )

@@ -1,0 +1,1 @@
+"""Inverse dynamics and what follows from it."""
