@@ -31,15 +31,16 @@ def first_steps(system: System, methods: Iterable[str] = tuple(METHODS)) -> Iter
     """Yield (method, what is wrong) for runs from the model's start that disagree with its accelerations.
 
     Methods are compiled ones, explicit ones first. A start that is refused, or a run that ends there for a reason of
-    its own, decides nothing. Runs by implicit methods are not longer than those by explicit methods.
+    its own, decides nothing. Runs by implicit methods are not longer than those by explicit methods. A method that
+    iterates has no first step from rest without an absolute tolerance.
     """
     x, far = system.compiled.initial_x, min(FAR, system.compiled.smooth_interval(0.0, 1.0, system.prepare())[0])
-    end = far
+    end, rests = far, not system.compiled.initial_v.any()
     with np.errstate(all="ignore"):
         for name in methods:
             until = end if METHODS[name].implicit else far
             try:
-                run = _run(system, name, until, atol=0.0)
+                run = _run(system, name, until, atol=TOLERANCE if rests and METHODS[name].iterates else 0.0)
             except ModelError:
                 return
             if _refuses(run) and _refuses(_run(system, name, far, atol=TOLERANCE)) and _is_sound(system, x):
@@ -109,6 +110,8 @@ def _rests(system: System, run: Solution) -> bool:
 def _cancelled(system: System, x: Vector, v: Vector, t: float) -> float:
     """Return the largest acceleration that the reactions alone would cause."""
     c, prepared = system.compiled, system.prepare()
+    if not c.m:
+        return 0.0
     reactions = np.abs(c.pfaffian(t, x, prepared)[0].T) @ np.abs(_motion(system, x, v, t)[1])
     M = c.factored_matrix(t, x, prepared)
     return float((np.abs(np.linalg.inv(M)) @ reactions).max(initial=0.0))

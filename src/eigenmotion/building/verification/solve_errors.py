@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,18 +13,46 @@ from .compiled_values import CompiledValues
 from .symbolic_values import SymbolicValues
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Errors:
     """Bounds at k points.
 
     solved : (k, n) bound of the residual of M a = f - A^T lambda, with a computed by a root of M
-    a : (k, n) bound of the accelerations
-    rows : (k, m) bound of A a + gamma for these accelerations
     """
 
+    compiled: CompiledValues
+    symbolic: SymbolicValues
+    terms: list[Rounded]
     solved: Vector
-    a: Vector
-    rows: Vector
+
+    @property
+    def a(self) -> Vector:
+        """Bound (k, n) of the accelerations."""
+        return self._of_solution[0]
+
+    @property
+    def rows(self) -> Vector:
+        """Bound (k, m) of A a + gamma for these accelerations."""
+        A = self.symbolic.A.value
+        return self._of_solution[1] if A.shape[1] else np.zeros(A.shape[:2])
+
+    @cached_property
+    def _of_solution(self) -> tuple[Vector, Vector]:
+        """Both bounds, which need M^-1. Of many coordinates this takes long, and proofs without rows do not need it."""
+        compiled, symbolic = self.compiled, self.symbolic
+        W = inverse(symbolic.M)
+        push = applied(symbolic.A.turned, rounded(compiled.multipliers))
+        free = np.abs(compiled.a) + np.abs(applied(W, push).value)
+        left = sum((term.bound for term in self.terms), self.solved)
+        wide = np.abs(W.value)
+        alone = _times(wide, left + _times(symbolic.M.bound, free))
+        delta = symbolic.A @ W @ symbolic.A.turned
+        lost = _times(np.abs(symbolic.A.value), alone) + symbolic.row_rate.bound
+        rows = lost + _times(delta.bound + EPS * geometric(delta.value), np.abs(compiled.multipliers))
+        pushed = _times(np.abs(inverse(delta).value), rows)
+        moved = _times(wide, _times(np.abs(symbolic.A.value).swapaxes(1, 2), pushed))
+        rows[compiled.least_norm != 0.0] = np.inf  # dependent rows may contradict each other off the constraints
+        return alone + moved, rows
 
 
 def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Rounded], recursive: bool = False) -> Errors:
@@ -32,26 +61,13 @@ def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Round
     Here M is the factored matrix, and `terms` are the terms of Lagrange's equations. If `recursive`, each equation has
     the errors of the others too, since bodies pass on forces in axes of their own.
     """
-    multipliers = np.abs(compiled.multipliers)
     sizes = geometric(compiled.factored)
     solved = EPS * np.einsum("kij,kj->ki", sizes, np.abs(compiled.a))
     if recursive:
         square = np.abs(np.einsum("kii->ki", compiled.factored))
         forces = sum(np.abs(term.value) for term in terms) / np.where(square > 0.0, square, np.inf)
         solved = solved + EPS * _times(sizes, forces)
-    W = inverse(symbolic.M)
-    push = applied(symbolic.A.turned, rounded(compiled.multipliers))
-    free = np.abs(compiled.a) + np.abs(applied(W, push).value)
-    left = sum((term.bound for term in terms), solved)
-    wide = np.abs(W.value)
-    alone = _times(wide, left + _times(symbolic.M.bound, free))
-    delta = symbolic.A @ W @ symbolic.A.turned
-    lost = _times(np.abs(symbolic.A.value), alone) + symbolic.row_rate.bound
-    rows = lost + _times(delta.bound + EPS * geometric(delta.value), multipliers)
-    pushed = _times(np.abs(inverse(delta).value), rows)
-    moved = _times(wide, _times(np.abs(symbolic.A.value).swapaxes(1, 2), pushed))
-    rows[compiled.least_norm != 0.0] = np.inf  # dependent rows may contradict each other off the constraints
-    return Errors(solved, alone + moved, rows)
+    return Errors(compiled, symbolic, terms, solved)
 
 
 def _times(M: Vector, v: Vector) -> Vector:

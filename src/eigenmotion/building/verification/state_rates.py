@@ -35,12 +35,11 @@ def rates(
     back = rounded(v).off(EPS * recovered(system, v, compiled))
     yield Identity([f"{name}' of the right-hand side" for name in names], [rounded(compiled.dy[:, :n]), -back])
     yield Identity([f"{name}' of the state" for name in names], [rounded(compiled.velocity), -back])
-    a = rounded(compiled.a).off(errors.a)
+    same = "v" in layout and np.array_equal(compiled.dy[:, n:], compiled.a, equal_nan=True)  # found in the same way
+    a = rounded(compiled.a) if same else rounded(compiled.a).off(errors.a)
     if "v" in layout:
-        if np.array_equal(compiled.dy[:, n:], compiled.a, equal_nan=True):  # found in the same way
-            a = rounded(compiled.a)
         yield Identity([f"the rate of {name}'" for name in names], [rounded(compiled.dy[:, n:]), -a],
-                       scale=speeds(compiled.a, compiled))  # fmt: skip
+                       scale=0.0 if same else speeds(compiled.a, compiled))  # fmt: skip
     elif system.formulation == "cholesky":
         yield from _of_root(names, rounded(compiled.dy[:, n : 2 * n]), back, a, compiled.root, symbolic)
     else:

@@ -86,7 +86,7 @@ class _Values:
             _columns(Rounded(np.eye(self.n), np.zeros((1, self.n))), axis=0),
         )
         self.time = rounded(points.t[:, None])
-        self._second_rates = [rate.diff(t) for rate in model.rates]
+        self._second_rates = [sympy.Derivative(x, (t, 2)) for x in model.coordinates]
         self._evaluations: list[Evaluation] = []
 
     @property
@@ -144,10 +144,12 @@ class _Values:
 
     def across(self) -> dict[str, Rounded]:
         """Return the derivatives with respect to coordinates, and their rates."""
-        model = self.model
-        x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
-        value = self._evaluation(x, list(map(HyperDual, self.v)), HyperDual(self.time, _ONE))
+        model, v = self.model, list(map(HyperDual, self.v))
+        still = [HyperDual(x, None, one) for x, one in zip(self.x, self.each, strict=True)]
+        value = self._evaluation(still, v, HyperDual(self.time))
         T, V = value(model.kinetic_energy), value(model.potential_energy)
+        x = [HyperDual(*parts) for parts in zip(self.x, self.v, self.each, strict=True)]
+        value = self._evaluation(x, v, HyperDual(self.time, _ONE))
         phi = [value(row) for row in model.holonomic_constraints]
         return {
             "T_x": _filled(T.c, (self.k, self.n)), "V_x": _filled(V.c, (self.k, self.n)),

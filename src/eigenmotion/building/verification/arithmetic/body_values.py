@@ -9,12 +9,15 @@ from typing import Any
 import numpy as np
 import sympy
 
+from ....codegen.model.tree.body import rate_of
 from ....codegen.model.tree.forward_kinematics import Arithmetic, ForwardKinematics
 from ....codegen.model.tree.functions import BodyFunction
 from ....codegen.model.tree.quantity import KINDS, Quantity
+from .body_quantities import BodyQuantities
 from .hyperdual import FUNCTIONS, HyperDual
-from .rotation_bounds import settled
+from .rotation_bounds import FROM, settled
 from .rounding_bounds import EPS, Rounded
+from .transforms import directions_of, width_of
 
 Values = Sequence[HyperDual]
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
@@ -32,10 +35,13 @@ class _Kinematics:
             lambda number: number.power(Rounded(-1.0, 0.0)), settled,
         )  # fmt: skip
         self._forward = ForwardKinematics(arithmetic, self._known)
+        self._long: dict[int, BodyQuantities] = {}
 
-    def knows(self, known: Mapping[sympy.Basic, HyperDual]) -> bool:
-        """Whether no variable has another value here."""
-        return all(self._known.get(variable, value) is value for variable, value in known.items())
+    def knows(self, known: Mapping[sympy.Basic, HyperDual], rates: bool) -> bool:
+        """Whether no variable has another value here; without `rates`, whether all are known, with the rates."""
+        if any(self._known.get(variable, value) is not value for variable, value in known.items()):
+            return False
+        return rates or all(one in self._known and (not one.args or rate_of(one) in self._known) for one in known)
 
     def __call__(self, quantity: Quantity, known: Mapping[sympy.Basic, HyperDual]) -> HyperDual:
         """Return the value of a quantity at these values of its variables."""
@@ -43,7 +49,22 @@ class _Kinematics:
             if variable not in self._known:
                 self._known[variable] = value
                 self._evaluate.define(variable, value)
-        return self._forward.quantity(quantity) or HyperDual(_ZERO)
+        width = max(width_of(part) for value in known.values() for part in (value.c, value.f))
+        if len(quantity.bodies) < FROM or not _is_plain(known, width):
+            return self._forward.quantity(quantity) or HyperDual(_ZERO)
+        if width not in self._long:
+            self._long[width] = BodyQuantities(self._evaluate, self._known, width)
+        return self._long[width](quantity)
+
+
+def _is_plain(known: Mapping[sympy.Basic, HyperDual], width: int) -> bool:
+    """Whether parameters are constant, coordinates and rates have one value at a point, and one direction each."""
+    return all(
+        width_of(value.a) == width_of(value.b) == 1 and len(directions_of(value)) < 2
+        and all(width_of(part) == width for part in (value.c, value.f) if part is not None)
+        if variable.args else not value.varies
+        for variable, value in known.items()
+    )  # fmt: skip
 
 
 class BodyValues:
@@ -70,10 +91,12 @@ class BodyValues:
     def _value(self, quantity: Quantity, at: Values) -> HyperDual:
         known = dict(zip(quantity.variables, at, strict=True))
         rates = KINDS[quantity.kind] > 0  # where these are not known, the places of bodies have no rates
-        shared = self._shared.get(rates)
-        if shared is None or not shared.knows(known):
-            shared = self._shared[rates] = _Kinematics(self._evaluation)
-        return shared(quantity, known)
+        for whether in (True, rates):
+            shared = self._shared.get(whether)
+            if shared is not None and shared.knows(known, rates is whether):
+                return shared(quantity, known)
+        self._shared[rates] = _Kinematics(self._evaluation)
+        return self._shared[rates](quantity, known)
 
     def _value_alone(self, quantity: Quantity, at: Values) -> HyperDual:
         return _Kinematics(self._evaluation)(quantity, dict(zip(quantity.variables, at, strict=True)))

@@ -15,7 +15,7 @@ from ....codegen.model.table import TableCall
 from ....codegen.model.tree.functions import BodyFunction
 from .body_values import BodyValues
 from .hyperdual import FUNCTIONS, RELATIONS, HyperDual, doubt, power
-from .rounding_bounds import Part, Rounded, rounded
+from .rounding_bounds import Part, Rounded, constant
 from .table_values import of_table
 
 _OF_MANY: Mapping[str, Callable[[HyperDual, HyperDual], HyperDual]] = {
@@ -92,7 +92,7 @@ class Evaluation:
 
     def _evaluate(self, expression: sympy.Basic) -> HyperDual:
         if isinstance(expression, sympy.Number | sympy.NumberSymbol):
-            return HyperDual(_constant(expression))
+            return HyperDual(constant(expression))
         if isinstance(expression, Piecewise):
             return self._piecewise(expression)
         if isinstance(expression, sympy.Pow):
@@ -138,12 +138,6 @@ def _arguments(expression: sympy.Basic) -> Sequence[sympy.Basic]:
         return parts
     name = type(expression).__name__
     return parts[: 1 if name == "Heaviside" else None] if name in FUNCTIONS else ()
-
-
-def _constant(number: sympy.Basic) -> Rounded:
-    """Return the value of a constant: whole numbers are exact, others are rounded once."""
-    value = np.float64(number)
-    return Rounded(value, 0.0) if number.is_Integer and int(value) == number else rounded(value)
 
 
 def _joined(condition: Boolean, truths: list[_Truth]) -> _Truth:

@@ -3,106 +3,88 @@
 A running error bound of each entry grows by a factor with each product, so that after a hundred bodies it says nothing.
 But a product of rotations has norm 1, so that errors of its factors add: after d bodies it is off by a multiple of
 d eps. A derivative of it is a sum of products in which factors are replaced by their derivatives, whose norms are those
-of the derivatives of the angles.
+of the derivatives of the angles: the sizes of all derivatives are the coefficients of exp of the sum of the angles'.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import prod
 from typing import Any
 
 import numpy as np
 
 from ....codegen.model.tree.forward_kinematics import Moving
 from .hyperdual import HyperDual
+from .jets import LETTERS, Jet, R, exponential, jets_of
 from .rounding_bounds import EPS, Part, Rounded
 
-Order = frozenset[str]
-"""A derivative: by d, by e (the parts of a hyper-dual number), and along the motion (r), each once at most."""
 PER_BODY = 16.0 * EPS
 """Error of two products of rotations, of what they multiply, and of lengths that are not quite 1."""
 STEEP = 8.0
 """Bound of the turning, and of its change, by a change of modified Rodrigues parameters."""
 FROM = 12
 """Number of bodies in a chain from which these bounds are used."""
-_PARTS = {"": "a", "d": "b", "e": "c", "de": "f"}
-_ORDERS = tuple(frozenset(order + rate) for rate in ("", "r") for order in _PARTS)
 
 
 @dataclass(frozen=True, slots=True)
 class Turning:
     """What is known of a chain: its number of bodies, and sums over its joints.
 
-    sizes : order -> sum of the absolute derivatives of angles, where there are some; errors : of their bounds
+    sizes : absolute derivatives of angles; errors : bounds of angles and of their derivatives
     """
 
     depth: int
-    sizes: Mapping[Order, Part]
-    errors: Mapping[Order, Part]
+    sizes: Jet
+    errors: Jet
+
+    @property
+    def size(self) -> Jet:
+        """A bound of the norm of the rotation and of its derivatives."""
+        return exponential(self.sizes)
+
+    def error(self, size: Jet) -> Jet:
+        """Return a bound of the error of the rotation and of its derivatives; `size` is that above."""
+        return (Jet({0: PER_BODY * self.depth}) + self.errors) * size
 
 
-def settled(chain: Turning | None, angles: Sequence[Moving], R: Any) -> tuple[Turning, Any]:
+STILL = Turning(0, Jet({}), Jet({}))
+"""That of the ground."""
+
+
+def turning_of(angles: Sequence[tuple[Jet, Jet]]) -> tuple[Jet, Jet]:
+    """Return what a joint adds to sizes and errors: an angle, or three modified Rodrigues parameters, and bounds."""
+    steep = STEEP if len(angles) > 1 else 1.0
+    sizes, errors = Jet({}), Jet({})
+    for angle, bounds in angles:
+        sizes = sizes + angle.change.each(lambda part: steep * np.abs(part))
+        errors = errors + bounds.each(lambda part: steep * part)
+    return sizes, errors
+
+
+def settled(chain: Turning | None, angles: Sequence[Moving], rotation: Any) -> tuple[Turning, Any]:
     """Return the chain with a body whose joint has these angles, and its rotation with the smaller of both bounds.
 
     angles : one of a revolute joint, three modified Rodrigues parameters, none of a joint that does not turn
     """
-    before = chain or Turning(0, {}, {})
-    steep = STEEP if len(angles) > 1 else 1.0
-    sizes, errors = dict(before.sizes), dict(before.errors)
-    for order, one in _derivatives(angles):
-        sizes[order] = sizes.get(order, 0.0) + steep * np.abs(one.value)
-        errors[order] = errors.get(order, 0.0) + steep * one.bound
-    now = Turning(before.depth + 1, sizes, errors)
+    before = chain or STILL
+    sizes, errors = turning_of([jets_of(angle.value, angle.rate) for angle in angles])
+    now = Turning(before.depth + 1, before.sizes + sizes, before.errors + errors)
     if now.depth < FROM:
-        return now, R
-    bounds = {order: _error(now, order) for order in _ORDERS}
-    return now, [[_bounded(entry, bounds) for entry in row] for row in R]
+        return now, rotation
+    bounds = now.error(now.size).parts
+    return now, [[_bounded(entry, bounds) for entry in row] for row in rotation]
 
 
-def _derivatives(angles: Iterable[Moving]) -> Iterator[tuple[Order, Rounded]]:
-    for angle in angles:
-        for number, rate in ((angle.value, ""), (angle.rate, "r")):
-            for order, part in _PARTS.items() if number is not None else ():
-                one = getattr(number, part)
-                if one is not None:
-                    yield frozenset(order + rate), one
+def _bounded(entry: Moving, bounds: Mapping[int, Part]) -> Moving:
+    return Moving(_smaller(entry.value, bounds, 0), _smaller(entry.rate, bounds, R))
 
 
-def _error(chain: Turning, order: Order) -> Part:
-    """Return a bound of the error of a derivative of the rotation, from the sums over all ways to differentiate it."""
-    rounding = PER_BODY * chain.depth + chain.errors.get(frozenset(), 0.0)
-    whole: Part = 0.0
-    for blocks in _partitions(sorted(order)):
-        sizes = [chain.sizes.get(block, 0.0) for block in blocks]
-        whole = whole + rounding * prod(sizes)
-        for place, block in enumerate(blocks):
-            whole = whole + chain.errors.get(block, 0.0) * prod(sizes[:place] + sizes[place + 1 :])
-    return whole
-
-
-def _partitions(letters: list[str]) -> Iterator[list[Order]]:
-    """Yield the ways to divide letters into blocks."""
-    if not letters:
-        yield []
-        return
-    first, rest = letters[0], letters[1:]
-    for chosen in range(2 ** len(rest)):
-        beside = [letter for k, letter in enumerate(rest) if chosen >> k & 1]
-        for blocks in _partitions([letter for letter in rest if letter not in beside]):
-            yield [frozenset([first, *beside]), *blocks]
-
-
-def _bounded(entry: Moving, bounds: Mapping[Order, Part]) -> Moving:
-    return Moving(_smaller(entry.value, bounds, ""), _smaller(entry.rate, bounds, "r"))
-
-
-def _smaller(number: HyperDual | None, bounds: Mapping[Order, Part], rate: str) -> HyperDual | None:
+def _smaller(number: HyperDual | None, bounds: Mapping[int, Part], rate: int) -> HyperDual | None:
     if number is None:
         return None
-    parts = {part: getattr(number, part) for part in _PARTS.values()}
+    parts = {letter: getattr(number, letter) for letter in LETTERS.values()}
     return HyperDual(**{
-        part: one and Rounded(one.value, np.minimum(one.bound, bounds[frozenset(order + rate)]))
-        for (order, part), one in zip(_PARTS.items(), parts.values(), strict=True)
+        letter: one and Rounded(one.value, np.minimum(one.bound, bounds.get(order | rate, 0.0)))
+        for (order, letter), one in zip(LETTERS.items(), parts.values(), strict=True)
     })  # fmt: skip

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
+import sympy
 
 Part: TypeAlias = Any
 """An array or a number."""
@@ -78,6 +79,12 @@ class Rounded:
 def rounded(value: Part) -> Rounded:
     """Return values with the relative error bound eps."""
     return Rounded(value, EPS * np.abs(value))
+
+
+def constant(number: sympy.Basic) -> Rounded:
+    """Return the value of a constant: whole numbers are exact, others are rounded once."""
+    value = np.float64(number)
+    return Rounded(value, 0.0) if number.is_Integer and int(value) == number else rounded(value)
 
 
 def joined(parts: Sequence[Rounded], axis: int) -> Rounded:
