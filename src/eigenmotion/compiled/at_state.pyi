@@ -1,6 +1,7 @@
+from collections.abc import Iterator
 from typing import Any
 
-from ..runtime import Actuators, CompiledModel, Prepared
+from ..runtime import CompiledModel, Prepared
 from ..runtime.point import Vector
 
 def begin(
@@ -21,6 +22,14 @@ def acceleration(
     inputs: Any,
     least_norm: int,
 ) -> tuple[Vector, Vector]: ...
+
+class InverseDynamics:
+    forces: Vector
+    multipliers: Vector
+    residual: Vector
+    def __init__(self, forces: Vector, multipliers: Vector, residual: Vector) -> None: ...
+    def __iter__(self) -> Iterator[Vector]: ...
+
 def inverse_dynamics(
     system: Any,
     model: CompiledModel,
@@ -31,5 +40,5 @@ def inverse_dynamics(
     t: Any,
     parameters: Any,
     inputs: Any,
-    of: Actuators,
-) -> tuple[Vector, Vector, Vector, float, float] | None: ...
+    actuators: Any,
+) -> InverseDynamics | None: ...

@@ -6,13 +6,17 @@ other arguments are converted, or rejected, in Python. In each function `system`
 """
 
 from ..arguments.options cimport array_of, number_of
-from ..runtime.arrays cimport Numbers, floats, zeros
-from ..runtime.abi cimport em_fault, em_inverse_check
+from ..runtime.arrays cimport Numbers, floats, unset, zeros
+from ..runtime.abi cimport EM_ALLOWED, em_fault, em_inverse_check
 from ..runtime.point cimport Actuators, PointModel, Prepared
 
 from ..arguments.prescribed import with_prescribed
 from ..arguments.states import split_states, whole_x
 from .velocities import converted_start
+
+
+cdef enum:
+    MOST = 64  # coordinates of which an array of no residual is shared
 
 
 cdef Prepared constants(object system, PointModel model, Prepared defaults, object parameters):
@@ -91,21 +95,52 @@ def acceleration(system, PointModel model not None, Prepared defaults not None, 
     return a.array[:model.n_coordinates] if model.n_states else a.array, multipliers.array
 
 
-def inverse_dynamics(system, PointModel model not None, Prepared defaults not None, x, v, a, t, parameters, inputs,
-                     Actuators of not None):
-    """Return forces (count,), lambda (m,), residual (n,) and the larger of both checks; None for what needs more care.
+cdef class InverseDynamics:
+    """The forces of a motion; with k states, the last axis of each array is theirs. Unpacks in this order.
 
-    That is all but float64 arrays of one state of a model without states, modes or prescribed motions; and faults.
+    Attributes
+    ----------
+    forces
+        (n,) on the coordinates [J / u_i]; with actuators (count,), in their order: forces, or values of inputs.
+    multipliers
+        (m,); the constraints push with -A^T lambda (7).
+    residual
+        (n,) required forces that no actuator gives: zero, or the call would have been refused.
+    """
+
+    cdef readonly object forces, multipliers, residual
+
+    def __init__(self, forces, multipliers, residual):
+        self.forces, self.multipliers, self.residual = forces, multipliers, residual
+
+    def __iter__(self):
+        return iter((self.forces, self.multipliers, self.residual))
+
+    def __repr__(self):
+        return f"InverseDynamics(forces={self.forces}, multipliers={self.multipliers}, residual={self.residual})"
+
+    def __reduce__(self):
+        return InverseDynamics, tuple(self)
+
+
+def inverse_dynamics(system, PointModel model not None, Prepared defaults not None, x, v, a, t, parameters, inputs,
+                     actuators):
+    """Return the InverseDynamics of one state given by float64 arrays; None for what takes more care.
+
+    That are other arguments, models with states, modes or prescribed motions, faults, and what actuators drive in part.
     """
     cdef em_fault fault
     cdef em_inverse_check check
     cdef Numbers q, w, b, u, forces, multipliers, residual
     cdef Prepared c
+    cdef Actuators of = model.known_actuators.get(actuators) if actuators is None or type(actuators) is tuple else None
+    cdef InverseDynamics made
+    cdef double[MOST] left
     cdef const double *signals = model.model.input_defaults
-    if model.n_states or model.model.n_switches or model.prescribed or model.model.inverse_dynamics == NULL:
+    if of is None or model.n_states or model.model.n_switches or model.prescribed or type(t) is not float:
         return None
     q, w, b = array_of(x, model.vector), array_of(v, model.vector), array_of(a, model.vector)
-    if q is None or w is None or b is None or type(t) is not float:
+    if q is None or w is None or b is None:
         return None
     if inputs is not None:
         u = array_of(inputs, (model.n_inputs,))
@@ -113,11 +148,17 @@ def inverse_dynamics(system, PointModel model not None, Prepared defaults not No
             return None
         signals = u.data
     c = constants(system, model, defaults, parameters)
-    forces, multipliers, residual = zeros((of.list.count or model.n,)), zeros((model.m,)), zeros(model.vector)
+    forces = unset((of.list.count,)) if of.list.count else unset(model.vector)
+    multipliers = unset((model.m,)) if model.m else model.none
+    residual = model.nothing if model.n <= MOST else zeros(model.vector)
     if model.model.inverse_dynamics(t, q.data, w.data, b.data, c.c, signals, &of.list, forces.data, multipliers.data,
-                                    residual.data, &check, &fault) != 0:
+                                    residual.data if model.n > MOST else &left[0], &check, &fault) != 0:
         return None
-    return forces.array, multipliers.array, residual.array, check.undriven, check.forbidden
+    if check.undriven > 0.0 or check.forbidden > EM_ALLOWED:
+        return None
+    made = InverseDynamics.__new__(InverseDynamics)
+    made.forces, made.multipliers, made.residual = forces.array, multipliers.array, residual.array
+    return made
 
 
 cdef Numbers signals(object system, PointModel model, object inputs, double t):

@@ -26,6 +26,8 @@ cdef class PointModel:
     # Omega is extrapolated (32), which not every start allows
     cdef readonly bint extrapolates
     cdef tuple vector, square  # shapes (n,), (n, n)
+    cdef readonly dict known_actuators  # names, or None -> Actuators
+    cdef Numbers nothing, none     # zeros (n,) and (0,), which nobody may write to
     cdef Numbers everywhere    # cache of options.pyx: the last array that repeats one number
     # function that returns the System of this model in any process; None for a model made from a capsule alone
     cdef public object recipe

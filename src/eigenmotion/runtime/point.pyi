@@ -71,6 +71,7 @@ class PointModel:
     augmented: bool
     conserves_energy: bool
     extrapolates: bool
+    known_actuators: dict[Any, Actuators]
     recipe: Callable[[], Any] | None
     load_part: Callable[[str], Any] | None
     @property

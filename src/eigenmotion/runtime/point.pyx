@@ -70,6 +70,9 @@ cdef class PointModel:
         self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
         self.n_arguments, self.conserves_energy = c.n_arguments, c.conserves_energy
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
+        self.nothing, self.none = zeros((c.n,)), zeros((0,))
+        self.nothing.array.flags.writeable = False
+        self.known_actuators = {None: Actuators((), (), ())}
         self.vector, self.square = (c.n,), (c.n, c.n)
         self.lanes = c.lanes.width if c.lanes != NULL else 0
         self.lane_groups = c.enter != NULL and self.lanes > 1

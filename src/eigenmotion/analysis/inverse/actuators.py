@@ -1,7 +1,6 @@
 """Actuators by name: coordinates on which forces act, and inputs."""
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
 from typing import Any
 
 from ...arguments.named_values import by_spelling, is_named, spelled, unknown
@@ -18,26 +17,25 @@ def actuators_of(c: CompiledModel, given: Any) -> Actuators:
         A name is neither a coordinate nor an input; an input prescribes a motion, drives no coordinate, or is one in
         which forces are not linear; a weight is not positive.
     """
-    if given is None or type(given) is tuple:
-        return _named(c, given, None)
-    if isinstance(given, str) or not isinstance(given, Mapping | Iterable):
-        raise ModelError(
-            f"actuators is {given!r}. Give names of coordinates or inputs, such as ('{c.coordinates[0]}',)."
-        )
-    if not is_named(given):
-        return _named(c, tuple(given), None)
+    if isinstance(given, str) or not (given is None or isinstance(given, Mapping | Iterable)):
+        raise ModelError(f"actuators is {given!r}. Give names of coordinates or inputs, as ('{c.coordinates[0]}',).")
+    if given is None or not is_named(given):
+        return _named(c, None if given is None else tuple(given))
     weights = by_spelling(given, "actuators")
     values = tuple(number(value, f"the weight of actuator {name!r}") for name, value in weights.items())
     if min(values, default=1.0) <= 0.0:
         raise ModelError(f"actuators: weights are positive, and {dict(zip(weights, values, strict=True))} are given")
-    return _named(c, tuple(weights), values)
+    return _made(c, tuple(weights), values)
 
 
-@lru_cache(maxsize=256)
-def _named(c: CompiledModel, given: tuple[Any, ...] | None, weights: tuple[float, ...] | None) -> Actuators:
-    if given is None:
-        return Actuators((), (), ())
-    names = tuple(map(spelled, given))
+def _named(c: CompiledModel, given: tuple[Any, ...] | None) -> Actuators:
+    """Return actuators without weights, which the model keeps for later calls."""
+    if given not in c.known_actuators:
+        c.known_actuators[given] = _made(c, tuple(map(spelled, given or ())), None)
+    return c.known_actuators[given]
+
+
+def _made(c: CompiledModel, names: tuple[str, ...], weights: tuple[float, ...] | None) -> Actuators:
     for name in names:
         _check(c, name, names)
     own = c.coordinates[: c.n_coordinates]

@@ -1,7 +1,7 @@
 """Inverse dynamics: the forces that make a mechanism move as prescribed, through its constraints."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,30 +9,13 @@ from numpy.typing import ArrayLike
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...compiled import at_state
+from ...compiled.at_state import InverseDynamics
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators
 from .actuators import actuators_of
-from .feasibility import WITHIN, check_feasible
+from .feasibility import check_feasible
 from .friction_modes import by_mode
 from .motion_arguments import Motion, motion_of
-
-
-class InverseDynamics(NamedTuple):
-    """The forces of a motion; with k states, the last axis of each array is theirs.
-
-    Attributes
-    ----------
-    forces
-        (n,) on the coordinates [J / u_i]; with actuators (count,), in their order: forces, or values of inputs.
-    multipliers
-        (m,); the constraints push with -A^T lambda (7).
-    residual
-        (n,) required forces that no actuator gives: zero, or the call would have been refused.
-    """
-
-    forces: Vector
-    multipliers: Vector
-    residual: Vector
 
 
 def inverse_dynamics(
@@ -75,10 +58,11 @@ def inverse_dynamics(
     >>> em.build(model).inverse_dynamics([0.5], [0.0], [2.0]).forces.round(6)
     array([6.703165])
     """
-    c, of = system.compiled, actuators_of(system.compiled, actuators)
-    quick = at_state.inverse_dynamics(system, c, system.prepare(), x, v, a, t, parameters, inputs, of)
-    if quick is not None and quick[3] == 0.0 and quick[4] <= WITHIN:
-        return InverseDynamics(*quick[:3])
+    c = system.compiled
+    quick = at_state.inverse_dynamics(system, c, system.prepare(), x, v, a, t, parameters, inputs, actuators)
+    if quick is not None:
+        return quick
+    of = actuators_of(c, actuators)
     motion = motion_of(system, x, v, a, t, parameters, inputs)
     forces, multipliers, residual = required(motion, of)
     return InverseDynamics(motion.out(forces), motion.out(multipliers), motion.out(residual[:, : c.n_coordinates]))

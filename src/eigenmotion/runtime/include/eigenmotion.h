@@ -93,6 +93,8 @@ typedef struct em_actuators {
     const double *weight;
 } em_actuators;
 
+#define EM_ALLOWED 1e-6 /* relative to its terms: a residual of a constraint that counts as zero, as in measured motions */
+
 /* Of inverse dynamics: the part of the required forces that no actuator gives, relative to their terms, in the mass
  * metric; and the largest residual of a constraint, relative to its terms, with its equation and row. */
 typedef struct em_inverse_check {

@@ -12,8 +12,6 @@
 #include "constraints/em_norm_multipliers.h"
 #include "inverse_dynamics/em_actuation.h"
 
-#define EM_ALLOWED 1e-6 /* relative to its terms: a residual of a constraint that counts as zero, as in measured motions */
-
 enum { EM_NORM_STEPS = 50 };
 
 /* B (n, k) <- where the actuators act; r (n), s (m) <- at the accelerations, without the actuators' inputs */
