@@ -5,10 +5,17 @@ and a ring of links. For each: nanoseconds of a right-hand side within a run by 
 the times of Pinocchio's `constraintDynamics` and `lcaba` (C++, called from Python) where it is installed; the largest
 relative difference of the accelerations from those of `lcaba`; and the largest gap [m] in a ball joint during 100 s,
 beside that of MuJoCo at its default settings where it is installed.
+
+python benchmarks/loops.py [--inverse]
+
+With `--inverse`: microseconds of a call of `System.inverse_dynamics` from Python, with as many actuators as freedoms,
+and of one state of an array of a thousand; over the times of `constraintDynamics` and `lcaba`, which answer the
+opposite question on the same mechanism.
 """
 
 from __future__ import annotations
 
+import argparse
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -23,6 +30,13 @@ from sympy import Matrix
 import eigenmotion as em
 
 ROUNDS, CALLS = 5, 1000
+ACTUATORS = {
+    "ball_gripper": ("left_crank", "right_crank"),
+    "delta_robot": ("arm_a", "arm_b", "arm_c"),
+    "legs": ("trunk", *(f"{side}_{joint}" for side in ("left", "right") for joint in ("hip", "thigh", "shank"))),
+    "ring_of_links": tuple(f"link_{k}" for k in range(7)),
+}
+"""As many as there are degrees of freedom."""
 SECONDS = 100.0
 ORIGIN = (0.0, 0.0, 0.0)
 GROUND = "ground"
@@ -279,10 +293,40 @@ def report(made: Mechanism) -> None:
           + known + ("" if run.success else f" ({run.message})"))  # fmt: skip
 
 
+def report_inverse(made: Mechanism) -> None:
+    """Print what the forces of actuators take."""
+    system, actuators = em.build(made.model()), ACTUATORS[made.name]
+    x, v = system.project_initial_state(em.assemble(system)[0], np.random.default_rng(1).normal(size=system.n))
+    a, _ = system.acceleration(x, v)
+    many = [np.repeat(one[:, None], CALLS, 1) for one in (x, v, a)]
+    kinds: dict[str, Callable[[], float]] = {
+        "one": lambda: per_call(lambda: system.inverse_dynamics(x, v, a, actuators=actuators)),
+        "of many": lambda: timed(lambda: system.inverse_dynamics(*many, actuators=actuators)) / CALLS,
+    }
+    if find_spec("pinocchio"):
+        other = Pinocchio(made, x, v)
+        kinds |= {"constraintDynamics": lambda: per_call(other.constraint_dynamics),
+                  "lcaba": lambda: per_call(other.lcaba)}  # fmt: skip
+    rounds = [{name: measure() for name, measure in kinds.items()} for _ in range(ROUNDS)]
+    times = {name: median(one[name] for one in rounds) for name in kinds}
+    print(f"{made.name}: {system.n} coordinates, {system.m} rows, {len(actuators)} actuators")
+    print(f"  one state {times['one'] / 1e3:.2f} us, one of many {times['of many'] / 1e3:.2f} us" + "".join(
+        f", {times['one'] / ns:.2f} of {name}" for name, ns in times.items() if name[0] != "o"))  # fmt: skip
+
+
+def timed(function: Callable[[], Any]) -> float:
+    """Return the nanoseconds of one call."""
+    start = time.perf_counter()
+    function()
+    return (time.perf_counter() - start) * 1e9
+
+
 def main() -> None:
     """Print all."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--inverse", action="store_true")
     for make in (gripper, delta, legs, ring):
-        report(make())
+        (report_inverse if parser.parse_args().inverse else report)(make())
 
 
 if __name__ == "__main__":

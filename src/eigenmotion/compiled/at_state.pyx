@@ -7,7 +7,7 @@ other arguments are converted, or rejected, in Python. In each function `system`
 
 from ..arguments.options cimport array_of, number_of
 from ..runtime.arrays cimport Numbers, floats, unset, zeros
-from ..runtime.abi cimport EM_ALLOWED, em_fault, em_inverse_check
+from ..runtime.abi cimport EM_ALLOWED, EM_DRIVEN, em_fault, em_inverse_check
 from ..runtime.point cimport Actuators, PointModel, Prepared
 
 from ..arguments.prescribed import with_prescribed
@@ -154,7 +154,7 @@ def inverse_dynamics(system, PointModel model not None, Prepared defaults not No
     if model.model.inverse_dynamics(t, q.data, w.data, b.data, c.c, signals, &of.list, forces.data, multipliers.data,
                                     residual.data if model.n > MOST else &left[0], &check, &fault) != 0:
         return None
-    if check.undriven > 0.0 or check.forbidden > EM_ALLOWED:
+    if check.undriven > EM_DRIVEN or check.forbidden > EM_ALLOWED:
         return None
     made = InverseDynamics.__new__(InverseDynamics)
     made.forces, made.multipliers, made.residual = forces.array, multipliers.array, residual.array

@@ -2,7 +2,7 @@
 
 cdef extern from "eigenmotion.h" nogil:
     const int EM_ABI
-    const double EM_ALLOWED
+    const double EM_ALLOWED, EM_DRIVEN
     const int EM_DENSE_COEFFICIENTS
 
     ctypedef enum em_status:

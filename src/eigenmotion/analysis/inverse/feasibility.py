@@ -12,7 +12,9 @@ from .motion_arguments import Motion
 WITHIN = 1e-6
 """Largest residual of a constraint, relative to its terms, that counts as satisfied: EM_ALLOWED of C."""
 _DRIVEN = 1e-8
-"""Part of the required forces, in the mass metric, that counts as driven by actuators."""
+"""Part of the required forces, in the mass metric, that counts as driven by actuators: EM_DRIVEN of C."""
+_STILL = 1e-12
+"""Residual of A v + b or A a + gamma that is rounding, relative to the lengths of the row and of v or a."""
 _ROUNDED = 1e3
 """A residual is rounding if changes of x, v and a by a few units in the last place change it by this part of it."""
 _SHOWN = 3
@@ -51,16 +53,25 @@ def _at(motion: Motion, row: int) -> str:
 def _check_allowed(one: Motion, check: Vector, where: str) -> None:
     """Raise ModelError if a constraint does not allow the motion of one row."""
     equation, row, c = int(check[2]), int(check[3]), one.model
-    if _is_rounding(
-        one, _residual(one, equation)[row : row + 1], lambda near: _residual(near, equation)[row : row + 1]
-    ):
+    found = _residual(one, equation)[row : row + 1]
+    if equation and abs(float(found[0])) <= _STILL * _size(one, row, one.v if equation == 1 else one.a):
+        return
+    if _is_rounding(one, found, lambda near: _residual(near, equation)[row : row + 1]):
         return
     what, text, remedy = _EQUATIONS[equation]
     name = f"{c.row_names[row]!r}" if row < len(c.row_names) and c.row_names[row] else f"number {row}"
     raise ModelError(
         f"{c.name}: {what}{where} does not satisfy constraint {name}: {text} is left by "
-        f"{_residual(one, equation)[row]:.3g}, {check[1]:.1g} of its terms. {remedy}."
+        f"{found[0]:.3g}, {check[1]:.1g} of its terms. {remedy}."
     )
+
+
+def _size(one: Motion, row: int, w: Vector) -> float:
+    """Return the length of a row of A times that of v or a, in the mass metric: what the row could be."""
+    c, t = one.model, float(one.t[0])
+    root = np.linalg.cholesky(c.factored_matrix(t, one.x[0], one.prepared))
+    A = c.pfaffian(t, one.x[0], one.prepared)[0]
+    return float(np.linalg.norm(np.linalg.solve(root, A[row])) * np.linalg.norm(w[0] @ root))
 
 
 def _residual(one: Motion, equation: int) -> Vector:

@@ -94,6 +94,7 @@ typedef struct em_actuators {
 } em_actuators;
 
 #define EM_ALLOWED 1e-6 /* relative to its terms: a residual of a constraint that counts as zero, as in measured motions */
+#define EM_DRIVEN 1e-8  /* relative to them in the mass metric: required forces that count as given by actuators */
 
 /* Of inverse dynamics: the part of the required forces that no actuator gives, relative to their terms, in the mass
  * metric; and the largest residual of a constraint, relative to its terms, with its equation and row. */

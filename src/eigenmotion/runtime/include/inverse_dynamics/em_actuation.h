@@ -15,16 +15,23 @@
 #include "numeric/em_complete_pivoting.h"
 #include "numeric/em_lu.h"
 
-#define EM_SAFE_PIVOT 1e-6   /* of an equilibrated matrix: smaller ones are left to the mass metric */
+#define EM_SAFE_PIVOT 1e-6   /* relative to its row and column: smaller ones are left to the mass metric */
 #define EM_DRIVES 1e-18      /* the square of the part of a column of length one that drives anything more */
 #define EM_ALL_COORDINATES 0 /* the number of actuators if all coordinates have one */
 
-/* The system at one state: n coordinates, whose rows of P (m, stride) and entries of B (n, k) come first. */
+/* The system at one state: n coordinates, which come first in r, rows of P (m, stride) and columns of df/du (stride,
+ * inputs). */
 typedef struct em_system {
-    int n, stride, m, k;
-    const double *r, *P, *B;
+    int n, stride, m, k, inputs;
+    const double *r, *P, *columns;
     const em_actuators *of;
 } em_system;
+
+/* The entry of B for coordinate i and actuator k. */
+static double em_actuated(const em_system *e, int i, int k) {
+    const int input = e->of->input[k];
+    return input < 0 ? i == e->of->coordinate[k] : e->columns[i * e->inputs + input];
+}
 
 static double em_actuator_weight(const em_system *e, int k) { return e->of->weight ? e->of->weight[k] : 1.0; }
 
@@ -60,34 +67,27 @@ static void em_all_actuated(const em_system *e, double *forces, double *lambda) 
     }
 }
 
-/* Scales the rows (`row`) and columns (`column`) of G (q, q) until their largest entries are near one (Ruiz 2001). */
-static void em_equilibrate(int q, double *G, double *row, double *column) {
-    for (int i = 0; i < q; ++i) row[i] = column[i] = 1.0;
-    for (int sweep = 0; sweep < 3; ++sweep) {
-        double largest[2 * q];
-        for (int i = 0; i < 2 * q; ++i) largest[i] = 0.0;
-        for (int i = 0; i < q; ++i)
-            for (int j = 0; j < q; ++j) {
-                const double size = fabs(G[i * q + j]);
-                largest[i] = fmax(largest[i], size), largest[q + j] = fmax(largest[q + j], size);
-            }
-        for (int i = 0; i < 2 * q; ++i) largest[i] = largest[i] > 0.0 ? 1.0 / sqrt(largest[i]) : 1.0;
-        for (int i = 0; i < q; ++i) row[i] *= largest[i], column[i] *= largest[q + i];
-        for (int i = 0; i < q * q; ++i) G[i] *= largest[i / q] * largest[q + i % q];
-    }
-}
-
-/* z (q) <- G^-1 z. 0, or -1: G (q, q) is nearly singular; z is then unchanged. */
-static int em_solve_equilibrated(int q, double *G, double *z) {
-    double row[q], column[q], ones[q], y[q];
+/* z (q) <- G^-1 z. 0, or -1: G (q, q) is nearly singular; z is then unchanged. Pivots are compared with the largest
+ * entries of rows and of columns, so that units do not matter much. */
+static int em_solve_square(int q, double *G, double *z) {
+    double unit[q], largest[q], y[q];
     int pivot[q];
-    em_equilibrate(q, G, row, column);
-    for (int i = 0; i < q; ++i) ones[i] = 1.0, y[i] = row[i] * z[i];
-    if (em_lu(q, G, ones, pivot)) return -1;
-    for (int i = 0; i < q; ++i)
-        if (!(fabs(G[i * q + i]) > EM_SAFE_PIVOT)) return -1;
+    for (int j = 0; j < q; ++j) largest[j] = 0.0;
+    for (int i = 0; i < q; ++i) {
+        double most = 0.0;
+        for (int j = 0; j < q; ++j) most = em_max(most, fabs(G[i * q + j]));
+        if (!(most > 0.0)) return -1;
+        unit[i] = 1.0 / most, y[i] = z[i];
+        for (int j = 0; j < q; ++j) largest[j] = em_max(largest[j], unit[i] * fabs(G[i * q + j]));
+    }
+    if (em_lu(q, G, unit, pivot)) return -1;
+    for (int i = 0; i < q; ++i) {
+        const double weight = unit[pivot[i]];
+        unit[pivot[i]] = unit[i];
+        if (!(fabs(G[i * q + i]) * weight > EM_SAFE_PIVOT * largest[i])) return -1;
+    }
     em_lu_solve(q, G, pivot, y);
-    for (int i = 0; i < q; ++i) z[i] = column[i] * y[i];
+    memcpy(z, y, sizeof y);
     return 0;
 }
 
@@ -116,16 +116,16 @@ static int em_square_actuation(const em_system *e, double *forces, double *lambd
     for (int i = 0; i < q; ++i) {
         z[i] = e->r[undriven[i]];
         for (int j = 0; j < q; ++j)
-            G[i * q + j] = j < e->m ? -e->P[j * e->stride + undriven[i]] : e->B[undriven[i] * e->k + others[j - e->m]];
+            G[i * q + j] = j < e->m ? -e->P[j * e->stride + undriven[i]] : em_actuated(e, undriven[i], others[j - e->m]);
     }
-    if (q && em_solve_equilibrated(q, G, z)) return -1;
+    if (q && em_solve_square(q, G, z)) return -1;
     memcpy(lambda, z, e->m * sizeof *z);
     for (int j = 0; j < inputs; ++j) forces[others[j]] = z[e->m + j];
     for (int i = 0; i < e->n; ++i) {
         if (of[i] < 0) continue;
         double force = e->r[i];
         for (int j = 0; j < e->m; ++j) force += e->P[j * e->stride + i] * lambda[j];
-        for (int j = 0; j < inputs; ++j) force -= e->B[i * e->k + others[j]] * z[e->m + j];
+        for (int j = 0; j < inputs; ++j) force -= em_actuated(e, i, others[j]) * z[e->m + j];
         forces[of[i]] = force;
     }
     return 0;
@@ -162,7 +162,7 @@ static void em_least_forces(int q, int k, const double *K, const double *g, doub
     if (q == k) {
         memcpy(G, K, q * q * sizeof *G);
         memcpy(sigma, g, q * sizeof *g);
-        if (!em_solve_equilibrated(q, G, sigma)) return;
+        if (!em_solve_square(q, G, sigma)) return;
     }
     memset(L, 0, sizeof L);
     for (int i = 0; i < q; ++i)
@@ -196,7 +196,7 @@ static void em_in_metric(const em_system *e, const double *L, const double *d, d
         em_forward(e->n, L, d, Y + row * e->n);
     }
     for (int k = 0; k < e->k; ++k) {
-        for (int i = 0; i < e->n; ++i) Z[k * e->n + i] = e->B[i * e->k + k];
+        for (int i = 0; i < e->n; ++i) Z[k * e->n + i] = em_actuated(e, i, k);
         em_forward(e->n, L, d, Z + k * e->n);
     }
     memcpy(y, e->r, e->n * sizeof *y);

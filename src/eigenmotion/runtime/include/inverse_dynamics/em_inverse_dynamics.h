@@ -12,22 +12,21 @@
 #include "constraints/em_norm_multipliers.h"
 #include "inverse_dynamics/em_actuation.h"
 
+#define EM_ROW_ROUNDED 1e-14 /* relative to the largest entry of a row and of v or a: terms that are rounding of zeros, as
+                                those of a row across a plane in which all moves */
+
 enum { EM_NORM_STEPS = 50 };
 
-/* B (n, k) <- where the actuators act; r (n), s (m) <- at the accelerations, without the actuators' inputs */
+/* r (n), s (m) <- at the accelerations, without the inputs that are actuators; columns (n, n_inputs) <- df / du, if any is */
 static void em_required_at(const em_model *model, double t, const double *x, const double *v, const double *a,
-                           const double *c, const double *u, const em_actuators *of, double *B, double *r, double *s) {
-    const int inputs = model->n_inputs ? model->n_inputs : 1;
-    double without[inputs], columns[model->n * inputs];
+                           const double *c, const double *u, const em_actuators *of, double *columns, double *r, double *s) {
+    double without[model->n_inputs + 1];
     int any = 0;
     memcpy(without, u, model->n_inputs * sizeof *u);
     for (int k = 0; k < of->count; ++k)
         if (of->input[k] >= 0) without[of->input[k]] = 0.0, any = 1;
     model->required_forces(t, x, v, a, c, without, r, s);
     if (any) model->input_columns(t, x, v, a, c, without, columns);
-    for (int k = 0; k < of->count; ++k)
-        for (int i = 0; i < model->n; ++i)
-            B[i * of->count + k] = of->input[k] >= 0 ? columns[i * model->n_inputs + of->input[k]] : i == of->coordinate[k];
 }
 
 /* The worst of some rows: |residual| over the sizes of the terms that should cancel. Of positions off a constraint,
@@ -43,12 +42,14 @@ static void em_check_rows(int equation, int rows, const double *residual, const 
 /* residual (m) <- A w + its part that is known, given as residual or, with `whole`, the sum; size (m) <- of their terms */
 static void em_row_residuals(const em_system *e, const double *A, const double *w, int whole, double *residual, double *size) {
     for (int row = 0; row < e->m; ++row) {
-        double along = 0.0, terms = 0.0;
+        double along = 0.0, terms = 0.0, entry = 0.0, largest = 0.0;
         for (int k = 0; k < e->n; ++k) {
             const double term = A[row * e->stride + k] * w[k];
             along += term, terms += fabs(term);
+            entry = em_max(entry, fabs(A[row * e->stride + k])), largest = em_max(largest, fabs(w[k]));
         }
         size[row] = terms + fabs(whole ? residual[row] - along : residual[row]);
+        if (size[row] < EM_ROW_ROUNDED * entry * largest) residual[row] = whole ? 0.0 : -along;
         residual[row] += whole ? 0.0 : along;
     }
 }
@@ -80,15 +81,15 @@ EM_EXPORT int em_inverse_dynamics(const em_model *model, double t, const double 
                                const double *c, const double *u, const em_actuators *of, double *forces, double *lambda,
                                double *residual, em_inverse_check *check, em_fault *fault) {
     const int n = model->n, m = model->m, some = m ? m : 1, pushed = some + model->n_normals;
-    double r[n], s[some], A[some * n], b[some], rows[pushed * n], P[some * n], B[n * (of->count ? of->count : 1)];
+    double r[n], s[some], A[some * n], b[some], rows[pushed * n], P[some * n], columns[n * model->n_inputs + 1];
     double rho[model->n_normals + 1], gradient[(model->n_normals + 1) * some];
-    em_system e = {n - model->n_states, n, m, of->count, r, P, B, of};
+    em_system e = {n - model->n_states, n, m, of->count, model->n_inputs, r, P, columns, of};
     *check = (em_inverse_check){0.0, 0.0, EM_OF_POSITION, -1};
-    em_required_at(model, t, x, v, a, c, u, of, B, r, s);
+    em_required_at(model, t, x, v, a, c, u, of, columns, r, s);
     if (m) model->pfaffian(t, x, c, A, b);
     em_check_motion(model, t, x, v, a, c, &e, A, b, s, check);
-    if (model->pushes) model->pushes(t, x, v, c, u, rows);
-    memcpy(P, model->pushes ? rows : A, m * n * sizeof *P);
+    if (!model->pushes) e.P = A;
+    else model->pushes(t, x, v, c, u, rows), memcpy(P, rows, m * n * sizeof *P);
     memset(gradient, 0, sizeof gradient);
     if (em_solve_actuation(model, t, x, c, &e, forces, lambda, residual, check, fault)) return -1;
     for (int step = 0; model->n_normals; ++step) {
