@@ -229,6 +229,18 @@ def test_expressions_of_all_kinds_are_looked_at(function, old, named):
         prove(model, loaded(changed(model, function, old, f"{old}1.0001*"), "-O0"))
 
 
+def test_a_fault_of_inverse_dynamics_is_found():
+    """Runs of a tree do not notice it: the bias has zero accelerations, of which this one is the factor."""
+    tree = em.Tree()
+    arm = tree.body("arm", joint="revolute", axis="y", mass=2.0, center=(0.3, 0, 0.1), inertia=(0.1, 0.2, 0.1))
+    tree.body("hand", arm, joint="revolute", axis="z", at=(0.6, 0, 0), mass=1.0, center=(0.2, 0.1, 0))
+    model = em.Model(name="arm", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     potential_energy=tree.potential_energy)  # fmt: skip
+    sources = changed(model, "required_forces", "hand_ddot = a[1];", "hand_ddot = 1.0001*a[1];", "articulated_body")
+    with pytest.raises(ProofError, match="inverse dynamics of"):
+        prove(model, loaded(sources, "-O0"))
+
+
 def test_dependent_rows_are_held_against_the_equations_of_motion():
     model = two(qd**2 + rd**2, potential_energy=q**2, holonomic_constraints=[q**2 + r**2 - k, 2 * (q**2 + r**2 - k)])
     prove(model, system_for(model))

@@ -267,6 +267,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*required_forces)(double, const double *, const double *, const double *, const double *, const double *,
                                 double *, double *) noexcept nogil
         const int *input_is_linear
+        void (*pushes)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_normals
         int (*inverse_dynamics)(double, const double *, const double *, const double *, const double *, const double *,
                                 const em_actuators *, double *, double *, double *, em_inverse_check *,

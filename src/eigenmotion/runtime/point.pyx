@@ -125,6 +125,11 @@ cdef class PointModel:
         return tuple([self.model.input_is_linear[k] != 0 for k in range(self.n_inputs)])
 
     @property
+    def pushes(self):
+        """Whether multipliers act along other rows than those of A, with friction that is proportional to them."""
+        return self.model.pushes != NULL
+
+    @property
     def inverts(self):
         """Whether it has inverse dynamics, which a model written by hand may lack."""
         return self.model.inverse_dynamics != NULL

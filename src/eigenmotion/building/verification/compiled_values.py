@@ -24,6 +24,7 @@ class CompiledValues:
     the motion by finite differences, and its error bound;
     A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
+    required (k, n): inverse dynamics at a; NaN if friction is proportional to multipliers;
     C (k, n, n); s (k, n); NaN if v is in the state, where they cost much and nothing needs them;
     y, dy (k, n_state); velocity (k, n) of y; root (k, n, n): R of eta = R v, NaN in other formulations than cholesky;
     least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
@@ -50,6 +51,7 @@ class CompiledValues:
     velocity: Vector
     root: Vector
     least_norm: Vector
+    required: Vector
 
 
 def evaluate_compiled(system: System, points: Points) -> CompiledValues:
@@ -83,6 +85,7 @@ def _evaluate_one(system: System, t: float, x: Vector, v: Vector, u: Vector, p: 
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u, least_norm), c.velocity_rows(time, y, prepared)[0],
         _root(c, t, x, prepared) if system.formulation == "cholesky" else unknown[0][0], np.array(least_norm),
+        unknown[1][0] if c.pushes else c.required_rows(time, position, moving, a, inputs, prepared)[0][0],
     )  # fmt: skip
 
 
@@ -130,4 +133,4 @@ def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Return the shapes of the fields of CompiledValues at one point."""
     n, m, state = c.n, c.m, (c.n_state,)
     return (*4 * ((n, n),), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
-            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), (n, n), ())  # fmt: skip
+            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), (n, n), (), (n,))  # fmt: skip
