@@ -278,3 +278,61 @@ def test_the_units_of_coordinates_do_not_matter(units):
     )
     with pytest.raises(em.ModelError, match="cannot drive"):
         other.inverse_dynamics(at * scale, v * scale, (a + np.array([0.0, 1e-5])) * scale, actuators=("F",))
+
+
+def sliders():
+    """Two masses coupled by a bar with Coulomb friction at one, and a motor whose current is a state."""
+    x, y, i, U = dynamicsymbols("x y i U")
+    friction = em.Friction(x.diff(), limit=0.4)
+    return em.Model(name="sliders", coordinates=[x, y], kinetic_energy=(2 * x.diff() ** 2 + 3 * y.diff() ** 2) / 2,
+                    states={i: (U - 2 * i - x.diff()) / 5}, inputs={U: 0.0}, forces={x: 7 * i},
+                    holonomic_constraints={"bar": x - 2 * y}, contacts={"guide": friction},
+                    initial={i: 0.5})  # fmt: skip
+
+
+@pytest.mark.parametrize(("speed", "rate", "side"), [(1.0, 0.0, 1), (-1.0, 3.0, -1), (0.0, 2.0, 1), (0.0, 0.0, 0)])
+def test_frictions_slide_as_the_motion_does(speed, rate, side):
+    """By hand: x feels a mass of 2 + 3/4. A friction that stays at rest is left out. The current's force acts."""
+    system = system_for(sliders())
+    a = np.array([2.0, 1.0]) * rate / 2
+    found = system.inverse_dynamics({"i": 0.3, "x": 0.2, "y": 0.1}, {"x": speed, "y": speed / 2}, a, actuators=("x",))
+    assert found.forces == pytest.approx([2.75 * rate + 0.4 * side - 7 * 0.3])
+    many = system.inverse_dynamics({"i": np.array([0.3, 0.0]), "x": 0.2, "y": 0.1}, {"x": speed, "y": speed / 2}, a,
+                                   actuators=("x",))  # fmt: skip
+    assert many.forces[0] == pytest.approx([found.forces[0], found.forces[0] + 2.1])
+    with pytest.raises(em.ModelError, match="U cannot drive"):
+        system.inverse_dynamics(
+            {"i": 0.3, "x": 0.2, "y": 0.1}, {"x": speed, "y": speed / 2}, a + np.array([2.0, 1.0]), actuators=("U",)
+        )
+    with pytest.raises(em.ModelError, match="first-order state"):
+        system.inverse_dynamics([0.2, 0.1], [0.0, 0.0], a, actuators=("i",))
+
+
+def test_friction_of_a_pin_with_its_reaction():
+    """A crank in a bearing whose friction is mu r times the norm of its reaction, by the two balances of forces."""
+    q, x, y = dynamicsymbols("q x y")
+    mu, m, l, J = 0.3, 2.0, 0.5, 0.1
+    pin = {"pin": [x - l * cos(q), y - l * sin(q)]}
+    model = em.Model(name="worn", coordinates=[q, x, y], potential_energy=m * 9.81 * y,
+                     kinetic_energy=(J * q.diff() ** 2 + m * (x.diff() ** 2 + y.diff() ** 2)) / 2,
+                     holonomic_constraints=pin, initial={q: 0.3, x: l},
+                     contacts={"bearing": em.Friction(q.diff(), limit=mu / 10, normal="pin")})  # fmt: skip
+    system = system_for(model)
+    at, speed, rate = 0.7, 3.0, 5.0
+    e, n = np.array([np.cos(at), np.sin(at)]), np.array([-np.sin(at), np.cos(at)])
+    pull = m * (l * rate * n - l * speed**2 * e) + np.array([0.0, m * 9.81])  # of the pin on the mass
+    torque = J * rate + l * pull @ n + mu / 10 * np.linalg.norm(pull)
+    found = system.inverse_dynamics([at, *(l * e)], [speed, *(l * speed * n)],
+                                    [rate, *(l * rate * n - l * speed**2 * e)], actuators=("q",))  # fmt: skip
+    assert found.forces == pytest.approx([torque], rel=1e-12)
+    assert np.linalg.norm(found.multipliers) == pytest.approx(np.linalg.norm(pull), rel=1e-12)
+
+
+def test_closed_contacts_are_refused():
+    h = dynamicsymbols("h")
+    model = em.Model(name="resting", coordinates=[h], kinetic_energy=h.diff() ** 2 / 2, potential_energy=9.81 * h,
+                     contacts={"ground": em.Contact(h)})  # fmt: skip
+    system = system_for(model)
+    assert system.inverse_dynamics([1.0], [0.0], [2.0]).forces == pytest.approx([11.81])
+    with pytest.raises(em.ModelError, match=r"'ground' is closed.*State it as a constraint"):
+        system.inverse_dynamics([0.0], [0.0], [0.0])

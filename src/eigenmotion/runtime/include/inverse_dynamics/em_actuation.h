@@ -55,6 +55,7 @@ static void em_multipliers_of(int m, int n, const double *Y, double *y, double *
 /* With an actuator on every coordinate: tau = r + P^T lambda. */
 static void em_all_actuated(const em_system *e, double *forces, double *lambda) {
     double Y[(e->m ? e->m : 1) * e->n], y[e->n];
+    memset(Y, 0, sizeof Y); /* for compilers that do not know that n > 0 */
     for (int k = 0; k < e->n; ++k) {
         const double root = sqrt(em_actuator_weight(e, k));
         y[k] = -root * e->r[k];
@@ -72,7 +73,8 @@ static void em_all_actuated(const em_system *e, double *forces, double *lambda) 
 static int em_solve_square(int q, double *G, double *z) {
     double unit[q], largest[q], y[q];
     int pivot[q];
-    for (int j = 0; j < q; ++j) largest[j] = 0.0;
+    memset(largest, 0, sizeof largest);
+    memset(unit, 0, sizeof unit); /* for compilers that do not know that q > 0 */
     for (int i = 0; i < q; ++i) {
         double most = 0.0;
         for (int j = 0; j < q; ++j) most = em_max(most, fabs(G[i * q + j]));

@@ -58,8 +58,10 @@ static void em_row_residuals(const em_system *e, const double *A, const double *
 static void em_check_motion(const em_model *model, double t, const double *x, const double *v, const double *a, const double *c,
                             const em_system *e, const double *A, double *b, double *s, em_inverse_check *check) {
     double phi[model->h + 1], size[model->m + model->h + 1];
-    if (model->h) model->position(t, x, c, phi, size);
-    em_check_rows(EM_OF_POSITION, model->h, phi, size, check);
+    if (model->h) {
+        model->position(t, x, c, phi, size);
+        em_check_rows(EM_OF_POSITION, model->h, phi, size, check);
+    }
     em_row_residuals(e, A, v, 0, b, size);
     em_check_rows(EM_OF_VELOCITY, e->m, b, size, check);
     em_row_residuals(e, A, a, 1, s, size);
