@@ -4,8 +4,9 @@ python benchmarks/robot_times.py [FILE.urdf[:floating] ...]
 
 For each URDF file: seconds to read it, to build it with an empty cache and to run its first second, the same again;
 then, in rounds, the nanoseconds of an acceleration within a run in C, in a run of an ensemble (per trajectory), and as
-a call from Python, each also over the time of Pinocchio's `aba` (C++, called from Python) of the same file. Without
-arguments: a UR5, a Panda, an ANYmal and a Talos of example-robot-data, if that is there.
+a call from Python, each also over the time of Pinocchio's `aba` (C++, called from Python) of the same file; and those
+of a call of `System.inverse_dynamics`, over those of `rnea`. Without arguments: a UR5, a Panda, an ANYmal and a Talos
+of example-robot-data, if that is there.
 """
 
 from __future__ import annotations
@@ -95,6 +96,10 @@ class Pinocchio:
     def __call__(self) -> None:
         self.pin.aba(self.model, self.data, self.q, self.v, self.v)
 
+    def rnea(self) -> None:
+        """Inverse dynamics."""
+        self.pin.rnea(self.model, self.data, self.q, self.v, self.v)
+
 
 def timed(system: em.System, reference: Pinocchio | None) -> str:
     """Return the medians of all rounds, in words."""
@@ -103,13 +108,15 @@ def timed(system: em.System, reference: Pinocchio | None) -> str:
         "in C": lambda: within_a_run(system),
         "in lanes": lambda: in_an_ensemble(system),
         "from Python": lambda: per_call(lambda: system.acceleration(x, v)),
+        "inverse": lambda: per_call(lambda: system.inverse_dynamics(x, v, v)),
     }
     if reference:
-        kinds["aba"] = lambda: per_call(reference)
+        kinds |= {"aba": lambda: per_call(reference), "rnea": lambda: per_call(reference.rnea)}
     rounds = [{name: measure() for name, measure in kinds.items()} for _ in range(ROUNDS)]
     times = {name: median(one[name] for one in rounds) for name in kinds if rounds[0][name] is not None}
-    unit = times.get("aba")
-    return ", ".join(f"{name} {ns:.0f} ns" + (f" ({ns / unit:.2f})" if unit else "") for name, ns in times.items())
+    units = {name: times.get("rnea" if name in ("inverse", "rnea") else "aba") for name in times}
+    return ", ".join(f"{name} {ns:.0f} ns" + (f" ({ns / unit:.2f})" if (unit := units[name]) else "")
+                     for name, ns in times.items())  # fmt: skip
 
 
 def report(file: Path, base: str) -> None:

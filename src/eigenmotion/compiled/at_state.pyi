@@ -31,14 +31,5 @@ class InverseDynamics:
     def __iter__(self) -> Iterator[Vector]: ...
 
 def inverse_dynamics(
-    system: Any,
-    model: CompiledModel,
-    defaults: Prepared,
-    x: Any,
-    v: Any,
-    a: Any,
-    t: Any,
-    parameters: Any,
-    inputs: Any,
-    actuators: Any,
+    system: Any, x: Any, v: Any, a: Any, t: Any, parameters: Any, inputs: Any, actuators: Any
 ) -> InverseDynamics | None: ...

@@ -123,14 +123,14 @@ cdef class InverseDynamics:
         return InverseDynamics, tuple(self)
 
 
-def inverse_dynamics(system, PointModel model not None, Prepared defaults not None, x, v, a, t, parameters, inputs,
-                     actuators):
+def inverse_dynamics(system, x, v, a, t, parameters, inputs, actuators):
     """Return the InverseDynamics of one state given by float64 arrays; None for what takes more care.
 
     That are other arguments, models with states, modes or prescribed motions, faults, and what actuators drive in part.
     """
     cdef em_fault fault
     cdef em_inverse_check check
+    cdef PointModel model = system._compiled
     cdef Numbers q, w, b, u, forces, multipliers, residual
     cdef Prepared c
     cdef Actuators of = model.known_actuators.get(actuators) if actuators is None or type(actuators) is tuple else None
@@ -147,7 +147,7 @@ def inverse_dynamics(system, PointModel model not None, Prepared defaults not No
         if u is None:
             return None
         signals = u.data
-    c = constants(system, model, defaults, parameters)
+    c = constants(system, model, system._defaults, parameters)
     forces = unset((of.list.count,)) if of.list.count else unset(model.vector)
     multipliers = unset((model.m,)) if model.m else model.none
     residual = model.nothing if model.n <= MOST else zeros(model.vector)

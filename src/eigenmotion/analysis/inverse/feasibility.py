@@ -22,7 +22,7 @@ _SHOWN = 3
 _EQUATIONS = (
     ("x", "phi(x) = 0", "em.assemble finds positions that do"),
     ("v", "A v + b = 0", "System.project_initial_state finds velocities that do"),
-    ("a", "A a + gamma = 0", "em.drive finds motions that do, System.acceleration those of a run"),
+    ("a", "A a + gamma = 0", "accelerations that do are those of System.acceleration, and of prescribed inputs"),
 )
 
 

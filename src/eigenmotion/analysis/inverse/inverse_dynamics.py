@@ -58,10 +58,10 @@ def inverse_dynamics(
     >>> em.build(model).inverse_dynamics([0.5], [0.0], [2.0]).forces.round(6)
     array([6.703165])
     """
-    c = system.compiled
-    quick = at_state.inverse_dynamics(system, c, system.prepare(), x, v, a, t, parameters, inputs, actuators)
+    quick = at_state.inverse_dynamics(system, x, v, a, t, parameters, inputs, actuators)
     if quick is not None:
         return quick
+    c = system.compiled
     of = actuators_of(c, actuators)
     motion = motion_of(system, x, v, a, t, parameters, inputs)
     forces, multipliers, residual = required(motion, of)
