@@ -79,9 +79,10 @@ def motion(
     """Yield Lagrange's equations (7), the differentiated constraints, and the outputs, which use their solution."""
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
     yield Identity(names, equations(compiled, symbolic), errors.solved, errors.solved / EPS)
-    yield Identity([f"inverse dynamics of {name_of(x)}" for x in model.coordinates],
-                   [*equations(compiled, symbolic)[:-1], -rounded(compiled.required)],
-                   errors.solved, errors.solved / EPS)  # fmt: skip
+    own = model.n - len(model.states)  # no force acts on states, whose rates may depend on multipliers
+    required = [term[:, :own] for term in (*equations(compiled, symbolic)[:-1], -rounded(compiled.required))]
+    yield Identity([f"inverse dynamics of {name_of(x)}" for x in model.coordinates[:own]], required,
+                   errors.solved[:, :own], errors.solved[:, :own] / EPS)  # fmt: skip
     size = np.einsum("kri,ki->kr", np.abs(symbolic.A.value), np.abs(compiled.a))
     size += np.einsum("kri,ki->kr", np.abs(symbolic.A_rate.value), np.abs(v))
     yield Identity([f"{row}, differentiated," for row in row_names(model)], [symbolic.row_rate], errors.rows, size)
