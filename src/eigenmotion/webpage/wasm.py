@@ -16,7 +16,7 @@ from ..building.request import Request
 from ..building.toolchain import INCLUDE, STEPPER, ZIG, headers, run, zig_is_there
 from ..codegen.render.emit import Sources
 
-_FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w")
+_FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w", "-DEM_FOR_PAGES")
 _OF_PAGES = ("model", "rhs", "aside", "derivatives")
 _HARNESS = Path(__file__).parent / "em_page.c"
 _TRIED = "#include <math.h>\n#include <stdlib.h>\nint main(void) { return malloc(1) == 0; }\n"

@@ -9,6 +9,18 @@
 #ifndef EM_INVERSE_DYNAMICS_H
 #define EM_INVERSE_DYNAMICS_H
 
+#ifdef EM_FOR_PAGES /* they draw motions and ask for no forces */
+#include "numeric/em_linear.h"
+
+EM_EXPORT int em_inverse_dynamics(EM_UNUSED const em_model *model, EM_UNUSED double t, EM_UNUSED const double *x,
+                                  EM_UNUSED const double *v, EM_UNUSED const double *a, EM_UNUSED const double *c,
+                                  EM_UNUSED const double *u, EM_UNUSED const em_actuators *of, EM_UNUSED double *forces,
+                                  EM_UNUSED double *lambda, EM_UNUSED double *residual, EM_UNUSED em_inverse_check *check,
+                                  em_fault *fault) {
+    return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+}
+
+#else
 #include "constraints/em_norm_multipliers.h"
 #include "inverse_dynamics/em_actuation.h"
 
@@ -104,5 +116,7 @@ EM_EXPORT int em_inverse_dynamics(const em_model *model, double t, const double 
         if (!isfinite(forces[k])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     return 0;
 }
+
+#endif
 
 #endif
