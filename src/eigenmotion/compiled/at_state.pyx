@@ -7,13 +7,17 @@ other arguments are converted, or rejected, in Python. In each function `system`
 
 from ..arguments.options cimport array_of, number_of
 from ..runtime.arrays cimport Numbers, floats, unset, zeros
-from ..runtime.abi cimport EM_ALLOWED, EM_DRIVEN, em_fault, em_inverse_check
+from ..runtime.abi cimport em_fault, em_inverse_check
 from ..runtime.point cimport Actuators, PointModel, Prepared
 
 from ..arguments.prescribed import with_prescribed
 from ..arguments.states import split_states, whole_x
 from .velocities import converted_start
 
+
+cdef extern from "eigenmotion.h" nogil:
+    const double EM_ALLOWED  # parts that count as zero: of constraints, and of required forces that no actuator gives
+    const double EM_DRIVEN
 
 cdef enum:
     MOST = 64  # coordinates of which an array of no residual is shared

@@ -2,7 +2,6 @@
 
 cdef extern from "eigenmotion.h" nogil:
     const int EM_ABI
-    const double EM_ALLOWED, EM_DRIVEN
     const int EM_DENSE_COEFFICIENTS
 
     ctypedef enum em_status:

@@ -100,9 +100,10 @@ typedef struct em_actuators {
  * metric; and the largest residual of a constraint, relative to its terms, with its equation and row. */
 typedef struct em_inverse_check {
     double undriven, forbidden;
-    enum { EM_OF_POSITION, EM_OF_VELOCITY, EM_OF_ACCELERATION } equation; /* phi, A v + b, A a + gamma */
-    int row;
+    int equation, row;
 } em_inverse_check;
+
+enum { EM_OF_POSITION, EM_OF_VELOCITY, EM_OF_ACCELERATION }; /* its equations: phi, A v + b, A a + gamma */
 
 enum { EM_FIXED, EM_REVOLUTE, EM_PRISMATIC, EM_SPHERICAL, EM_FREE }; /* kinds of joints, as in codegen/model/tree/body.py */
 enum { EM_FRAME = 17 }; /* numbers of a joint: at (3), R (3, 3), axis (3), ratio, offset (em_forward_kinematics.h) */
