@@ -185,7 +185,8 @@ def test_actuators_that_are_none_are_refused():
     x, v = system.project_initial_state()
     a = system.acceleration(x, v)[0]
     for given, match in ((("q_4",), "unknown actuator 'q_4'"), ("q_1", "Give names"), (("q_1", "q_1"), "given twice"),
-                         ({"q_1": -1.0}, "weights are positive"), (3, "Give names")):  # fmt: skip
+                         ({"q_1": -1.0}, "weights are positive"), (3, "Give names"), ((), "Give names"),
+                         ({}, "Give names"), (([1],), "unknown actuator")):  # fmt: skip
         with pytest.raises(em.ModelError, match=match):
             system.inverse_dynamics(x, v, a, actuators=given)
 
@@ -300,7 +301,7 @@ def test_frictions_slide_as_the_motion_does(speed, rate, side):
     many = system.inverse_dynamics({"i": np.array([0.3, 0.0]), "x": 0.2, "y": 0.1}, {"x": speed, "y": speed / 2}, a,
                                    actuators=("x",))  # fmt: skip
     assert many.forces[0] == pytest.approx([found.forces[0], found.forces[0] + 2.1])
-    with pytest.raises(em.ModelError, match="U cannot drive"):
+    with pytest.raises(em.ModelError, match=r"U cannot drive.*input 'U' changes no force"):
         system.inverse_dynamics(
             {"i": 0.3, "x": 0.2, "y": 0.1}, {"x": speed, "y": speed / 2}, a + np.array([2.0, 1.0]), actuators=("U",)
         )
@@ -336,3 +337,29 @@ def test_closed_contacts_are_refused():
     assert system.inverse_dynamics([1.0], [0.0], [2.0]).forces == pytest.approx([11.81])
     with pytest.raises(em.ModelError, match=r"'ground' is closed.*State it as a constraint"):
         system.inverse_dynamics([0.0], [0.0], [0.0])
+
+
+@pytest.mark.parametrize("speed", [(3.0, 4.0), (-3.0, 4.0), (0.0, -4.0), (0.0, 0.0)])
+@pytest.mark.parametrize("rate", [(0.0, 0.0), (5.0, 1.0), (-2.0, 1.0), (0.0, 3.0)])
+def test_cones_slide_in_the_direction_of_the_slip(speed, rate):
+    """A puck of mass 2 on a plane: friction is along its slip, from rest along the slip that begins."""
+    x, y = dynamicsymbols("x y")
+    model = em.Model(name="puck", coordinates=[x, y], kinetic_energy=x.diff() ** 2 + y.diff() ** 2,
+                     contacts={"floor": em.Friction((x.diff(), y.diff()), limit=0.5)})  # fmt: skip
+    v, a = np.array(speed), np.array(rate)
+    along = v if v.any() else a
+    friction = 0.5 * along / np.linalg.norm(along) if along.any() else np.zeros(2)
+    found = system_for(model).inverse_dynamics([0.3, -0.2], v, a)
+    assert found.forces == pytest.approx(2 * a + friction, rel=1e-13)
+
+
+def test_rounding_of_positions_is_no_refusal():
+    """A residual of 1e-170 beside terms as small is nothing where the row could be 1."""
+    p, q = dynamicsymbols("p q")
+    model = em.Model(name="axes", coordinates=[p, q], kinetic_energy=(p.diff() ** 2 + q.diff() ** 2) / 2,
+                     holonomic_constraints=[p * q], initial={p: 1.0})  # fmt: skip
+    system = system_for(model)
+    found = system.inverse_dynamics([1.0, 1e-170], [0.0, 0.0], [2.0, 0.0], actuators=("p",))
+    assert found.forces == pytest.approx([2.0])
+    with pytest.raises(em.ModelError, match="x does not satisfy"):
+        system.inverse_dynamics([1.0, 1e-5], [0.0, 0.0], [2.0, 0.0], actuators=("p",))

@@ -127,6 +127,14 @@ cdef class InverseDynamics:
         return InverseDynamics, tuple(self)
 
 
+cdef Actuators known(PointModel model, object actuators):
+    """The actuators of a tuple of names that was given before, or None."""
+    try:
+        return model.known_actuators.get(actuators) if actuators is None or type(actuators) is tuple else None
+    except TypeError:  # something in it has no hash, and is no name
+        return None
+
+
 def inverse_dynamics(system, x, v, a, t, parameters, inputs, actuators):
     """Return the InverseDynamics of one state given by float64 arrays; None for what takes more care.
 
@@ -137,7 +145,7 @@ def inverse_dynamics(system, x, v, a, t, parameters, inputs, actuators):
     cdef PointModel model = system._compiled
     cdef Numbers q, w, b, u, forces, multipliers, residual
     cdef Prepared c
-    cdef Actuators of = model.known_actuators.get(actuators) if actuators is None or type(actuators) is tuple else None
+    cdef Actuators of = known(model, actuators)
     cdef InverseDynamics made
     cdef double[MOST] left
     cdef const double *signals = model.model.input_defaults

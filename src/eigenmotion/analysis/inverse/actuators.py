@@ -1,6 +1,6 @@
 """Actuators by name: coordinates on which forces act, and inputs."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 from ...arguments.named_values import by_spelling, is_named, spelled, unknown
@@ -14,25 +14,28 @@ def actuators_of(c: CompiledModel, given: Any) -> Actuators:
     Raises
     ------
     ModelError
-        A name is neither a coordinate nor an input; an input prescribes a motion, drives no coordinate, or is one in
-        which forces are not linear; a weight is not positive.
+        There are none; a name is neither a coordinate nor an input; an input prescribes a motion, or forces are not
+        linear in it; a weight is not positive.
     """
-    if isinstance(given, str) or not (given is None or isinstance(given, Mapping | Iterable)):
+    if given is None:
+        return _named(c, None)
+    names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
+    if not names:
         raise ModelError(f"actuators is {given!r}. Give names of coordinates or inputs, as ('{c.coordinates[0]}',).")
-    if given is None or not is_named(given):
-        return _named(c, None if given is None else tuple(given))
+    if not is_named(given):
+        return _named(c, tuple(map(spelled, names)))
     weights = by_spelling(given, "actuators")
     values = tuple(number(value, f"the weight of actuator {name!r}") for name, value in weights.items())
-    if min(values, default=1.0) <= 0.0:
+    if min(values) <= 0.0:
         raise ModelError(f"actuators: weights are positive, and {dict(zip(weights, values, strict=True))} are given")
     return _made(c, tuple(weights), values)
 
 
-def _named(c: CompiledModel, given: tuple[Any, ...] | None) -> Actuators:
+def _named(c: CompiledModel, names: tuple[str, ...] | None) -> Actuators:
     """Return actuators without weights, which the model keeps for later calls."""
-    if given not in c.known_actuators:
-        c.known_actuators[given] = _made(c, tuple(map(spelled, given or ())), None)
-    return c.known_actuators[given]
+    if names not in c.known_actuators:
+        c.known_actuators[names] = _made(c, names or (), None)
+    return c.known_actuators[names]
 
 
 def _made(c: CompiledModel, names: tuple[str, ...], weights: tuple[float, ...] | None) -> Actuators:

@@ -13,8 +13,8 @@ WITHIN = 1e-6
 """Largest residual of a constraint, relative to its terms, that counts as satisfied: EM_ALLOWED of C."""
 _DRIVEN = 1e-8
 """Part of the required forces, in the mass metric, that counts as driven by actuators: EM_DRIVEN of C."""
-_STILL = 1e-12
-"""Residual of A v + b or A a + gamma that is rounding, relative to the lengths of the row and of v or a."""
+_LEAST = (64 * np.finfo(float).eps, 1e-12, 1e-12)
+"""Residual of each equation that is rounding, relative to the lengths of the row and of x, v or a."""
 _ROUNDED = 1e3
 """A residual is rounding if changes of x, v and a by a few units in the last place change it by this part of it."""
 _SHOWN = 3
@@ -54,7 +54,7 @@ def _check_allowed(one: Motion, check: Vector, where: str) -> None:
     """Raise ModelError if a constraint does not allow the motion of one row."""
     equation, row, c = int(check[2]), int(check[3]), one.model
     found = _residual(one, equation)[row : row + 1]
-    if equation and abs(float(found[0])) <= _STILL * _size(one, row, one.v if equation == 1 else one.a):
+    if abs(float(found[0])) <= _LEAST[equation] * _size(one, row, (one.x, one.v, one.a)[equation]):
         return
     if _is_rounding(one, found, lambda near: _residual(near, equation)[row : row + 1]):
         return
@@ -67,7 +67,7 @@ def _check_allowed(one: Motion, check: Vector, where: str) -> None:
 
 
 def _size(one: Motion, row: int, w: Vector) -> float:
-    """Return the length of a row of A times that of v or a, in the mass metric: what the row could be."""
+    """Return the length of a row of A times that of x, v or a, in the mass metric: what the row could be."""
     c, t = one.model, float(one.t[0])
     root = np.linalg.cholesky(c.factored_matrix(t, one.x[0], one.prepared))
     A = c.pfaffian(t, one.x[0], one.prepared)[0]
@@ -96,6 +96,19 @@ def _is_rounding(one: Motion, value: Vector, function: Callable[[Motion], Vector
     return bool(np.abs(value).max() <= _ROUNDED * largest)
 
 
+def _without_force(one: Motion, of: Actuators) -> list[str]:
+    """Return the actuators that are inputs on which no force depends, as of one that acts on first-order states."""
+    c, n = one.model, one.model.n_coordinates
+    names = [name for name in of.names if name not in c.coordinates[:n]]
+    forces = c.required_rows(*one.arguments)[0][:, :n]
+
+    def changed(name: str) -> Vector:
+        u = one.u + np.eye(c.n_inputs)[c.inputs.index(name)]
+        return np.asarray(c.required_rows(one.t, one.x, one.v, one.a, u, one.prepared)[0][:, :n])
+
+    return [name for name in names if np.array_equal(changed(name), forces)]
+
+
 def _undriven(one: Motion, of: Actuators, residual: Vector, where: str) -> str:
     """Return the message for a motion that no actuator drives."""
     c, n = one.model, one.model.n_coordinates
@@ -108,8 +121,11 @@ def _undriven(one: Motion, of: Actuators, residual: Vector, where: str) -> str:
     root = np.linalg.cholesky(M)
     freedoms = n - (np.linalg.matrix_rank(np.linalg.solve(root, A.T)) if c.m else 0)
     names, count = " and ".join(of.names), len(of.names)
+    idle = [f"input {name!r} changes no force on a coordinate" for name in _without_force(one, of)]
     why = (
-        f"it has {freedoms} degrees of freedom, and {count} actuator{'s' * (count > 1)}"
+        idle[0]
+        if idle
+        else f"it has {freedoms} degrees of freedom, and {count} actuator{'s' * (count > 1)}"
         if count < freedoms
         else "this position is singular for them"
     )

@@ -25,12 +25,12 @@ def by_mode(motion: Motion) -> Iterator[tuple[Vector, Motion]]:
     ModelError
         A contact is closed.
     """
-    modes: dict[tuple[float, ...], list[int]] = {}
+    modes: dict[tuple[tuple[int, float], ...], list[int]] = {}
     for row in range(len(motion.t)):
         modes.setdefault(_mode(motion, row), []).append(row)
     for mode, rows in modes.items():
         part = motion.rows(rows)
-        yield np.array(rows), part.in_mode(_in_mode(_point(part, 0), mode).prepared)
+        yield np.array(rows), part.in_mode(with_parameters(_point(part, 0), dict(mode)).prepared)
 
 
 def _point(motion: Motion, row: int) -> OperatingPoint:
@@ -41,13 +41,8 @@ def _point(motion: Motion, row: int) -> OperatingPoint:
     return all_open(at)
 
 
-def _in_mode(at: OperatingPoint, mode: tuple[float, ...]) -> OperatingPoint:
-    frictions = [one for one in switches_of(at.model) if not one.is_contact]
-    return with_parameters(at, {one.slides: side for one, side in zip(frictions, mode, strict=True)})
-
-
-def _mode(motion: Motion, row: int) -> tuple[float, ...]:
-    """Return the direction in which each friction slides, 0 where it rests."""
+def _mode(motion: Motion, row: int) -> tuple[tuple[int, float], ...]:
+    """Return (index, value) of the parameters that let frictions slide; none for those at rest."""
     at = _point(motion, row)
     surfaces = Surfaces(at)
     if closed := surfaces.closed():
@@ -56,12 +51,18 @@ def _mode(motion: Motion, row: int) -> tuple[float, ...]:
             "as a constraint in a model for inverse dynamics, or choose a motion along which its gap is open."
         )
     frictions = [one for one in switches_of(at.model) if not one.is_contact]
-    return tuple(_side(surfaces, motion.a[row], one) for one in frictions)
+    return tuple(pair for one in frictions for pair in _sliding(surfaces, motion.a[row], one))
 
 
-def _side(surfaces: Surfaces, a: Vector, one: Switch) -> float:
-    rate = surfaces.rates[0][one.row]
-    if not surfaces.at_rest(one):
-        return float(np.sign(rate))
-    along, size = surfaces.accelerations(a)[one.row], float(np.abs(surfaces.A[one.row]) @ np.abs(a))
-    return float(np.sign(along)) if abs(along) > _STILL * size else 0.0
+def _sliding(surfaces: Surfaces, a: Vector, one: Switch) -> Iterator[tuple[int, float]]:
+    """Yield the parameters of one friction; of a cone also those that turn it, if its slip begins to move."""
+    rows = slice(one.row, one.row + (2 if one.shift >= 0 else 1))
+    rate, within = (part[rows] for part in surfaces.rates)
+    begins = bool((np.abs(rate) <= within).all())
+    along, size = surfaces.accelerations(a)[rows], np.abs(surfaces.A[rows]) @ np.abs(a)
+    if begins and (np.abs(along) <= _STILL * size).all():
+        return
+    moving = along if begins else rate
+    yield one.slides, 1.0 if one.shift >= 0 else float(np.sign(moving[0]))
+    if begins and one.shift >= 0:
+        yield from zip((one.shift, one.shift + 1), moving / np.linalg.norm(moving) - rate, strict=True)

@@ -22,13 +22,17 @@ _STILL = 1e-12
 
 
 class Switch(NamedTuple):
-    """A contact or a friction (slides < 0: contact): indices of its event, its row and its parameters."""
+    """A contact or a friction (slides < 0: contact): indices of its event, its row and its parameters.
+
+    shift : the first of the two parameters that turn the direction of a friction cone, which has a second row; else -1
+    """
 
     event: int
     holds: int
     slides: int
     row: int
     idles: int
+    shift: int
 
     @property
     def is_contact(self) -> bool:

@@ -61,8 +61,8 @@ static void em_row_residuals(const em_system *e, const double *A, const double *
             entry = em_max(entry, fabs(A[row * e->stride + k])), largest = em_max(largest, fabs(w[k]));
         }
         size[row] = terms + fabs(whole ? residual[row] - along : residual[row]);
-        if (size[row] < EM_ROW_ROUNDED * entry * largest) residual[row] = whole ? 0.0 : -along;
-        residual[row] += whole ? 0.0 : along;
+        if (!whole) residual[row] += along;
+        if (size[row] < EM_ROW_ROUNDED * entry * largest) residual[row] = 0.0;
     }
 }
 
@@ -92,8 +92,8 @@ static void em_rows_with_norms(const em_model *model, const double *rows, const 
 /* forces (k), lambda (m), residual (n): what no actuator gives. Without actuators, all coordinates have one (k = n). c
  * holds the mode of contacts and frictions. 0, or -1 and *fault. */
 EM_EXPORT int em_inverse_dynamics(const em_model *model, double t, const double *x, const double *v, const double *a,
-                               const double *c, const double *u, const em_actuators *of, double *forces, double *lambda,
-                               double *residual, em_inverse_check *check, em_fault *fault) {
+                                  const double *c, const double *u, const em_actuators *of, double *forces, double *lambda,
+                                  double *residual, em_inverse_check *check, em_fault *fault) {
     const int n = model->n, m = model->m, some = m ? m : 1, pushed = some + model->n_normals;
     double r[n], s[some], A[some * n], b[some], rows[pushed * n], P[some * n], columns[n * model->n_inputs + 1];
     double rho[model->n_normals + 1], gradient[(model->n_normals + 1) * some];
