@@ -14,7 +14,7 @@ from ..support.generation import system_for
 from ..support.random_mechanisms import Maker
 
 STATES = 4
-LIMIT = 1e-12
+LIMIT = 1e-13
 """Of a difference, in units of the condition of the equations."""
 SAFE = 1e6
 """Condition up to which actuators are taken."""
@@ -94,10 +94,10 @@ def judge(oracle, a, found, condition, seed):
     """With the forces, the accelerations and multipliers result."""
     again, multipliers = oracle.forward(found.forces)
     size = np.abs(np.linalg.solve(oracle.M, np.abs(found.forces) + np.abs(oracle.f))) + np.abs(a)
-    assert np.abs(again - a).max() <= LIMIT * condition * 1e3 * size.max(), seed
+    assert np.abs(again - a).max() <= LIMIT * condition * size.max(), seed
     if oracle.m:
         push = np.abs(oracle.A.T @ multipliers).max() + np.abs(found.forces).max() + np.abs(oracle.f).max()
-        assert np.abs(oracle.A.T @ (found.multipliers - multipliers)).max() <= LIMIT * condition * 1e3 * push, seed
+        assert np.abs(oracle.A.T @ (found.multipliers - multipliers)).max() <= LIMIT * condition * push, seed
     assert not found.residual.any()
 
 
