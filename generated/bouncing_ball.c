@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545 */
-/* body sha256:747316584f327fdeca31803b079dc28f44fb0650229d64be6f11c86fd12092d7 */
+/* body sha256:1911a5490a22a30f164d445691f7e27975149c55772bc9054e48d27153ad1e30 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -756,6 +756,7 @@ const em_model bouncing_ball_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .event_partials = em_watched_partials,
     .motion_along = em_motion_along,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:db7ffc172ffdf80cd8a7345118304d621e67bf6a384cc2081b57636f2bda4deb */
-/* body sha256:c7276b45ec082037c69c78f4dc08aee88b11ade00386c92cb6f2f991ec1c683c */
+/* body sha256:1f8a7faf77ab8a1581f73ce2055f5da691b1656de7d36fd3a37503dca6838eb2 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1381,6 +1381,7 @@ const em_model dual_link_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

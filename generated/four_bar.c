@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:10ea64c65b0625c37ac606379d8e7cc0bf2575aa65b654f2e2d516bf1b2ce748 */
-/* body sha256:9664bfcc164846091582143e7983a6a42aa76bf095baf797301266da02eba6c7 */
+/* body sha256:23c9baa9766be8ddf9d014383252d770320ddf99a870dace58cb55a40769953d */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1300,6 +1300,7 @@ const em_model four_bar_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:4cb3d75cfa750254dd7c7a92a151c59bb658f7285d3817bfdd1092f33379d1ad */
-/* body sha256:e77fb970f5c8bc764f6fafceda5f0756d99e87961a2b7ddf464fffa067258592 */
+/* body sha256:71baf05a1e19be41cf43bf74404920e49bef5f56ee4dfe57919d0270a8337156 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -575,6 +575,7 @@ const em_model pendulum_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .motion_along = em_motion_along,
 #ifdef EM_UNIT
     .rate_jacobian = em_rate_jacobian,

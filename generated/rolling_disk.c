@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:54f552f8bf8eaf402fe74f441e34761761c25ec8db4dad6aa08f8e7416ea6409 */
-/* body sha256:13db4b326c1480bd0e1494561cf66aebf407a4ab40ba7be93e761c117c6f1dd8 */
+/* body sha256:2d60be079f4c1aee813985dc173799dfb8ef4a90b555e7e555f7d54630f11cb2 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1348,6 +1348,7 @@ const em_model rolling_disk_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

@@ -45,17 +45,25 @@ class Partials:
     def residual(self) -> tuple[Node, ...]:
         """(n + m,) r, followed by s."""
         terms, graph = self.terms, self.terms.graph
-        n, m = terms.scene.n, terms.scene.m
-        a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
-        pushing = [*multipliers, *terms.norms]
+        a = list(map(graph.symbol, self.solved[: terms.scene.n]))
+        return self._with_reactions([terms.dot(row, a) for row in terms.factored], terms.bias)
+
+    @cached_property
+    def equations(self) -> tuple[Node, ...]:
+        """(n + m,) r with M itself, also where M + A^T W A is factored, followed by s."""
+        return self._with_reactions(self.terms.required, [self.terms.graph.zero] * self.terms.scene.n)
+
+    def _with_reactions(self, inertial: Sequence[Node], bias: Sequence[Node]) -> tuple[Node, ...]:
+        """(n + m,) inertial + P^T (lambda, rho) - bias, less the rates that depend on multipliers, followed by s."""
+        terms, graph = self.terms, self.terms.graph
+        pushing = [*map(graph.symbol, self.solved[terms.scene.n :]), *terms.norms]
         balance = [
-            graph.add(terms.dot(terms.factored[k], a), terms.dot((row[k] for row in terms.P), pushing),
-                      graph.negative(terms.bias[k]))
-            for k in range(n)
-        ]  # fmt: skip
+            graph.add(inertial[k], terms.dot((row[k] for row in terms.P), pushing), graph.negative(bias[k]))
+            for k in range(len(inertial))
+        ]
         for (k, _), rate in zip(terms.mechanics.reaction_rates, terms.reaction_rates, strict=True):
             balance[k] = graph.add(balance[k], graph.negative(rate))
-        return *balance, *(graph.add(terms.dot(terms.A[row], a), terms.gamma[row]) for row in range(m))
+        return *balance, *terms.row_accelerations
 
     @cached_property
     def impact_balance(self) -> tuple[Node, ...]:

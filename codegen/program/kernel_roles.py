@@ -66,6 +66,7 @@ class PartialKernels:
     In the following, the arguments are x, v, inputs, parameters and time.
 
     state, forcing : of the residuals of motion at fixed a, lambda, with respect to x, v and to the other arguments
+    equations : of the same with M itself, with respect to the arguments, if M + A^T W A is factored instead
     constraints, events, quasi : of phi and A v + b, events, and quasi-velocities, with respect to the arguments
     outputs : with respect to a, lambda and the arguments
     impacts, resets, levels : of the event actions (see `Kernels`), with respect to the arguments
@@ -78,6 +79,7 @@ class PartialKernels:
     in_loops: bool
     state: Kernel
     forcing: Kernel
+    equations: Kernel | None
     constraints: Kernel | None
     outputs: Kernel | None
     events: Kernel | None

@@ -36,6 +36,7 @@ class _Writing:
             in_loops=self.terms.scene.in_loops,
             state=self.dense(f"{self.own}state_partials", partials.residual, partials.state, *MOTION),
             forcing=self.dense("forcing_partials", partials.residual, partials.forcing, *MOTION),
+            equations=self.equations() if mechanics.augmented else None,
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
@@ -45,6 +46,11 @@ class _Writing:
             factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
             **self.event_actions(),
         )
+
+    def equations(self) -> Kernel:
+        """Return the kernel of the equations with M itself, where M + A^T W A is factored."""
+        arguments = (*self.partials.state, *self.partials.forcing)
+        return self.dense(f"{self.own}equation_partials", self.partials.equations, arguments, *MOTION)
 
     def event_actions(self) -> dict[str, Kernel | None]:
         """Return the kernels of the event actions; None for each if no event acts."""

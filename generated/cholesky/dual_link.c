@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation cholesky */
 /* input sha256:ee6f21131ce26700b20eff2c6c1d1414598ccb2d41634016406f7e75ca1151d6 */
-/* body sha256:eb07ebbc81e9a99fab5f613f63c751fac4f333827f3e6f76237c6d87a971faca */
+/* body sha256:ac14f9db4fa543b0cf774e58c566c37953cfa0af1984895093d624f85c793319 */
 /* dual_link: equations of motion, cholesky formulation.
  *
  * State, 8 numbers:
@@ -1149,6 +1149,7 @@ const em_model dual_link_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation inverse */
 /* input sha256:1093f8d0de759d8d08dc9d63d3112a5f4c2f8bfe33f09048d1984c6e4a0efdf7 */
-/* body sha256:13fb999127188410c732b4c438d6cba6fb3def408172645bcfd71e11d49a1af2 */
+/* body sha256:7ee3fc398bd555352f21920dcdc97ba8f5582f4111aae54a85eead9ef38ad0db */
 /* dual_link: equations of motion, inverse formulation.
  *
  * State, 8 numbers:
@@ -1121,6 +1121,7 @@ const em_model dual_link_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

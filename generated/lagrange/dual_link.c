@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py --formulation lagrange */
 /* input sha256:831cacef6d0f2b457bc168580b239f60e0d317722a8f3f92538eb5b78a31990d */
-/* body sha256:f5456cb5c4a1c0edcfd65c56e8c65024c5793ff78bb543198178814dfbb4b088 */
+/* body sha256:400ae98390cf2d751ac4b9a528a82d7397e305838499d909655e953833eef6bc */
 /* dual_link: equations of motion, lagrange formulation.
  *
  * State, 8 numbers:
@@ -1093,6 +1093,7 @@ const em_model dual_link_model = {
     .draw = draw,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .equation_partials = em_equation_partials,
     .constraint_partials = constraint_partials,
     .motion_along = em_motion_along,
     .tangent = em_tangent,

@@ -8,7 +8,7 @@ from eigenmotion.codegen.equations.tree import link_table
 from mpmath import mp
 
 import eigenmotion as em
-from eigenmotion.runtime.variations import motion_derivatives
+from eigenmotion.runtime.variations import equation_partials, motion_derivatives
 from tests.oracles.newton_euler import DIGITS
 from tests.support.generation import loaded
 from tests.support.random_machines import Machine
@@ -105,6 +105,8 @@ def test_machines_against_newton_and_euler(monkeypatch, seed):
     right = np.hstack([by_x, by_v])
     size = np.maximum(np.abs(right).max(axis=1, keepdims=True), 1e-3 * np.abs(right).max())
     assert (np.abs(found - right) / size).max() < LIMIT
+    D = equation_partials(system.compiled, 0.0, x, v, a, multipliers, system.prepare(), [])
+    assert (np.abs(D[:, : 2 * len(x)] - right) / size).max() < LIMIT
 
 
 @pytest.mark.parametrize("driven", [False, True])

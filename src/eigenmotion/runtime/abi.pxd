@@ -271,3 +271,5 @@ cdef extern from "eigenmotion.h" nogil:
         int (*inverse_dynamics)(double, const double *, const double *, const double *, const double *, const double *,
                                 const em_actuators *, double *, double *, double *, em_inverse_check *,
                                 em_fault *) noexcept nogil
+        void (*equation_partials)(double, const double *, const double *, const double *, const double *, const double *,
+                                  const double *, double *) noexcept nogil

@@ -103,6 +103,7 @@ cdef class PointModel:
             mine.constraint_partials, mine.output_partials = found.constraint_partials, found.output_partials
             mine.event_partials, mine.time_event_partials = found.event_partials, found.time_event_partials
             mine.quasi_partials, mine.act_along = found.quasi_partials, found.act_along
+            mine.equation_partials = found.equation_partials
             mine.motion_jacobian = found.motion_jacobian
 
     cdef int need_derivatives(self) except -1:

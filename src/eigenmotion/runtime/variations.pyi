@@ -9,6 +9,16 @@ from .status.stop_reasons import EvaluationError
 def motion_derivatives(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: int
 ) -> tuple[Vector, Vector, Vector, Vector]: ...
+def equation_partials(
+    model: PointModel,
+    t: float,
+    x: ArrayLike,
+    v: ArrayLike,
+    a: ArrayLike,
+    multipliers: ArrayLike,
+    c: Prepared,
+    u: ArrayLike,
+) -> Vector: ...
 def constraint_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def output_partials(
     model: PointModel,

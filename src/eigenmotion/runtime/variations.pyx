@@ -105,6 +105,21 @@ def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not
     return a.array, multipliers.array, da.array, dm.array
 
 
+def equation_partials(PointModel model not None, double t, x, v, a, multipliers, Prepared c not None, u):
+    """(n + m, n_arguments), of r = M a + P^T (lambda, rho) - bias and s = A a + gamma, at fixed a (n), lambda (m).
+
+    Raises RuntimeError if the model has no derivatives: it was written by hand.
+    """
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
+    cdef Numbers b = floats(a, (model.n,), "a"), r = floats(multipliers, (model.m,), "multipliers")
+    cdef Numbers D = zeros((model.n + model.m, model.n_arguments))
+    model.need_derivatives()
+    if model.model.equation_partials == NULL:
+        raise RuntimeError(f"{model.name} was written by hand and has no derivatives of its equations")
+    model.model.equation_partials(t, q.data, w.data, b.data, r.data, c.c, s.data, D.data)
+    return D.array
+
+
 def constraint_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(h + m, n_arguments), of phi and of A v + b."""
     cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 34 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 35 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -278,6 +278,10 @@ typedef struct em_model {
     int (*inverse_dynamics)(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
                             const em_actuators *actuators, double *forces, double *lambda, double *residual,
                             em_inverse_check *check, em_fault *fault);
+    /* D (n + m, n_arguments) of the equations r (n) = M a + P^T (lambda, rho) - bias and s (m) = A a + gamma at fixed a,
+     * lambda; M is the mass matrix itself, even if another one is factored (em_derivatives.h). */
+    void (*equation_partials)(double t, const double *x, const double *v, const double *a, const double *lambda,
+                              const double *c, const double *u, double *D);
 } em_model;
 
 #endif

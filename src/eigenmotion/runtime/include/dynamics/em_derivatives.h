@@ -122,6 +122,19 @@ EM_NOINLINE EM_HOT void em_solve_arguments(const em_factors *f, const double *by
         memcpy(dlambda + row * N_ARGUMENTS, W + (N + row) * WIDTH, N_ARGUMENTS * sizeof *dlambda);
 }
 
+/* D (n + m, n_arguments) of r and s at any a (n), lambda (m). If M + A^T W A is factored, state_partials are those of
+ * r + A^T W s, and `equation_partials` of derivatives.c.jinja is this function. */
+EM_EXPORT void em_equation_partials(double t, const double *x, const double *v, const double *a, const double *lambda,
+                                    const double *c, const double *u, double *D) {
+    double by_state[(N + N_ROWS) * 2 * N], by_forcing[(N + N_ROWS) * N_FORCING];
+    state_partials(t, x, v, a, lambda, c, u, by_state);
+    forcing_partials(t, x, v, a, lambda, c, u, by_forcing);
+    for (int row = 0; row < N + N_ROWS; ++row) {
+        memcpy(D + row * N_ARGUMENTS, by_state + row * 2 * N, 2 * N * sizeof *D);
+        memcpy(D + row * N_ARGUMENTS + 2 * N, by_forcing + row * N_FORCING, N_FORCING * sizeof *D);
+    }
+}
+
 /* a (n), lambda (m) of the rows that are used, and the factors there. */
 EM_NOINLINE int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                          em_factors *f, double *a, double *lambda, em_fault *fault) {

@@ -79,6 +79,10 @@ void state_partials(double t, const double *x, const double *v, const double *a,
                     const double *u, double *D);
 void forcing_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
                       const double *u, double *D);
+void equation_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
+                       const double *u, double *D);
+void em_equation_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
+                          const double *u, double *D);
 void constraint_partials(double t, const double *x, const double *v, const double *c, double *D);
 void output_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
                      const double *u, double *D);
@@ -139,6 +143,8 @@ EM_LATER(em_motion_jacobian);
 EM_LATER(em_motion_derivatives);
 EM_LATER(em_motion_along);
 EM_LATER(em_tangent);
+EM_LATER(equation_partials);
+EM_LATER(em_equation_partials);
 EM_LATER(constraint_partials);
 EM_LATER(output_partials);
 EM_LATER(event_partials);
