@@ -146,7 +146,7 @@ class Links:
         """Add a body's mass to that of the moving body that carries it."""
         on = self.carried[body]
         (m,), J = self.scalars([body.mass]), self.scalars(body.inertia)
-        own = RigidInertia(m, [self.zero] * 3, J).turned(MatrixRotation(on.R))
+        own = RigidInertia(m, self.scalars(body.moment), J).turned(MatrixRotation(on.R))
         one = own.shifted(plus(on.p, applied(on.R, self.scalars(body.center))))
         if on.carrier < 0:
             self.fixed = self.fixed + one

@@ -37,7 +37,7 @@ def pivots(links: Sequence[NumericLink], x: Sequence[float], armature: Sequence[
             force = _applied(articulated[number], motion)
             pivot = _dot(motion, force) + armature[k]
             found[k] = pivot, size
-            if pivot > 0.0:
+            if pivot != 0.0:
                 articulated[number] = _less(articulated[number], force, pivot)
         if link.parent >= 0:
             for whole in (articulated, composite):

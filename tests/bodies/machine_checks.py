@@ -43,10 +43,10 @@ class Counts:
     wrong: list[str] = field(default_factory=list)
 
 
-def check(seed: int, counts: Counts, *flags: str) -> None:
-    """Judge the machine of one seed; now and then its motion."""
+def check(seed: int, counts: Counts, *flags: str, moments: bool = False) -> None:
+    """Judge the machine of one seed, maybe stated by first moments; now and then its motion."""
     with mp.workdps(DIGITS):
-        machine = Machine(seed)
+        machine = Machine(seed, moments=moments)
         random = np.random.default_rng(seed)
         at = [(v, machine.equations(v)) for v in random.normal(size=(STATES, len(machine.q)))]
         counts.machines += 1

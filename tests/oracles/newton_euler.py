@@ -115,7 +115,7 @@ class NewtonEuler:
         g = mp.matrix(exact(gravity, self.parameters))
         for link in self.links:
             (m,), c, J = (exact(one, self.parameters) for one in ((link.mass,), link.center, link.inertia))
-            moved = self.motion[link]
+            moved, h = self.motion[link], exact(link.moment, self.parameters)
             I = moved.R * mp.matrix([[J[0], J[1], J[2]], [J[1], J[3], J[4]], [J[2], J[4], J[5]]]) * moved.R.T
             _, J_v, a = moved.of(c)
             force, torque = m * (g - a), -(I * moved.w_dot + skew(moved.w) * (I * moved.w))
@@ -123,7 +123,20 @@ class NewtonEuler:
                 F[i] += mp.fdot(J_v[i], force) + mp.fdot(moved.J_w[i], torque)
                 for j in range(n):
                     M[i, j] += m * mp.fdot(J_v[i], J_v[j]) + mp.fdot(moved.J_w[i], I * moved.J_w[j])
+            if any(h):  # first moments about the origin, where the centre is said to be
+                self._add_moment(moved, moved.R * mp.matrix(h), g, M, F)
         return M, F
+
+    def _add_moment(self, moved: Motion, h: Any, g: Any, M: Any, F: Any) -> None:
+        """A first moment h takes the force w' x h + w x (w x h), and the torque h x (a - g) about the origin."""
+        _, J_v, a = moved.of([0, 0, 0])
+        W = skew(moved.w)
+        force, torque = -(skew(moved.w_dot) * h + W * (W * h)), skew(h) * (g - a)
+        for i in range(len(J_v)):
+            F[i] += mp.fdot(J_v[i], force) + mp.fdot(moved.J_w[i], torque)
+            for j in range(len(J_v)):
+                turned, pushed = skew(moved.J_w[j]) * h, skew(h) * J_v[j]
+                M[i, j] += mp.fdot(J_v[i], turned) + mp.fdot(moved.J_w[i], pushed)
 
     def _fixed(self, link: Any) -> Any:
         R = mp.matrix(3, 3)

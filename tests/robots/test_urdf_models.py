@@ -183,3 +183,25 @@ def test_stops_and_friction_are_for_whoever_asks(write):
     assert run.x[0, -1] == pytest.approx(-0.5, abs=1e-9)
     early = em.simulate(em.build(held), (0, 0.2), **TIGHT)
     assert early.x[0, -1] == pytest.approx(-(G - 4 / 2) * 0.02, rel=1e-9)
+
+
+def test_inertial_parameters_have_the_values_of_the_file(write):
+    """The same motion, with a fixed tool; ten parameters of each link that moves and has a mass."""
+    path = write(
+        link("base", 5.0),
+        link("upper-arm", 1.2, center=(0.1, 0.2, -0.4), inertia=(0.05, 0.01, 0, 0.07, 0.002, 0.04)),
+        link("fore", 0.9, center=(0, 0.1, -0.3), rpy=(0.3, 0, 0.2), inertia=(0.03, 0, 0.001, 0.04, 0, 0.02)),
+        link("tool", 0.5, inertia=(0.001, 0, 0, 0.002, 0, 0.001)),
+        joint("hinge", "continuous", "base", "upper-arm", axis=(0, 1, 0)),
+        joint("elbow", "continuous", "upper-arm", "fore", xyz=(0, 0, -0.9), axis=(1, 0, 0)),
+        joint("screw", "fixed", "fore", "tool", xyz=(0, 0.1, -0.4)),
+    )  # fmt: skip
+    plain, symbolic = (em.build(em.load_urdf(path, inertial_parameters=one)) for one in (False, True))
+    assert len(symbolic.parameters) == 30
+    assert symbolic.parameters["my_upper_arm"] == pytest.approx(0.24)
+    assert symbolic.parameters["Ixx_tool"] == 0.001
+    x, v = np.array([0.4, -0.7]), np.array([1.1, 0.6])
+    assert symbolic.mass_matrix(x) == pytest.approx(plain.mass_matrix(x), rel=1e-13)
+    assert symbolic.acceleration(x, v)[0] == pytest.approx(plain.acceleration(x, v)[0], rel=1e-12)
+    lighter = symbolic.mass_matrix(x, parameters={"m_tool": 0.0, "Ixx_tool": 0, "Iyy_tool": 0, "Izz_tool": 0})
+    assert lighter[1, 1] == pytest.approx(plain.mass_matrix(x)[1, 1] - 0.001 - 0.5 * (0.1**2 + 0.4**2))

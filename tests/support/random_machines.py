@@ -35,14 +35,16 @@ class Pair:
 class Machine:
     """A random machine that is at x, and its Newton-Euler equations there; without `parametric` it has no parameters.
 
+    With `moments`, its bodies are stated by their first moments.
+
     Attributes
     ----------
     model : the constraints are satisfied at its initial state
     x : (n,)
     """
 
-    def __init__(self, seed: int, parametric: bool = True) -> None:
-        self.made = RandomTree(seed, MOST[seed % len(MOST)], driven=seed % 3 == 0, parametric=parametric)
+    def __init__(self, seed: int, parametric: bool = True, moments: bool = False) -> None:
+        self.made = RandomTree(seed, MOST[seed % len(MOST)], seed % 3 == 0, parametric, moments)
         self.chance, self.tree = self.made.chance, self.made.tree
         self._load()
         self.q = self.tree.coordinates

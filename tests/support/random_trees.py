@@ -15,13 +15,17 @@ FREEDOMS = {"revolute": 1, "prismatic": 1, "cylindrical": 2, "planar": 3, "spher
 class RandomTree:
     """A tree with at most `most` coordinates; with `driven`, joints that others drive besides; maybe no parameters.
 
+    With `moments`, the same bodies are stated by their first moments.
+
     Attributes
     ----------
     tree, bodies
     parameters : symbols with their values, for every second mass and length
     """
 
-    def __init__(self, seed: int, most: int = 6, driven: bool = False, parametric: bool = True) -> None:
+    def __init__(self, seed: int, most: int = 6, driven: bool = False, parametric: bool = True,
+                 moments: bool = False) -> None:  # fmt: skip
+        self.moments = moments
         self.chance, self.parametric = random.Random(seed), parametric
         self.parameters: dict[sympy.Symbol, float] = {}
         self.tree = Tree(gravity=[self.number(scale=9.8) for _ in range(3)])
@@ -63,8 +67,8 @@ class RandomTree:
         return self.tree.body(
             f"b{number}", parent, joint=joint, axis=direction if any(direction) else "x",
             at=[self.number() for _ in range(3)], rotation=self.rotation(),
-            mass=0 if light else self.number(positive=True), center=[self.number(0.5) for _ in range(3)],
-            inertia=0 if light else self._inertia(),
+            **self._masses(mass=0 if light else self.number(positive=True),
+                           center=[self.number(0.5) for _ in range(3)], inertia=0 if light else self._inertia()),
         )  # fmt: skip
 
     def _driven(self, number):
@@ -73,9 +77,20 @@ class RandomTree:
         self.tree.body(
             f"b{number}", self.chance.choice(self.bodies), joint=self.chance.choice(["revolute", "prismatic"]),
             axis=[self.chance.uniform(-1, 1) for _ in range(3)], at=[self.number() for _ in range(3)],
-            rotation=self.rotation(), mass=self.number(positive=True), center=[self.number(0.5) for _ in range(3)],
-            inertia=self._inertia(), coordinates=[self.number(positive=True) * q + self.number()],
+            rotation=self.rotation(),
+            **self._masses(mass=self.number(positive=True), center=[self.number(0.5) for _ in range(3)],
+                           inertia=self._inertia()),
+            coordinates=[self.number(positive=True) * q + self.number()],
         )  # fmt: skip
+
+    def _masses(self, mass, center, inertia):
+        """Arguments of a body; by its moments about the origin, if those are wanted."""
+        if not self.moments or mass == 0:
+            return {"mass": mass, "center": center, "inertia": inertia}
+        c = sympy.Matrix(center)
+        J = sympy.diag(*inertia) if np.ndim(inertia) == 1 else sympy.Matrix(inertia)
+        J += mass * (c.dot(c) * sympy.eye(3) - c * c.T)
+        return {"mass": mass, "moment": [mass * one for one in center], "inertia": J}
 
     def _inertia(self):
         """The inertia of masses at random points, so that it is one that a body can have."""

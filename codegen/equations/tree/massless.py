@@ -49,13 +49,13 @@ def _zero_in_table(table: LinkTable, at: At, x: Sequence[float], armature: Seque
     moved = {k for row in rows for k in row.coordinates}
     found = pivots(rows, x, armature)
     judged = [found[k] if k in moved else (mass, mass) for k, mass in enumerate(armature)]
-    return next((k for k in reversed(range(len(x))) if judged[k][0] <= LEAST * judged[k][1]), None)
+    return next((k for k in reversed(range(len(x))) if abs(judged[k][0]) <= LEAST * judged[k][1]), None)
 
 
 def _zero_pivot(M: list[list[float]], sizes: Sequence[float]) -> int | None:
     """Return the first zero pivot of M from the last coordinate on, as from the tips of a tree inwards."""
     for k in reversed(range(len(M))):
-        if M[k][k] <= LEAST * sizes[k]:  # false for a pivot without a value
+        if abs(M[k][k]) <= LEAST * sizes[k]:  # false for a pivot without a value; parameters that are 0 may make it < 0
             return k
         for i in range(k):
             factor = M[i][k] / M[k][k]

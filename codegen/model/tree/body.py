@@ -30,6 +30,7 @@ class Link:
     axis : (3,) direction of a revolute or prismatic joint, in the joint's frame; of length 1
     mass [kg]; center : (3,) mass centre in the body's frame [m]
     inertia : (6,) xx, xy, xz, yy, yz, zz about the mass centre, in the body's axes [kg m^2]
+    moment : (3,) first moment besides mass times center, in the body's axes [kg m]
     ratio, offset : a revolute or prismatic joint with the coordinate q is at ratio q + offset
     is_part : whether this is a part of a joint made of several, and no body of the user
 
@@ -46,6 +47,7 @@ class Link:
     mass: sympy.Expr
     center: Triple
     inertia: tuple[sympy.Expr, ...]
+    moment: Triple = (sympy.S.Zero, sympy.S.Zero, sympy.S.Zero)
     ratio: sympy.Expr = sympy.S.One
     offset: sympy.Expr = sympy.S.Zero
     is_part: bool = False
@@ -64,6 +66,11 @@ class Link:
         return (*self.at, *self.rotation, *self.axis, self.ratio, self.offset)
 
     @property
+    def masses(self) -> tuple[sympy.Expr, ...]:
+        """The expressions that say what inertia it has."""
+        return (self.mass, *self.center, *self.inertia, *self.moment)
+
+    @property
     def text(self) -> str:
         """All that it is on its parent, for a digest."""
         return _text(self)
@@ -71,7 +78,7 @@ class Link:
 
 @cache
 def _text(body: Link) -> str:
-    numbers = (*body.geometry, body.mass, *body.center, *body.inertia)
+    numbers = (*body.geometry, *body.masses)
     return f"{body.name} {body.joint} {body.coordinates} {list(map(sympy.srepr, numbers))}"
 
 

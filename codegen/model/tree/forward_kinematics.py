@@ -208,7 +208,10 @@ class ForwardKinematics:
         return whole
 
     def _kinetic_energy(self, body: Link) -> Number:
-        """Return m cdot^2 / 2 + sum E_ij rdot_i . rdot_j / 2, with the columns r of R, and E = tr(J) / 2 - J."""
+        """Return m cdot^2 / 2 + h_i rdot_i . pdot + sum E_ij rdot_i . rdot_j / 2, with the columns r of R.
+
+        E = tr(J) / 2 - J, and h is the first moment besides m c.
+        """
         R, p = self.placed(body)
         xx, xy, xz, yy, yz, zz = body.inertia
         half = sympy.Rational(1, 2)
@@ -218,9 +221,12 @@ class ForwardKinematics:
         c = [Moving(x.rate) for x in self._at(R, p, self.vector(body.center))]
         terms = [self.constant(body.mass / 2) * dot(c, c)]
         terms += [self.constant(e) * dot(columns[i], columns[j]) for (i, j), e in E.items() if e != 0]
+        moved = [Moving(x.rate) for x in p]
+        terms += [self.constant(h) * dot(columns[k], moved) for k, h in enumerate(body.moment) if h != 0]
         return self._sum(term.value for term in terms)
 
     def _potential_energy(self, body: Link, gravity: Sequence[Moving]) -> Number:
         R, p = self.placed(body)
         c = self._at(R, p, self.vector(body.center))
-        return (self.minus * self.constant(body.mass) * dot(c, gravity)).value
+        weighed = self._at(R, [Moving()] * 3, self.vector(body.moment))
+        return (self.minus * (self.constant(body.mass) * dot(c, gravity) + dot(weighed, gravity))).value

@@ -64,6 +64,6 @@ def _variables(bodies: tuple[Link, ...], vector: tuple[sympy.Expr, ...], rates: 
     coordinates = coordinates_of(bodies)
     numbers = [*vector]
     for body in bodies:
-        numbers += [*body.geometry, body.mass, *body.center, *body.inertia]
+        numbers += [*body.geometry, *body.masses]
     parameters = sorted(set().union(*(one.free_symbols for one in numbers)), key=lambda symbol: symbol.name)
     return (*coordinates, *(rate_of(q) for q in coordinates if rates), *parameters)

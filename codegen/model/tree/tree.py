@@ -132,6 +132,7 @@ class Tree:
         mass: Any = 0,
         center: Sequence[Any] = (0, 0, 0),
         inertia: Any = 0,
+        moment: Sequence[Any] | None = None,
         coordinates: Sequence[sympy.Expr] | None = None,
     ) -> Body:
         """Add a body and return it.
@@ -154,6 +155,9 @@ class Tree:
         mass, center, inertia
             Mass [kg], mass centre in the body's frame [m], and inertia about the mass centre in the body's axes
             [kg m^2]: a matrix (3, 3), or (xx, yy, zz), or (xx, xy, xz, yy, yz, zz).
+        moment
+            First moments (3,), mass times center [kg m], in place of `center`; the inertia is then about the origin of
+            the body's frame. Equations are linear in these ten numbers, so that forces identify them.
         coordinates
             Functions of time; None makes them from the name, "upper" or "upper_1", "upper_2", ... A joint that moves
             along or about an axis may be driven by another: k q + b, with the coordinate q of that joint, and numbers
@@ -167,7 +171,8 @@ class Tree:
         what = f"body {shown(name)}"
         self._check(name, joint, what)
         place = (_expressions(at, f"{what}: at", 3), _rotation(rotation, what))
-        own = (expression(mass, f"{what}: mass"), _expressions(center, f"{what}: center", 3), _inertia(inertia, what))
+        own = (expression(mass, f"{what}: mass"), _expressions(center, f"{what}: center", 3), _inertia(inertia, what),
+               _moment(moment, center, what))  # fmt: skip
         given = self._made(name, _COUNTS[joint], what) if coordinates is None else coordinates
         q = _driven(given, joint, what)
         if joint in ROTATED and {one for one, _, _ in q} & set(self.coordinates):
@@ -231,7 +236,7 @@ def _chain(
 ) -> list[Link]:
     """Return the body, after massless ones where the joint is made of several."""
     none = (sympy.S.Zero,) * 3
-    massless = (sympy.S.Zero, none, (sympy.S.Zero,) * 6)
+    massless = (sympy.S.Zero, none, (sympy.S.Zero,) * 6, none)
     if joint not in _COMPOSED:
         driven = q[0][1:] if FREEDOMS[joint] == 1 else ()
         return [Link(name, parent, joint, tuple(one for one, _, _ in q), place[0], place[1], axis, *own, *driven)]
@@ -239,11 +244,11 @@ def _chain(
     links: list[Link] = []
     for number, (kind, (one, ratio, offset), along) in enumerate(zip(_COMPOSED[joint], q, axes, strict=True)):
         last = number == len(q) - 1
-        mass, center, inertia = own if last else massless
+        mass, center, inertia, moment = own if last else massless
         links.append(
             Link(name if last else f"{name} {number + 1}", links[-1] if links else parent, kind, (one,),
                  none if links else place[0], tuple(map(sympy.Integer, _UNIT)) if links else place[1], along,
-                 mass, center, inertia, ratio, offset, is_part=not last)
+                 mass, center, inertia, moment, ratio, offset, is_part=not last)
         )  # fmt: skip
     return links
 
@@ -295,6 +300,14 @@ def _matrix(given: Any, what: str) -> sympy.Matrix:
     if R.shape != (3, 3):
         raise ModelError(f"{what} has the shape {R.shape}. Give (3, 3).")
     return R.applyfunc(lambda entry: expression(entry, what))
+
+
+def _moment(given: Any, center: Sequence[Any], what: str) -> tuple[sympy.Expr, ...]:
+    if given is None:
+        return (sympy.S.Zero,) * 3
+    if any(one != 0 for one in sequence_of(center, f"{what}: center")):
+        raise ModelError(f"{what}: it has a center and a moment. Give one: the moment is the mass times the center.")
+    return _expressions(given, f"{what}: moment", 3)
 
 
 def _inertia(given: Any, what: str) -> tuple[sympy.Expr, ...]:

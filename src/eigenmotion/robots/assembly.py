@@ -17,6 +17,7 @@ from ..codegen.model.normalise import nearest, shown
 from .description import FREEDOMS, Closure, Description, Part, listed
 from .drawing.skeleton import drawing_of
 from .driven import Drives, reduced
+from .masses import Masses
 from .names import identifier, identifiers
 from .robot import Robot
 
@@ -38,9 +39,10 @@ class _Terms:
 
 
 def robot_of(
-    described: Description, *, locked: Collection[str], close: Mapping[str, Any], gravity: Any, name: str | None
-) -> Robot:
-    """Return a robot.
+    described: Description, *, locked: Collection[str], close: Mapping[str, Any], gravity: Any, name: str | None,
+    symbolic: bool = False,
+) -> Robot:  # fmt: skip
+    """Return a robot; with `symbolic`, the inertia of its moving parts are parameters.
 
     Raises
     ------
@@ -55,7 +57,8 @@ def robot_of(
     if not any(FREEDOMS[part.joint.kind] for part in given.parts):
         raise ModelError(f"{given.name}: none of its joints moves. base='floating' lets a body without joints move.")
     tree = Tree(gravity)
-    positions, labels = _planted(tree, given, drives)
+    masses = Masses(given.parts, symbolic)
+    positions, labels = _planted(tree, given, drives, masses)
     torques = _torques(given, drives, labels)
     terms = _terms(given, tree, positions, torques, drives)
     fields = {
@@ -64,6 +67,7 @@ def robot_of(
         "potential_energy": tree.potential_energy + terms.potential_energy,
         "forces": terms.forces,
         "inputs": dict.fromkeys(torques.values(), 0.0),
+        "parameters": masses.parameters,
         "initial": terms.initial,
         "holonomic_constraints": _constraints(given, tree, closures, positions),
     }
@@ -73,7 +77,9 @@ def robot_of(
     )  # fmt: skip
 
 
-def _planted(tree: Tree, robot: Description, drives: Drives) -> tuple[dict[str, sympy.Expr], dict[str, str]]:
+def _planted(
+    tree: Tree, robot: Description, drives: Drives, masses: Masses
+) -> tuple[dict[str, sympy.Expr], dict[str, str]]:
     """Add the bodies to a tree; return the positions of joints of one coordinate, and names of joints for C."""
     moving = [part.joint for part in robot.parts if FREEDOMS[part.joint.kind]]
     wanted = {(j.name, s): f"{j.name}_{s}" if s else j.name for j in moving if j.name not in drives
@@ -91,19 +97,15 @@ def _planted(tree: Tree, robot: Description, drives: Drives) -> tuple[dict[str, 
             own: Sequence[sympy.Expr] = (displacement,)
         else:
             own = [q[joint.name, s] for s in _SUFFIXES.get(joint.kind, ())]
-        _body(tree, part, own)
+        _body(tree, part, own, masses)
     return positions, identifiers(joint.name for joint in moving)
 
 
-def _body(tree: Tree, part: Part, coordinates: Sequence[sympy.Expr]) -> None:
-    mass = {} if part.mass is None else {
-        "mass": part.mass.mass, "center": part.mass.center.tolist(),
-        "inertia": [float(part.mass.inertia[i, j]) for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))],
-    }  # fmt: skip
+def _body(tree: Tree, part: Part, coordinates: Sequence[sympy.Expr], masses: Masses) -> None:
     turned = None if np.array_equal(part.rotation, np.eye(3)) else part.rotation.tolist()
     tree.body(
         part.name, part.parent, joint=part.joint.kind, axis=part.joint.axis, at=part.at.tolist(), rotation=turned,
-        coordinates=coordinates, **mass,
+        coordinates=coordinates, **masses.of(part),
     )  # fmt: skip
 
 

@@ -25,6 +25,7 @@ def read_urdf(
     gravity: Sequence[Any] = (0, 0, -9.81),
     name: str | None = None,
     meshes: bool = False,
+    inertial_parameters: bool = False,
 ) -> Robot:
     """Read a URDF file and return a `Robot`: its bodies by name, and models of it.
 
@@ -47,6 +48,10 @@ def read_urdf(
     meshes
         Whether drawings show the convex hulls of meshes, which are read by trimesh; reading them may take longer than
         all else. Boxes, cylinders and balls are shown in any case, and lines between joints of links without solids.
+    inertial_parameters
+        Whether the inertia of links that move are parameters: m_LINK [kg], mx_LINK, my_LINK, mz_LINK, mass times centre
+        [kg m], and Ixx_LINK, Ixy_LINK, Ixz_LINK, Iyy_LINK, Iyz_LINK, Izz_LINK about the origin of the link's frame
+        [kg m^2], by default those of the file. Forces are linear in them (`System.regressor`).
 
     Raises
     ------
@@ -72,7 +77,9 @@ def read_urdf(
     if base not in ("fixed", "floating"):
         raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
     described = urdf.read(_file(path), base, meshes)
-    return robot_of(described, locked=locked, close=close or {}, gravity=gravity, name=name)
+    return robot_of(
+        described, locked=locked, close=close or {}, gravity=gravity, name=name, symbolic=inertial_parameters
+    )
 
 
 def read_mjcf(
@@ -126,6 +133,7 @@ def load_urdf(
     gravity: Sequence[Any] = (0, 0, -9.81),
     name: str | None = None,
     meshes: bool = False,
+    inertial_parameters: bool = False,
 ) -> Model:
     """Return the model of a URDF file: `read_urdf(...).model()`.
 
@@ -144,7 +152,10 @@ def load_urdf(
     >>> system.simulate((0, 1), inputs={"tau_pin": 1.5}).success
     True
     """
-    robot = read_urdf(path, base=base, locked=locked, close=close, gravity=gravity, name=name, meshes=meshes)
+    robot = read_urdf(
+        path, base=base, locked=locked, close=close, gravity=gravity, name=name, meshes=meshes,
+        inertial_parameters=inertial_parameters,
+    )  # fmt: skip
     return robot.model()
 
 

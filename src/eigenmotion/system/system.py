@@ -4,6 +4,7 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
+from ..analysis.identification.regressor import regressor
 from ..analysis.inverse.inverse_dynamics import inverse_dynamics
 from ..analysis.linear.linearize import linearize
 from ..batch.stepper.open_steppers import steppers
@@ -54,3 +55,4 @@ class System(CompiledSystem):
     steppers = steppers
     linearize = linearize
     inverse_dynamics = inverse_dynamics
+    regressor = regressor

@@ -38,6 +38,12 @@ class Switch(NamedTuple):
     def is_contact(self) -> bool:
         return self.slides < 0
 
+    @property
+    def parameters(self) -> tuple[int, ...]:
+        """Indices of the parameters that say its mode."""
+        turns = (self.shift, self.shift + 1) if self.shift >= 0 else ()
+        return tuple(k for k in (self.holds, self.slides, self.idles, *turns) if k >= 0)
+
     def words(self, model: CompiledModel) -> str:
         return f"{'contact' if self.is_contact else 'friction'} {model.events[self.event]!r}"
 

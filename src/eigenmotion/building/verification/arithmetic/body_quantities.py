@@ -1,7 +1,8 @@
 """Energies, places and velocities of the bodies of long chains, from their homogeneous transforms.
 
 The kinetic energy of a body is tr(U B U^T) / 2, where the columns of U are the rates of those of R and of the mass
-centre, and B (4, 4) has the second moments about that and the mass (Paul 1981, section 6.3).
+centre, and B (4, 4) has the second and first moments about that and the mass (Paul 1981, section 6.3). A body that
+states its first moments has them about its origin, where its centre is then said to be.
 """
 
 from __future__ import annotations
@@ -70,8 +71,9 @@ class BodyQuantities:
 
     def _kinetic_energy(self, body: Link, _: Quantity) -> _Term:
         placed, c = self._transforms.placed(body), self._transforms.vector(body.center)
-        J, m = self._transforms.vector(body.inertia), self._transforms.vector((body.mass,))
-        B = Rounded(_blocks(J.value @ _SECOND.T, m.value), _blocks(J.bound @ np.abs(_SECOND).T, m.bound))
+        J, m, h = map(self._transforms.vector, (body.inertia, (body.mass,), body.moment))
+        bound = _blocks(J.bound @ np.abs(_SECOND).T, m.bound, h.bound)
+        B = Rounded(_blocks(J.value @ _SECOND.T, m.value, h.value), bound)
         at, off = _point(placed, c)
         turn, moved = placed.H.rate.each(lambda part: part[..., :3]), at.rate
         U = Jet({order: np.concatenate([turn.parts[order], moved.parts[order][..., None]], axis=-1)
@@ -84,12 +86,12 @@ class BodyQuantities:
 
     def _potential_energy(self, body: Link, quantity: Quantity) -> _Term:
         placed, m = self._transforms.placed(body), self._transforms.vector((body.mass,))
-        at, off = _point(placed, self._transforms.vector(body.center))
-        force = Rounded(-1.0, 0.0) * m * self._transforms.vector(quantity.vector)
-        at, lost = at.timeless, np.abs(force.value).sum(axis=-1) + force.bound.sum(axis=-1)
-        off = off.timeless.each(lambda part: part * lost)
-        given = at.each(lambda part: (np.abs(part) * force.bound).sum(axis=-1))
-        return placed.directions, at.each(lambda part: (part * force.value).sum(axis=-1)), off + given
+        lift = Rounded(-1.0, 0.0) * self._transforms.vector(quantity.vector)
+        value, error = _work(*_point(placed, self._transforms.vector(body.center)), m * lift)
+        if any(body.moment):
+            parts = _work(*_point(placed, self._transforms.vector(body.moment), 0.0), lift)
+            value, error = value + parts[0], error + parts[1]
+        return placed.directions, value, error
 
     def _entry(self, body: Link, quantity: Quantity) -> _Term:
         placed, (i, j) = self._transforms.placed(body), quantity.place
@@ -113,9 +115,18 @@ class BodyQuantities:
         return placed.directions, at.timeless, off.timeless
 
 
-def _point(body: Placed, point: Rounded) -> tuple[Jet, Jet]:
-    """Return the place (k, w, 3) of a point of a body, and the bound (k, w) of its error."""
-    one = np.concatenate([point.value, np.ones_like(point.value[..., :1])], axis=-1).swapaxes(1, 2)
+def _work(at: Jet, off: Jet, force: Rounded) -> tuple[Jet, Jet]:
+    """Return the products (k, w) of places (k, w, 3) with a force, and the bound of their error."""
+    at, lost = at.timeless, np.abs(force.value).sum(axis=-1) + force.bound.sum(axis=-1)
+    off = off.timeless.each(lambda part: part * lost)
+    given = at.each(lambda part: (np.abs(part) * force.bound).sum(axis=-1))
+    return at.each(lambda part: (part * force.value).sum(axis=-1)), off + given
+
+
+def _point(body: Placed, point: Rounded, from_ground: float = 1.0) -> tuple[Jet, Jet]:
+    """Return the place (k, w, 3) of a point of a body, and the bound (k, w) of its error; 0: from the body's origin."""
+    end = np.full_like(point.value[..., :1], from_ground)
+    one = np.concatenate([point.value, end], axis=-1).swapaxes(1, 2)
     length, lost = np.abs(point.value).sum(axis=-1), point.bound.sum(axis=-1)
     error, size = body.error.each(lambda part: part * length), body.size.each(lambda part: part * lost)
     return body.H.each(lambda part: _times(part, one)), body.off + error + size
@@ -127,9 +138,10 @@ def _times(H: Vector, one: Vector) -> Vector:
     return rows.reshape(len(rows), -1, 3)
 
 
-def _blocks(second: Vector, mass: Vector) -> Vector:
+def _blocks(second: Vector, mass: Vector, first: Vector) -> Vector:
     """Return B (k, 1, 4, 4)."""
-    B = np.zeros((*np.broadcast_shapes(second.shape[:2], mass.shape[:2]), 4, 4))
+    B = np.zeros((*np.broadcast_shapes(second.shape[:2], mass.shape[:2], first.shape[:2]), 4, 4))
+    B[..., :3, 3] = B[..., 3, :3] = first
     B[..., :3, :3], B[..., 3, 3] = second.reshape(*second.shape[:2], 3, 3), mass[..., 0]
     return B
 
