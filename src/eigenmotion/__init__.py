@@ -11,6 +11,11 @@ from .garbage import uncollected
 if TYPE_CHECKING:
     from .analysis.equilibrium.assemble import assemble as assemble
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
+    from .analysis.identification.fit_forces import Fit as Fit
+    from .analysis.identification.fit_forces import fit_forces as fit_forces
+    from .analysis.identification.identifiable import Identifiable as Identifiable
+    from .analysis.identification.identifiable import identifiable as identifiable
+    from .analysis.identification.regressor import Regressor as Regressor
     from .analysis.linear.linearization import Linearization as Linearization
     from .arguments.sampled import Sampled as Sampled
     from .arguments.signals import Signal as Signal
@@ -54,11 +59,14 @@ _HOME = {
     "Ensemble": ".results.ensemble",
     "EvaluationError": ".runtime",
     "Event": ".codegen.model",
+    "Fit": ".analysis.identification.fit_forces",
     "Friction": ".codegen.model",
+    "Identifiable": ".analysis.identification.identifiable",
     "Linearization": ".analysis.linear.linearization",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.verification",
+    "Regressor": ".analysis.identification.regressor",
     "Robot": ".robots.robot",
     "Sampled": ".arguments.sampled",
     "Signal": ".arguments.signals",
@@ -73,8 +81,10 @@ _HOME = {
     "build": ".building.build",
     "draw": ".codegen.model",
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
+    "fit_forces": ".analysis.identification.fit_forces",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",
+    "identifiable": ".analysis.identification.identifiable",
     "load_mjcf": ".robots.load",
     "load_model": ".building.model_file",
     "load_urdf": ".robots.load",

@@ -103,6 +103,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "runtime",
         "arguments",
         "compiled",
+        "results",
         "analysis.state",
         "analysis.inverse",
     ),

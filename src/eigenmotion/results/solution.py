@@ -158,6 +158,11 @@ class Solution(dict[str, Any]):
         return source
 
     @property
+    def trajectory(self) -> Trajectory | None:
+        """The rows of compiled functions, with inputs and accelerations; None in a copy from another process."""
+        return self._rows
+
+    @property
     def motion(self) -> tuple[Vector, Vector]:
         """x, v of compiled functions, (n + p, k) each: the last p of v are the states, of x their integrals."""
         rows = self._rows

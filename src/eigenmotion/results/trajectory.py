@@ -104,6 +104,12 @@ class Trajectory:
         rows: Vector = self._by_segment(self._accelerations, self.t, self.x, self.v, self.u)[1]
         return rows
 
+    @cached_property
+    def accelerations(self) -> Vector:
+        """(k, n), at the inputs of the run."""
+        rows: Vector = self._by_segment(self._accelerations, self.t, self.x, self.v, self.u)[0]
+        return rows
+
     def _accelerations(self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared) -> tuple[Vector, Vector]:
         return self.model.acceleration_rows(t, x, v, u, c, self.task.least_norm)
 

@@ -31,6 +31,13 @@ class Regressor:
     rest : (n,), or (n, states)
     freedoms : of each state N (n, freedoms), motions that the constraints allow; reactions do no work along them
     obstacle : why forces along N are not linear in the parameters, or ""
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> found = em.build("models/four_bar.py").regressor(["density"], [1.6, 0.6, 1.5], [0, 0, 0], [1, 0.2, 0.4])
+    >>> found.Y.shape, found.freedoms[0].shape, bool(abs(found.rest).max() < 1e-12)
+    ((3, 1), (3, 1), True)
     """
 
     parameters: tuple[str, ...]
