@@ -14,6 +14,7 @@ from ..codegen.model.normalise import ModelError
 from ..presentation.figures import has_matplotlib
 from ..presentation.notebook import image, table
 from ..runtime import CompiledModel, StopReason
+from .between_rows import between
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times, still
 from .pictures.moving_shapes import Drawing, require_drawing
 from .trajectory import Segment, Trajectory
@@ -245,7 +246,7 @@ class Solution(dict[str, Any]):
             )
         require_drawing(self["drawing"], rows.model.name)
         if self["sol"] is None:
-            return require_drawing(rows.drawn(t, *rows.between(t)), rows.model.name)
+            return require_drawing(rows.drawn(t, *between(rows.t, rows.x, rows.v, t)), rows.model.name)
         y = np.ascontiguousarray(self["sol"](t).T)
         x, v = np.ascontiguousarray(y[:, : rows.model.n]), rows.model.velocity_rows(t, y, rows.task.prepared)
         return require_drawing(rows.drawn(t, x, v), rows.model.name)

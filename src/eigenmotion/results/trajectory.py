@@ -5,7 +5,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import scipy
 
 from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
@@ -140,21 +139,6 @@ class Trajectory:
             return None
         numbers = self.model.drawn_rows(t, x, v, self.task.prepared)
         return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
-
-    def between(self, t: Vector) -> tuple[Vector, Vector]:
-        """x, v (k, n) at t (k,) between the rows, accurate enough for pictures: cubic Hermite interpolation."""
-        sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
-        jumps = np.flatnonzero(np.diff(self.t) == 0) + 1  # an event action has a row before and a row after it
-        segments = [rows for rows in np.split(np.arange(len(self.t)), jumps) if len(rows) > 1]
-        x, v = (np.repeat(columns[:1], len(t), axis=0) for columns in (self.x, self.v))
-        last = np.full(len(t), -1)
-        for number, rows in enumerate(segments):
-            last[sign * t >= sign * self.t[rows[0]]] = number
-        for number, rows in enumerate(segments):
-            cubics = scipy.interpolate.CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
-            at = sign * t[last == number]
-            x[last == number], v[last == number] = cubics(at), sign * cubics(at, 1)
-        return x, v
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:

@@ -1,21 +1,18 @@
 """Plot of a solution; needs the extra `plot` (matplotlib)."""
 
 from collections.abc import Sequence
-from itertools import cycle
 from typing import Any
 
 import numpy as np
-from sympy import Symbol, latex
 
 from ...arguments.named_values import Vector
 from ...compiled.compiled_system import CompiledSystem
-from ...presentation.figures import COLOURS, STYLES, blank, plain_text, spread_labels, uncluttered
+from ...presentation.figures import blank, plain_text
+from ..pictures.labelled_lines import draw_lines, name_lines
 from ..pictures.moving_shapes import Drawing
 from ..pictures.sketch import Sketch
 from ..solution import Solution
 
-MARKERS = ("o", "s", "^", "D", "v")
-_MARKS = 8  # markers on each line
 _GHOSTS = 6
 _FEW = 30  # the most events that get a line across the picture, which more would hide
 
@@ -37,8 +34,8 @@ def coordinates(system: CompiledSystem, solution: Solution) -> Any:
     strip = [figure.add_subplot(places[1, 0], sharex=axes)] if rows else []
     axes.tick_params(labelbottom=not strip)
     t, x = _smooth(system, solution)
-    _draw_lines(axes, t, x, names)
-    _name_lines(axes, x, names)
+    draw_lines(axes, t, x, names)
+    name_lines(axes, x, names)
     axes.set(ylabel="coordinates and states" if system.states else "coordinates", title=system.name.replace("_", " "))
     for events in strip:
         _draw_events(events, axes, system.events, solution.t_events)
@@ -63,31 +60,6 @@ def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
     sketch.show(len(drawn.t) - 1)
 
 
-def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
-    """Draw each line with its own colour, style and marker; the combination repeats after 140 lines."""
-    looks = zip(names, x, cycle(COLOURS), cycle(STYLES), cycle(MARKERS), strict=False)
-    for k, (name, row, colour, style, marker) in enumerate(looks):
-        offset = (k + 0.5) / (_MARKS * len(names))  # so that markers of different lines do not coincide
-        place = (offset, 1 / _MARKS) if t[0] != t[-1] else None
-        axes.plot(t, row, style, color=colour, marker=marker, markevery=place, markersize=5, linewidth=1.6, label=name)
-    uncluttered(axes)
-
-
-def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
-    """Write each name, with a piece of its line, behind the end of the line; names of close ends are moved apart."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
-
-    low, high = axes.get_ylim()
-    ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
-    gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
-    for line, name, end, place in zip(list(axes.get_lines()), names, ends, spread_labels(ends, gap), strict=True):
-        look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
-        style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
-        axes.add_line(Line2D([1.0, 1.03], [end, place], linewidth=0.6, **look))
-        axes.add_line(Line2D([1.03, 1.055, 1.08], [place] * 3, linewidth=1.6, **style, **look))
-        axes.text(1.09, place, _label(name), va="center", **look)
-
-
 def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:
     """Draw a row of ticks for each event, and lines across the picture if events are few."""
     data = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
@@ -98,18 +70,6 @@ def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Ve
     if sum(map(len, data)) <= _FEW:
         for time in np.concatenate(data):
             axes.axvline(time, color="0.6", linewidth=0.8, linestyle=(0, (1, 2)), zorder=0)
-
-
-def _label(name: str) -> str:
-    """Return a name as mathematics, or as plain text if matplotlib cannot parse it."""
-    from matplotlib.mathtext import MathTextParser  # noqa: PLC0415, an optional package
-
-    label = f"${latex(Symbol(name))}$"
-    try:
-        MathTextParser("path").parse(label)
-    except ValueError:
-        return plain_text(name)
-    return label
 
 
 def _smooth(system: CompiledSystem, solution: Solution) -> tuple[Vector, Vector]:
