@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from .garbage import uncollected
 
 if TYPE_CHECKING:
+    from .analysis.driving.drive import drive as drive
     from .analysis.equilibrium.assemble import assemble as assemble
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
     from .analysis.identification.fit_forces import Fit as Fit
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from .codegen.model import t as t
     from .codegen.model.statement import draw as draw
     from .fmu.export import export_fmu as export_fmu
+    from .results.drive import Drive as Drive
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .robots.load import load_mjcf as load_mjcf
@@ -56,6 +58,7 @@ _HOME = {
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
     "Contact": ".codegen.model",
+    "Drive": ".results.drive",
     "Ensemble": ".results.ensemble",
     "EvaluationError": ".runtime",
     "Event": ".codegen.model",
@@ -80,6 +83,7 @@ _HOME = {
     "assemble": ".analysis.equilibrium.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",
+    "drive": ".analysis.driving.drive",
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
     "fit_forces": ".analysis.identification.fit_forces",
     "from_mechanics": ".codegen.mechanics",

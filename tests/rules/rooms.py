@@ -65,7 +65,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "presentation",
     ),
     "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "arguments", "presentation"),
-    "results": ("codegen.model.normalise", "runtime", "arguments", "presentation", "results.pictures"),
+    "results": ("codegen.model.normalise", "files", "runtime", "arguments", "presentation", "results.pictures"),
     "results.output": ("files", "arguments", "presentation", "compiled", "results.pictures", "results"),
     "simulation.initial_state": (
         "codegen.model.normalise",
@@ -117,6 +117,16 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "simulation",
         "analysis.state",
         "analysis.linear",
+    ),
+    "analysis.driving": (
+        "codegen.model.normalise",
+        "runtime",
+        "arguments",
+        "compiled",
+        "results",
+        "analysis.state",
+        "analysis.inverse",
+        "analysis.equilibrium",
     ),
     "batch": (
         "codegen.model.normalise",
@@ -262,6 +272,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "simulation",
         "analysis.state",
         "analysis.linear",
+        "analysis.driving",
         "analysis.equilibrium",
         "batch",
         "batch.sweep",

@@ -17,6 +17,7 @@ COMMANDS = {
     "run": "Simulate a model; print a summary, plot, animate or save the motion.",
     "sweep": "Simulate a model for many values of parameters and initial values; store every run.",
     "linearize": "Show the eigenvalues and modes of a model at a state.",
+    "drive": "Find the forces that drive a model along a prescribed motion.",
     "equilibrium": "Find an equilibrium of a model.",
     "new": "Write a model file to start from.",
     "export": "Export a model as a Functional Mock-up Unit (FMI) for other tools.",
@@ -25,7 +26,7 @@ COMMANDS = {
     "stability": "Run extreme cases with every formulation and method.",
     "cache": "Show or clear the cache of compiled models.",
 }
-_SIMULATION = ("run", "sweep", "linearize", "equilibrium", "report", "stability")
+_SIMULATION = ("run", "sweep", "linearize", "equilibrium", "drive", "report", "stability")
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 
 EPILOG = """\b

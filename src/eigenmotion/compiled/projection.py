@@ -158,3 +158,14 @@ def next_to(x: Vector, k: int) -> Vector:
 def length(M: Vector, d: Vector) -> float:
     """Return sqrt(d^T M d), in the mass metric."""
     return sqrt(max(float(d @ M @ d), 0.0))
+
+
+def closure(c: CompiledModel, prepared: Prepared, t: float, x: Vector) -> tuple[Vector, Vector]:
+    """Return phi (h,) and the residuals (h,) that are rounding: of its terms, and of steps to x in the mass metric."""
+    phi, terms = c.position(t, x, prepared)
+    A = c.pfaffian(t, x, prepared)[0][: c.h]
+    unit = np.sqrt(np.diag(c.factored_matrix(t, x, prepared)))
+    with np.errstate(all="ignore"):
+        size = np.linalg.norm(A / unit, axis=1) * np.linalg.norm(x * unit)
+    eps = np.finfo(float).eps
+    return phi, eps * (terms + eps * np.where(np.isfinite(size), size, 0.0))

@@ -273,3 +273,5 @@ cdef extern from "eigenmotion.h" nogil:
                                 em_fault *) noexcept nogil
         void (*equation_partials)(double, const double *, const double *, const double *, const double *, const double *,
                                   const double *, double *) noexcept nogil
+        void (*observe)(double, const double *, const double *, const double *, const double *, const double *,
+                        const double *, double *) noexcept nogil

@@ -232,6 +232,17 @@ cdef class CompiledModel(PointModel):
                     blank(z.row(i), self.n_outputs)
         return z.array
 
+    def observed_rows(self, t, x, v, a, multipliers, u, Prepared c not None):
+        """The outputs (k, n_outputs) at given accelerations (k, n) and multipliers (k, m), as of a driven motion."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = floats(t, (k,), "t"), q = floats(x, (k, self.n), "x"), w = floats(v, (k, self.n), "v")
+        cdef Numbers b = floats(a, (k, self.n), "a"), L = floats(multipliers, (k, self.m), "multipliers")
+        cdef Numbers s = floats(u, (k, self.n_inputs), "inputs"), z = zeros((k, self.n_outputs))
+        with nogil:
+            for i in range(k if self.n_outputs > 0 else 0):
+                self.model.observe(T.data[i], q.row(i), w.row(i), b.row(i), L.row(i), c.c, s.row(i), z.row(i))
+        return z.array
+
     def eigenfactor_rows(self, t, x, Prepared c not None):
         """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last row that has a value."""
         cdef em_fault fault

@@ -12,7 +12,7 @@ from ...arguments.options import is_system, no_system
 from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
 from ...compiled.compiled_system import CompiledSystem
-from ...compiled.projection import ConsistentState, Projection, check_resolved, length
+from ...compiled.projection import ConsistentState, Projection, check_resolved, closure, length
 from ...runtime import CompiledModel, EvaluationError, Prepared
 from ..state.active_contacts import Surfaces, Switch, holding
 from ..state.operating_point import OperatingPoint
@@ -196,8 +196,8 @@ class _Loop:
         return self._whole(q)
 
     def _is_closed(self, x: Vector) -> bool:
-        phi, terms = self._phi(x)
-        return bool((np.abs(phi) <= _CLOSED * np.finfo(float).eps * terms).all())
+        phi, rounding = closure(self.c, self.prepared, self.t, x)
+        return bool((np.abs(phi) <= _CLOSED * rounding).all())
 
     def _refuse(self, x: Vector) -> None:
         rows = ", ".join(f"{self.c.row_names[k]} by {r:.3g}" for k, r in enumerate(self._phi(x)[0].tolist()))
@@ -229,7 +229,9 @@ def _moving(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
         change = np.linalg.lstsq(B * unit[:, None], -(A @ v + b) * unit, rcond=1e-9)[0]
         v[free] += np.linalg.solve(L.T, change)
     left, terms = np.abs(A @ v + b), np.abs(A) @ np.abs(v) + np.abs(b)
-    if (wrong := ~(left <= _CONTRADICTS * terms)).any():
+    inertia = np.sqrt(np.diag(M))
+    rounding = _CLOSED * np.finfo(float).eps * np.linalg.norm(A / inertia, axis=1) * np.linalg.norm(v * inertia)
+    if (wrong := ~(left <= _CONTRADICTS * terms + rounding)).any():
         rows = ", ".join(f"{c.row_names[k]} by {left[k]:.3g}" for k in np.flatnonzero(wrong))
         names = ", ".join(c.coordinates[k] for k in given) or "none"
         raise ModelError(f"{c.name}: the rates that v0 gives ({names}) contradict the constraints, {rows}. Give fewer")

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 35 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 36 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -282,6 +282,8 @@ typedef struct em_model {
      * lambda; M is the mass matrix itself, even if another one is factored (em_derivatives.h). */
     void (*equation_partials)(double t, const double *x, const double *v, const double *a, const double *lambda,
                               const double *c, const double *u, double *D);
+    void (*observe)(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
+                    const double *u, double *out); /* (n_outputs) at given a, lambda, as of a driven motion; or NULL */
 } em_model;
 
 #endif

@@ -1,0 +1,1 @@
+"""Driving: prescribed motions of whole mechanisms, and the forces that they take."""

@@ -1,0 +1,166 @@
+"""`eigenmotion drive`."""
+
+import csv
+import math
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+import sympy
+from scipy.interpolate import make_interp_spline
+
+from eigenmotion.analysis.driving.drive import drive
+from eigenmotion.building.build import system_of
+from eigenmotion.codegen.model import t as time
+from eigenmotion.presentation.figures import FORMATS, require_matplotlib
+from eigenmotion.presentation.figures import save as save_figure
+from eigenmotion.progress import clock
+from eigenmotion.results.drive import SAVERS, Drive
+from eigenmotion.results.pictures.animation import ANIMATIONS, require_ffmpeg, save_animation
+from eigenmotion.results.pictures.moving_shapes import require_drawing
+
+from ..options import Finite, Shape, check_targets, distinct_assignments, model, setting, shaping, values
+
+_DEGREE = 5
+"""Of the spline through samples: its second derivative, which forces depend on, is accurate."""
+_END = 10.0
+
+
+@click.command("drive")
+@model
+@click.option("--path", "paths", multiple=True, required=True, metavar="NAME=PATH",
+              help="The motion of a coordinate: an expression in t, such as q1='pi/2*sin(2*t)', or FILE.csv with the "
+              "columns t and NAME.")  # fmt: skip
+@click.option(
+    "--actuators",
+    default=None,
+    metavar="NAMES",
+    help="Coordinates and inputs that act, separated by commas. Default: the coordinates with a path.",
+)
+@click.option("--t-end", type=Finite(above_zero=True), default=None, metavar="T",
+              help="End time in seconds; motions start at 0. Default: that of the files, or 10.")  # fmt: skip
+@click.option("--rows", type=click.IntRange(min=2), default=1001, show_default=True, help="Number of times.")
+@setting
+@click.option(
+    "-o",
+    "--output",
+    "target",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help=f"Save the motion and the forces, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.",
+)
+@click.option(
+    "--plot",
+    type=click.Path(path_type=Path, dir_okay=False),
+    metavar="FILE",
+    help="Draw motion, forces and powers, to FILE.png, .svg or .pdf; needs matplotlib.",
+)
+@click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help=f"Animate the mechanism, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
+@shaping
+def command(
+    model: Path,
+    paths: tuple[str, ...],
+    actuators: str | None,
+    t_end: float | None,
+    rows: int,
+    settings: tuple[str, ...],
+    target: Path | None,
+    plot: Path | None,
+    animate: Path | None,
+    **shape: Any,
+) -> int:
+    """Find the forces that drive MODEL along a prescribed motion.
+
+    As many coordinates have a path as the mechanism has degrees of freedom; the others follow from the constraints. For
+    each actuator the largest force, its root mean square, and the largest speed and power are printed.
+    """
+    _check_targets(plot, animate, target)
+    request = Shape(**shape).request(model)
+    if animate and not request.model.drawing:
+        require_drawing(None, request.model.name)
+    arguments = values(request.model, settings)
+    if "v0" in arguments:
+        raise click.UsageError("--set: rates follow from the paths")
+    motion, last = _motion(distinct_assignments(paths, "--path"))
+    names = tuple(name.strip() for name in actuators.split(",")) if actuators else None
+    with clock():
+        system = system_of(request)
+        times = np.linspace(0.0, t_end or last or _END, rows)
+        result = drive(system, times, motion, actuators=names, **arguments)
+    click.echo(summary(result))
+    if plot:
+        click.echo(f"drawn to {save_figure(result.plot(), plot)}")
+    if animate:
+        click.echo(f"moves in {save_animation(result.animate(), animate)}")
+    if target:
+        result.save(target)
+        click.echo(f"saved to {target}")
+    return 0
+
+
+def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
+    """Check the targets before the work."""
+    if plot or animate:
+        require_matplotlib()
+    if animate and animate.suffix == ".mp4":
+        require_ffmpeg()
+    check_targets(("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("-o", target, SAVERS))
+
+
+def _motion(paths: dict[str, str]) -> tuple[dict[str, Any], float | None]:
+    """Return name -> path, and the last time that all files know; None without files."""
+    motion: dict[str, Any] = {}
+    ends = []
+    for name, text in paths.items():
+        if Path(text).suffix == ".csv":
+            at, sampled = _samples(Path(text), name)
+            motion[name] = make_interp_spline(at, sampled, k=_DEGREE)
+            ends.append(float(at[-1]))
+        else:
+            motion[name] = _expression(name, text)
+    return motion, min(ends, default=None)
+
+
+def _expression(name: str, text: str) -> sympy.Expr:
+    try:
+        made = sympy.sympify(text, locals={"t": time})
+    except (sympy.SympifyError, SyntaxError, TypeError, AttributeError) as error:
+        raise click.UsageError(f"--path {name}={text}: {text} is no expression in t") from error
+    if not isinstance(made, sympy.Expr):
+        raise click.UsageError(f"--path {name}={text}: {text} is no expression in t")
+    return made
+
+
+def _samples(file: Path, name: str) -> tuple[Any, Any]:
+    """Return t and values from the columns `t` and `name` of a file."""
+    try:
+        with file.open(encoding="utf-8", newline="") as text:
+            table = list(csv.DictReader(text))
+    except OSError as error:
+        raise click.UsageError(f"--path {name}={file}: {error.strerror}") from error
+    head = list(table[0]) if table else []
+    if not {"t", name} <= set(head):
+        raise click.UsageError(f"--path {name}={file}: the first line names the columns, t and {name}; it has {head}")
+    try:
+        columns = np.array([[float(row["t"]), float(row[name])] for row in table]).T
+    except (TypeError, ValueError) as error:
+        raise click.UsageError(f"--path {name}={file}: {error}") from error
+    if len(table) <= _DEGREE or not np.isfinite(columns).all() or not (np.diff(columns[0]) > 0.0).all():
+        raise click.UsageError(f"--path {name}={file}: more than {_DEGREE} rows are needed, with times that increase")
+    return columns[0], columns[1]
+
+
+def summary(result: Drive) -> str:
+    """Return a line for each actuator."""
+    head = f"{'actuator':<16} {'largest force':>15} {'at t':>9} {'rms':>13} {'largest speed':>15} {'largest power':>15}"
+    lines = [f"{result.model.name}, t = {result.t[0]:g} ... {result.t[-1]:g} s in {len(result.t)} rows", "", head]
+    for k, name in enumerate(result.actuators):
+        force, power = result.forces[k], result.power[k]
+        peak = int(np.abs(force).argmax())
+        rms = math.sqrt(np.trapezoid(force**2, result.t) / (result.t[-1] - result.t[0]))
+        speed = f"{np.abs(result.v[result.coordinates.index(name)]).max():.6g}" if name in result.coordinates else ""
+        lines.append(f"{name:<16} {force[peak]:>15.6g} {result.t[peak]:>9.4g} {rms:>13.6g} {speed:>15} "
+                     f"{np.abs(power).max():>15.6g}")  # fmt: skip
+    return "\n".join(lines)

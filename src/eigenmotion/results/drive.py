@@ -1,0 +1,197 @@
+"""Result of `drive`: a prescribed motion, and the forces that it takes."""
+
+import io
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..arguments.named_values import Vector
+from ..arguments.states import names_of_states
+from ..codegen.model.normalise import ModelError
+from ..files import write
+from ..presentation.tables import as_csv
+from ..runtime import CompiledModel, Prepared
+from .between_rows import between
+from .columns import columns, moving
+from .pictures.animation import FRAMES_A_SECOND, animation, frame_times
+from .pictures.driven_motion import driven_motion
+from .pictures.moving_shapes import Drawing, require_drawing
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Drive:
+    """A prescribed motion at k times, and the forces of the actuators. Time is the last axis.
+
+    Attributes
+    ----------
+    t : (k,)
+    x, v, a : (n, k), of all coordinates
+    states : name -> (k,)
+    actuators : names of coordinates and inputs, in the order of `forces`
+    forces : (count, k), of coordinates [J / u_i]; of inputs their values
+    power : (count, k), that each actuator gives to the mechanism [W]
+    multipliers : (m, k); the constraints push with -A^T lambda (7)
+    outputs : name -> (k,), of the driven motion
+    u : (n_inputs, k), with the actuators' values in it
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> turn = em.drive(em.build(model), [0.0, 0.5, 1.0], {"theta": em.t**2})
+    >>> turn
+    <Drive of pendulum: t = 0 ... 1 in 3 rows; largest forces theta 10.25>
+    >>> turn.power.round(3)
+    array([[ 0.   ,  4.427, 20.51 ]])
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    t: Vector
+    actuators: tuple[str, ...]
+    rows: tuple[Vector, Vector, Vector, Vector]
+    forces: Vector
+    multipliers: Vector
+    power: Vector
+    outputs: dict[str, Vector]
+
+    def __repr__(self) -> str:
+        peaks = ", ".join(
+            f"{name} {np.abs(row).max():.4g}" for name, row in zip(self.actuators, self.forces, strict=True)
+        )
+        span = f"t = {self.t[0]:g} ... {self.t[-1]:g} in {len(self.t)} rows"
+        return f"<Drive of {self.model.name}: {span}; largest forces {peaks}>"
+
+    def _coordinates(self, rows: Vector) -> Vector:
+        return rows.T[: self.model.n_coordinates]
+
+    @property
+    def x(self) -> Vector:
+        """(n, k)."""
+        return self._coordinates(self.rows[0])
+
+    @property
+    def v(self) -> Vector:
+        """(n, k)."""
+        return self._coordinates(self.rows[1])
+
+    @property
+    def a(self) -> Vector:
+        """(n, k)."""
+        return self._coordinates(self.rows[2])
+
+    @property
+    def u(self) -> Vector:
+        """(n_inputs, k)."""
+        return self.rows[3].T
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        return self.model.coordinates[: self.model.n_coordinates]
+
+    @property
+    def states(self) -> dict[str, Vector]:
+        """Name -> (k,)."""
+        return dict(zip(names_of_states(self.model), self.rows[1].T[self.model.n_coordinates :], strict=True))
+
+    @cached_property
+    def drawing(self) -> Drawing | None:
+        """The drawing of the mechanism at every time; None if the model has no drawing."""
+        return self._drawn(self.t, *self.rows[:2]) if self.model.shapes else None
+
+    def drawn(self, t: Vector) -> Drawing:
+        """Return the drawing at t (k,), interpolated between the rows.
+
+        Raises
+        ------
+        ModelError
+            The model has no drawing.
+        """
+        require_drawing(self.drawing, self.model.name)
+        return self._drawn(t, *(between(self.t, *self.rows[:2], t) if len(self.t) > 1 else self.rows[:2]))
+
+    def _drawn(self, t: Vector, x: Vector, v: Vector) -> Drawing:
+        numbers = self.model.drawn_rows(t, x, v, self.prepared)
+        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
+
+    def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
+        """Return the motion as a matplotlib animation, as `Solution.animate` does; needs the extra `plot`."""
+        return animation(self.drawn(frame_times(self.t[0], self.t[-1], speed, fps)), fps)
+
+    def plot(self) -> Any:
+        """Return a figure of the motion, forces and powers over time, and of forces over speeds; needs `plot`."""
+        lines = [
+            ("coordinates", self.coordinates, self.x),
+            ("forces", self.actuators, self.forces),
+            ("power [W]", self.actuators, self.power),
+        ]
+        speeds = {
+            name: (self.v[self.coordinates.index(name)], row)
+            for name, row in zip(self.actuators, self.forces, strict=True)
+            if name in self.coordinates
+        }
+        return driven_motion(self.model.name, self.t, lines, speeds, self.drawing)
+
+    def table(self) -> tuple[list[str], Vector]:
+        """Return names of columns and numbers (k, columns): t; coordinates; rates, marked '; accelerations, marked ''.
+
+        Behind these are forces, powers, multipliers, outputs, states and inputs.
+        """
+        ours = ["t", *(f"lambda{k}" for k in range(self.model.m))]
+        motion = moving(ours, self.coordinates)
+        marked = [*motion, *(f"{name}''" for name in self.coordinates)]
+        others = {
+            "force": dict(zip(self.actuators, self.forces, strict=True)),
+            "power": dict(zip(self.actuators, self.power, strict=True)),
+            "output": self.outputs,
+            "state": self.states,
+            "input": {n: row for n, row in zip(self.model.inputs, self.u, strict=True) if n not in self.actuators},
+        }
+        users = [(kind, f"{kind}_{n}" if kind in ("force", "power") else n) for kind, of in others.items() for n in of]
+        named = columns({*ours, *marked}, users)
+        rows = [
+            self.t,
+            *self.x,
+            *self.v,
+            *self.a,
+            *self.multipliers,
+            *(row for of in others.values() for row in of.values()),
+        ]
+        return ["t", *marked, *ours[1:], *named], np.array(rows).T
+
+    def save(self, path: Path | str) -> None:
+        """Write a table to PATH.csv, or arrays to PATH.npz.
+
+        Raises
+        ------
+        ModelError
+            Another ending.
+        """
+        target = Path(path)
+        if target.suffix not in SAVERS:
+            raise ModelError(f"{target}: known endings are {', '.join(SAVERS)}")
+        write(target, SAVERS[target.suffix](self))
+
+
+def _csv(motion: Drive) -> bytes:
+    head, rows = motion.table()
+    return as_csv(head, rows.tolist()).encode()
+
+
+def _npz(motion: Drive) -> bytes:
+    buffer = io.BytesIO()
+    arrays = {name: getattr(motion, name) for name in ("t", "x", "v", "a", "u", "forces", "power", "multipliers")}
+    arrays |= {f"output_{name}": values for name, values in motion.outputs.items()}
+    arrays |= {f"state_{name}": values for name, values in motion.states.items()}
+    np.savez_compressed(
+        buffer, coordinates=np.array(motion.coordinates), actuators=np.array(motion.actuators), **arrays
+    )
+    return buffer.getvalue()
+
+
+SAVERS: dict[str, Callable[[Drive], bytes]] = {".npz": _npz, ".csv": _csv}

@@ -1,0 +1,76 @@
+"""Picture of a driven motion: coordinates, forces and powers over time, forces over speeds, and the mechanism."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...presentation.figures import COLOURS, blank, uncluttered
+from .labelled_lines import draw_lines, label, name_lines
+from .moving_shapes import Drawing
+from .sketch import Sketch
+
+Lines = tuple[str, Sequence[str], Vector]
+_GHOSTS = 6
+_SPEED = r"\dot{%s}"
+
+
+def driven_motion(
+    name: str, t: Vector, lines: Sequence[Lines], speeds: Mapping[str, tuple[Vector, Vector]], drawing: Drawing | None
+) -> Any:
+    """Return the figure.
+
+    Parameters
+    ----------
+    lines
+        For each panel over time its label, the names of its lines, and their values (count, k).
+    speeds
+        Actuator -> its speed and force, (k,) each. A ring marks the root of the mean square of the force, which heats a
+        motor, and a dot the largest force.
+    """
+    beside = bool(speeds) + (drawing is not None)
+    heights = [max(2.2, 0.4 + 0.2 * len(names)) for _, names, _ in lines]
+    figure = blank(8.0 + 4.5 * bool(beside), sum(heights) + 0.6)
+    halves = figure.add_gridspec(1, 1 + bool(beside), width_ratios=(8, 4.5)[: 1 + bool(beside)])
+    places = halves[0, 0].subgridspec(len(lines), 1, height_ratios=heights)
+    axes: Any = None
+    for row, (text, names, values) in enumerate(lines):
+        axes = figure.add_subplot(places[row, 0], sharex=axes)
+        draw_lines(axes, t, values, names)
+        name_lines(axes, values, names)
+        axes.set(ylabel=text, title=name.replace("_", " ") if row == 0 else "")
+        axes.tick_params(labelbottom=row == len(lines) - 1)
+    axes.set_xlabel("time $t$ [s]")
+    if t[0] != t[-1]:
+        axes.set_xlim(t[0], t[-1])
+    right: Any = halves[0, 1].subgridspec(beside, 1) if beside else None
+    if drawing is not None:
+        _sketch(figure, right[0, 0], drawing)
+    if speeds:
+        _over_speeds(figure.add_subplot(right[beside - 1, 0]), speeds)
+    return figure
+
+
+def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector]]) -> None:
+    """Draw the force of each actuator over its speed: what its motor must be able to give."""
+    for (name, (speed, force)), colour in zip(speeds.items(), COLOURS * len(speeds), strict=False):
+        axes.plot(speed, force, color=colour, linewidth=1.6, label=label(name))
+        peak = int(np.abs(force).argmax())
+        axes.plot(speed[peak], force[peak], "o", color=colour, markersize=5)
+        axes.plot(
+            np.sqrt(np.mean(speed**2)), np.sqrt(np.mean(force**2)), "o", color=colour, fillstyle="none", markersize=7
+        )
+    axes.axvline(0.0, color="0.6", linewidth=0.8, zorder=0)
+    uncluttered(axes)
+    one = next(iter(speeds)) if len(speeds) == 1 else None
+    axes.set(xlabel=f"speed of {label(one)}" if one else "speeds", ylabel=f"force on {label(one)}" if one else "forces")
+    if one is None:
+        axes.legend(frameon=False)
+
+
+def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
+    """Draw the mechanism at the end, and faint copies of earlier positions."""
+    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
+    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
+    sketch.show(len(drawn.t) - 1)

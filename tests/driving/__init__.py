@@ -1,0 +1,1 @@
+"""Motions that are prescribed, and the forces that they take."""
