@@ -62,4 +62,4 @@ cdef class Prepared:
 
 cdef class Actuators:
     cdef em_actuators list
-    cdef readonly tuple names
+    cdef readonly tuple names, weights

@@ -15,6 +15,8 @@ class Prepared:
 class Actuators:
     @property
     def names(self) -> tuple[str, ...]: ...
+    @property
+    def weights(self) -> tuple[float, ...] | None: ...
     def __init__(
         self,
         names: Sequence[str],

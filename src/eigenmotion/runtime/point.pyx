@@ -463,7 +463,7 @@ cdef class Actuators:
         cdef int k, count = len(names)
         cdef int *places = <int *> calloc(2 * count + 1, sizeof(int))
         cdef double *squares = <double *> calloc(len(weights) + 1, sizeof(double)) if weights is not None else NULL
-        self.names = tuple(names)
+        self.names, self.weights = tuple(names), None if weights is None else tuple(weights)
         self.list.count, self.list.coordinate, self.list.input, self.list.weight = count, places, places + count, squares
         if places == NULL or (weights is not None and squares == NULL):
             raise MemoryError

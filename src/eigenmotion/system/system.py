@@ -5,6 +5,7 @@ from importlib import import_module
 from typing import Any
 
 from ..analysis.identification.regressor import regressor
+from ..analysis.inverse.force_derivatives import inverse_dynamics_derivatives
 from ..analysis.inverse.inverse_dynamics import inverse_dynamics
 from ..analysis.linear.linearize import linearize
 from ..batch.stepper.open_steppers import steppers
@@ -55,4 +56,5 @@ class System(CompiledSystem):
     steppers = steppers
     linearize = linearize
     inverse_dynamics = inverse_dynamics
+    inverse_dynamics_derivatives = inverse_dynamics_derivatives
     regressor = regressor

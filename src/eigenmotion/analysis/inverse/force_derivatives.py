@@ -1,0 +1,213 @@
+"""Exact derivatives of inverse dynamics.
+
+Forces tau and multipliers lambda of a motion are the solution of
+
+    B tau - A^T lambda = r = M a - f,   W tau = B^T mu,   A mu = 0
+
+where tau has the least tau^T W tau, and mu are the multipliers of that choice (Karush-Kuhn-Tucker). Derivatives solve
+the equations differentiated, whose right sides follow from the partial derivatives of M a - f + A^T lambda at fixed a,
+lambda and inputs (equation_partials).
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments.named_values import Vector, spelled, unknown
+from ...codegen.model.normalise import ModelError
+from ...compiled.compiled_system import CompiledSystem
+from ...runtime import Actuators, CompiledModel
+from ...runtime.variations import equation_partials
+from .actuators import actuators_of
+from .friction_modes import by_mode
+from .inverse_dynamics import required
+from .motion_arguments import Motion, motion_of
+
+_DEPENDENT = 1e-10
+"""Least singular value of the equations, relative to the largest, that counts."""
+_DRIVES = 1e-8
+"""Least part of a free motion, in the mass metric, that actuators drive."""
+
+
+@dataclass(frozen=True)
+class ForceDerivatives:
+    """Derivatives of the forces of a motion; with k states, the last axis of each array is theirs.
+
+    forces : (count,), in the order of the actuators
+    dx, dv, da : (count, n)
+    by : name -> (count,), of parameters, inputs and first-order states
+    """
+
+    forces: Vector
+    dx: Vector
+    dv: Vector
+    da: Vector
+    by: dict[str, Vector]
+
+
+def inverse_dynamics_derivatives(
+    system: CompiledSystem,
+    x: Mapping[Any, Any] | ArrayLike,
+    v: Mapping[Any, Any] | ArrayLike,
+    a: Mapping[Any, Any] | ArrayLike,
+    t: ArrayLike = 0.0,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | ArrayLike | None = None,
+    *,
+    actuators: Any = None,
+    by: Iterable[Any] = (),
+) -> ForceDerivatives:
+    """Return the derivatives of the forces of `inverse_dynamics` by x, v, a and names, exact.
+
+    With constraints, a change of the forces is dx dot(x) + dv dot(v) + da dot(a) for changes that the constraints allow
+    together. Frictions keep the direction in which they slide.
+
+    Parameters
+    ----------
+    x, v, a, t, parameters, inputs, actuators
+        As in `inverse_dynamics`.
+    by
+        Names of parameters, inputs (that are no actuators) and first-order states.
+
+    Raises
+    ------
+    ModelError
+        As `inverse_dynamics`; a name is unknown; actuators drive this motion, but not all motions beside it; friction
+        is proportional to reactions.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> found = em.build(model).inverse_dynamics_derivatives([0.5], [0.0], [2.0], by=["g"])
+    >>> found.dx.round(6), found.da.round(6), found.by["g"].round(6)
+    (array([[8.609085]]), array([[1.]]), array([0.479426]))
+    """
+    c = system.compiled
+    of = actuators_of(c, actuators)
+    motion = motion_of(system, x, v, a, t, parameters, inputs)
+    forces, multipliers, _ = required(motion, of)
+    if c.pushes:
+        raise ModelError(
+            f"{c.name}: friction is proportional to reactions; derivatives of its forces are not available"
+        )
+    places = _places(c, by, of)
+    n, columns = c.n_coordinates, list(places.values())
+    made = np.empty((len(motion.t), forces.shape[1], 3 * n + len(columns)))
+    for rows, part in by_mode(motion) if c.switches else [(np.arange(len(motion.t)), motion)]:
+        for row, k in enumerate(rows):
+            made[k] = _AtState(part, row, of, forces[k], multipliers[k]).derivatives(columns)
+    dx, dv, da, rest = (motion.out(one) for one in np.split(made, [n, 2 * n, 3 * n], axis=2))
+    return ForceDerivatives(motion.out(forces), dx, dv, da, {name: rest[:, k] for k, name in enumerate(places)})
+
+
+def _places(c: CompiledModel, by: Iterable[Any], of: Actuators) -> dict[str, int]:
+    """Return name -> column of the partial derivatives."""
+    known = {name: c.n + k for k, name in enumerate(c.coordinates) if k >= c.n_coordinates}
+    known |= {name: 2 * c.n + k for k, name in enumerate(c.inputs) if name not in of.names}
+    known |= {name: 2 * c.n + c.n_inputs + k for k, name in enumerate(c.parameters) if name not in c.tables}
+    names = [by] if isinstance(by, str) else list(map(spelled, by))
+    if wrong := set(names) - set(known):
+        raise ModelError(f"{c.name}: {unknown('parameter, input or state', wrong, tuple(known))}")
+    return {name: known[name] for name in names}
+
+
+class _AtState:
+    """The equations of forces at one row of a motion, in units in which M has a unit diagonal."""
+
+    def __init__(self, motion: Motion, row: int, of: Actuators, forces: Vector, multipliers: Vector) -> None:
+        c, n = motion.model, motion.model.n_coordinates
+        self.motion, self.row, self.of = motion, row, of
+        self.t, self.x = float(motion.t[row]), motion.x[row]
+        self.u = motion.u[row].copy()
+        self.inputs = [k for k, name in enumerate(of.names) if name in c.inputs]
+        for k in self.inputs:
+            self.u[c.inputs.index(of.names[k])] = forces[k]
+        self.multipliers, self.forces = multipliers, forces
+        self.M = c.mass_matrix(self.t, self.x, motion.prepared)[:n, :n]
+        factored = c.factored_matrix(self.t, self.x, motion.prepared)
+        self.unit = 1.0 / np.sqrt(np.diag(factored)[:n])
+        self.whole = self.partials(multipliers, self.u)
+        A = c.pfaffian(self.t, self.x, motion.prepared)[0][:, :n] * self.unit
+        self.lengths = np.linalg.norm(A, axis=1)
+        self.lengths[self.lengths == 0.0] = 1.0
+        self.A = A / self.lengths[:, None]
+        self.roots = np.sqrt(np.ones(len(forces)) if of.weights is None else np.array(of.weights))
+        self.B = self._columns() * self.unit[:, None] / self.roots
+
+    def partials(self, multipliers: Vector, u: Vector) -> Vector:
+        """Return the derivatives (n, n_arguments) of M a - f + A^T lambda at fixed a, lambda."""
+        c, motion = self.motion.model, self.motion
+        D: Vector = equation_partials(
+            c, self.t, self.x, motion.v[self.row], motion.a[self.row], multipliers, motion.prepared, u
+        )
+        return D[: c.n_coordinates]
+
+    def _columns(self) -> Vector:
+        """Return B (n, count)."""
+        c, n = self.motion.model, self.motion.model.n_coordinates
+        if not self.of.names:
+            return np.eye(n)
+        B = np.zeros((n, len(self.of.names)))
+        for k, name in enumerate(self.of.names):
+            if name in c.coordinates[:n]:
+                B[c.coordinates.index(name), k] = 1.0
+            else:
+                B[:, k] = -self.whole[:, 2 * c.n + c.inputs.index(name)]
+        return B
+
+    def derivatives(self, columns: list[int]) -> Vector:
+        """Return the derivatives (count, 3 n + columns) by x, v, a and the arguments in these columns."""
+        c, n = self.motion.model, self.motion.model.n_coordinates
+        chosen = [*range(n), *range(c.n, c.n + n), *columns]
+        right = np.hstack([self.whole[:, chosen[: 2 * n]], self.M, self.whole[:, columns]])
+        if not self.of.names and not c.m:
+            return right
+        self._check_driven()
+        mu = np.linalg.lstsq(np.vstack([self.B.T, self.A]), np.concatenate([self.roots * self.forces, np.zeros(c.m)]),
+                             rcond=_DEPENDENT)[0]  # fmt: skip
+        turning_A, turning_B = self._turning(mu * self.unit, chosen)
+        return self._solved(right, turning_A, turning_B)
+
+    def _check_driven(self) -> None:
+        """Raise ModelError unless actuators drive all motions that the constraints allow."""
+        c = self.motion.model
+        _, sizes, V = np.linalg.svd(self.A) if c.m else (None, np.zeros(0), np.eye(len(self.unit)))
+        N = V[int((sizes > _DRIVES).sum()) :].T
+        driven = np.linalg.svd(N.T @ self.B, compute_uv=False) if N.size else np.ones(1)
+        if len(driven) < N.shape[1] or not driven[-1] > _DRIVES * np.linalg.norm(self.B):
+            raise ModelError(
+                f"{c.name}: {' and '.join(self.of.names)} drive this motion, but not every motion beside it, so that "
+                "its forces have no derivatives. Give as many actuators as there are degrees of freedom."
+            )
+
+    def _turning(self, mu: Vector, chosen: list[int]) -> tuple[Vector, Vector]:
+        """Return dA mu (m, 3 n + ...) and dB^T mu (count, 3 n + ...)."""
+        c, n = self.motion.model, self.motion.model.n_coordinates
+        none, width = np.zeros(c.m), len(chosen) + n
+        of_A, of_B = np.zeros((c.m, width)), np.zeros((len(self.forces), width))
+        places = [*range(2 * n), *range(3 * n, width)]
+        bare = self.partials(none, self.u)[:, chosen]
+        for row, one in enumerate(np.eye(c.m)):
+            of_A[row, places] = mu @ (self.partials(one, self.u)[:, chosen] - bare)
+        for k in self.inputs:
+            more = self.u.copy()
+            more[c.inputs.index(self.of.names[k])] += 1.0
+            of_B[k, places] = mu @ (bare - self.partials(none, more)[:, chosen])
+        return of_A, of_B
+
+    def _solved(self, right: Vector, turning_A: Vector, turning_B: Vector) -> Vector:
+        """Return dtau of the differentiated conditions."""
+        count, n, m = len(self.forces), len(self.unit), len(self.A)
+        whole = np.block([
+            [np.eye(count), -self.B.T, np.zeros((count, m))],
+            [np.zeros((m, count)), self.A, np.zeros((m, m))],
+            [self.B, np.zeros((n, n)), -self.A.T],
+        ])  # fmt: skip
+        sides = np.vstack(
+            [turning_B / self.roots[:, None], -turning_A / self.lengths[:, None], right * self.unit[:, None]]
+        )
+        return np.asarray(np.linalg.lstsq(whole, sides, rcond=_DEPENDENT)[0][:count] / self.roots[:, None])

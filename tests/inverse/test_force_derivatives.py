@@ -1,0 +1,117 @@
+"""Derivatives of inverse dynamics against differences of inverse dynamics, along motions that constraints allow."""
+
+import numpy as np
+import pytest
+from sympy import cos, sin
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+
+from ..driving import linkages
+from ..support.generation import system_of
+
+STEP = 1e-3
+
+
+def difference(function):
+    """The derivative of a function at 0, by differences of order 6."""
+    points = [(function(k * STEP) - function(-k * STEP)) / (2 * k * STEP) for k in (1, 2, 3)]
+    return 1.5 * points[0] - 0.6 * points[1] + 0.1 * points[2]
+
+
+def agrees(found, wanted, within=1e-8):
+    return np.abs(found - wanted).max() <= within * (np.abs(wanted).max() + np.abs(found).max()) + 1e-11
+
+
+def test_an_arm_by_every_argument():
+    system, random = system_of("puma", "lagrange"), np.random.default_rng(1)
+    x, v, a = random.normal(size=(3, system.n))
+    names = [*system.parameters][:4]
+    found = system.inverse_dynamics_derivatives(x, v, a, by=names)
+    for k, unit in enumerate(np.eye(system.n)):
+        for whole, at in ((found.dx, 0), (found.dv, 1), (found.da, 2)):
+            moved = lambda e, at=at, unit=unit: [w + e * unit * (j == at) for j, w in enumerate((x, v, a))]  # noqa: E731
+            assert agrees(whole[:, k], difference(lambda e, moved=moved: system.inverse_dynamics(*moved(e)).forces))
+    for name in names:
+        value = system.parameters[name]
+        wanted = difference(lambda e, n=name, p=value: system.inverse_dynamics(x, v, a, parameters={n: p + e}).forces)
+        assert agrees(found.by[name], wanted)
+
+
+def along(system, paths, motion, actuators):
+    """Check dx dot(x) + dv dot(v) + da dot(a) along a family of motions paths(e), at the time 0.3."""
+    times = np.array([0.0, 0.15, 0.3])
+    base = em.drive(system, times, paths(0.0), x0=motion)
+    family = {k: em.drive(system, times, paths(k * STEP), x0=motion) for k in (-3, -2, -1, 1, 2, 3)}
+
+    def rate(read):
+        return difference(lambda e: read(family[round(e / STEP)]))
+
+    dx, dv, da = (rate(lambda d, name=name: getattr(d, name)[:, -1]) for name in ("x", "v", "a"))
+    at = base.x[:, -1], base.v[:, -1], base.a[:, -1]
+    found = system.inverse_dynamics_derivatives(*at, actuators=actuators)
+    wanted = rate(lambda d: system.inverse_dynamics(d.x[:, -1], d.v[:, -1], d.a[:, -1], actuators=actuators).forces)
+    assert agrees(found.dx @ dx + found.dv @ dv + found.da @ da, wanted)
+
+
+@pytest.mark.parametrize("actuators", [("q1",), ("q3",), ("q1", "q3"), {"q1": 5.0, "q2": 1.0, "q3": 0.2}, None])
+def test_a_linkage_along_its_motions(actuators):
+    t = em.t
+    along(system_of("four_bar", "lagrange"), lambda e: {"q1": 0.5 + 2 * t + e * sin(3 * t + 1)}, None, actuators)
+
+
+@pytest.mark.parametrize(
+    "actuators", [("u_a", "u_b", "u_c"), ("u_a", "u_b", "u_c", "x"), {"u_a": 2.0, "u_b": 1.0, "y": 3.0, "z": 0.5}]
+)
+def test_a_delta_robot_with_motors(actuators):
+    t = em.t
+
+    def paths(e):
+        return {"x": 0.1 * sin(2 * t + e), "y": 0.05 * sin(3 * t) + e * t, "z": -0.45 + 0.05 * sin(t) + e * cos(t)}
+
+    along(em.build(linkages.delta()), paths, None, actuators)
+
+
+def test_inputs_whose_direction_turns_and_states():
+    """A thruster of input u along the heading of a cart on a circle, against a bristle z."""
+    x, y, theta, z, u, w = dynamicsymbols("x y theta z u w")
+    model = em.Model(
+        name="thruster",
+        coordinates=[x, y, theta],
+        kinetic_energy=(2 * x.diff() ** 2 + 3 * y.diff() ** 2 + theta.diff() ** 2) / 2,
+        forces={x: u * cos(theta) - z, y: u * sin(theta) + w * x.diff()},
+        states={z: x.diff() - z},
+        inputs={u: 0.0, w: 0.5},
+        holonomic_constraints=[x - cos(theta), y - sin(theta) ** 2],
+        initial={x: 1.0, z: 0.3},
+    )
+    system = em.build(model)
+    near = {"x": 0.92, "y": 0.15, "z": 0.3}
+    for actuators in (("u",), ("u", "theta"), {"u": 3.0, "y": 0.4}):
+        along(system, lambda e: {"theta": 0.4 + em.t + e * em.t**2 + e}, near, actuators)
+    at = em.drive(system, [0.0, 0.1], {"theta": 0.4 + em.t}, x0=near)
+    place = (*at.x[:, -1], 0.7), at.v[:, -1], at.a[:, -1]
+    found = system.inverse_dynamics_derivatives(*place, actuators=("u", "theta"), by=["z", "w"])
+
+    def forces(z=0.7, w=0.5):
+        return system.inverse_dynamics((*place[0][:3], z), *place[1:], inputs={"w": w}, actuators=("u", "theta")).forces
+
+    assert agrees(found.by["z"], difference(lambda e: forces(z=0.7 + e)))
+    assert agrees(found.by["w"], difference(lambda e: forces(w=0.5 + e)))
+
+
+def test_many_states_and_mistakes():
+    system = system_of("four_bar", "lagrange")
+    turn = em.drive(system, np.linspace(0.0, 1.0, 5), {"q1": 0.5 + 2 * em.t})
+    found = system.inverse_dynamics_derivatives(turn.x, turn.v, turn.a, actuators=("q1",), by=["density"])
+    assert found.dx.shape == (1, 3, 5)
+    assert np.abs(found.forces - turn.forces).max() < 1e-12
+    assert agrees(found.by["density"], turn.forces / system.parameters["density"])
+    one = system.inverse_dynamics_derivatives(turn.x[:, 2], turn.v[:, 2], turn.a[:, 2], actuators=("q1",))
+    assert np.array_equal(one.dv, found.dv[..., 2])
+    with pytest.raises(em.ModelError, match="'none'"):
+        system.inverse_dynamics_derivatives(turn.x, turn.v, turn.a, by=["none"])
+    pendulum = system_of("furuta_pendulum", "lagrange")
+    rest = np.array([0.0, 0.0])
+    with pytest.raises(em.ModelError, match="not every motion beside it"):
+        pendulum.inverse_dynamics_derivatives(rest, rest, rest, actuators=("u",))
