@@ -66,6 +66,21 @@ def test_a_start_where_something_bends_is_proved(formulation):
     prove(model, system_for(model, formulation))
 
 
+@pytest.mark.parametrize("turn", [0.9, 1.25, 3.0])
+def test_a_start_whose_rotation_changes_to_its_shadow_set_is_proved(turn):
+    """The end of the first steps was compared in the other set of modified Rodrigues parameters, and refused."""
+    tree = em.Tree()
+    tree.body("ball", joint="spherical", mass=2.0, center=(0, 0, -0.3), inertia=(0.1, 0.2, 0.3))
+    model = em.Model(
+        name="turned_far",
+        coordinates=tree.coordinates,
+        kinetic_energy=tree.kinetic_energy,
+        potential_energy=tree.potential_energy,
+        initial={tree.coordinates[0]: turn, tree.coordinates[1]: 0.1, tree.coordinates[2].diff(): 0.2},
+    )
+    prove(model, system_for(model, "lagrange"))
+
+
 @pytest.mark.parametrize("value", [0.1, 0.7, 1.3, 5.0])
 @pytest.mark.parametrize("force", [sympy.exp(k * t) - 1, 1 + k * t - sympy.cos(k * t), sympy.sqrt(1 + k * t) - 1])
 def test_a_start_at_rest_under_a_force_that_grows_from_rounding_is_proved(force, value):

@@ -10,6 +10,7 @@ from ...arguments.methods import METHODS
 from ...arguments.named_values import Vector
 from ...arguments.options import SHARED_FROM_START
 from ...codegen.model import ModelError
+from ...results.charts import in_charts_of
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
 from ...system.system import System
@@ -127,7 +128,8 @@ def _error(system: System, run: Solution, substeps: int) -> float:
         M = system.compiled.factored_matrix(0.0, start[:n], system.prepare())
     except EvaluationError:
         return np.nan
-    end = np.concatenate([part[:, -1] for part in run.motion])
+    moved = in_charts_of(system.compiled, z[:n, None], *(part[:, -1:] for part in run.motion))
+    end = np.concatenate(moved)[:, 0]
     off = [np.sqrt(d @ M @ d) for d in (end[:n] - z[:n], end[n:] - z[n:])]
     way = run.t[-1] * (np.sqrt(start[n:] @ M @ start[n:]) + np.sqrt(z[n:] @ M @ z[n:]))
     change = np.sqrt((z - start)[n:] @ M @ (z - start)[n:])
