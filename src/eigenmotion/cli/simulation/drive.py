@@ -8,6 +8,7 @@ from typing import Any
 import click
 import numpy as np
 import sympy
+from scipy.integrate import trapezoid
 from scipy.interpolate import make_interp_spline
 
 from eigenmotion.analysis.driving.drive import drive
@@ -159,7 +160,7 @@ def summary(result: Drive) -> str:
     for k, name in enumerate(result.actuators):
         force, power = result.forces[k], result.power[k]
         peak = int(np.abs(force).argmax())
-        rms = math.sqrt(np.trapezoid(force**2, result.t) / (result.t[-1] - result.t[0]))
+        rms = math.sqrt(trapezoid(force**2, result.t) / (result.t[-1] - result.t[0]))
         speed = f"{np.abs(result.v[result.coordinates.index(name)]).max():.6g}" if name in result.coordinates else ""
         lines.append(f"{name:<16} {force[peak]:>15.6g} {result.t[peak]:>9.4g} {rms:>13.6g} {speed:>15} "
                      f"{np.abs(power).max():>15.6g}")  # fmt: skip
