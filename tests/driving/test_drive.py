@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy
 from scipy.integrate import trapezoid
+from scipy.interpolate import make_interp_spline
 from sympy import asin, cos, sin, sqrt
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -165,6 +166,44 @@ def test_state_that_a_reaction_changes_is_refused():
                      holonomic_constraints=[y - x**2], states={z: em.multiplier(0)})  # fmt: skip
     with pytest.raises(em.ModelError, match="rate of state 'z' depends on a reaction"):
         em.drive(em.build(model), [0.0, 0.1, 0.2], {"x": em.t})
+
+
+def test_state_that_an_actuator_changes_is_refused():
+    """Also where the input is at its default at every time given."""
+    x, z, u = dynamicsymbols("x z u")
+    model = em.Model(name="act", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces={x: u}, inputs={u: 0.0},
+                     states={z: u})  # fmt: skip
+    with pytest.raises(em.ModelError, match="rate of state 'z' depends on a reaction or on an actuator"):
+        em.drive(em.build(model), [0.0, 1.0], {"x": em.t**3 / 6 - em.t**4 / 12}, actuators=("u",))
+
+
+def test_a_mass_that_depends_on_the_time_from_one_on():
+    x, y = dynamicsymbols("x y")
+    model = em.Model(name="growing", coordinates=[x, y], kinetic_energy=em.t * (x.diff() ** 2 + y.diff() ** 2) / 2,
+                     holonomic_constraints=[y - 2 * x])  # fmt: skip
+    driven = em.drive(em.build(model), [1.0, 2.0], {"x": 2 * em.t})
+    assert np.abs(driven.x[1] - [4.0, 8.0]).max() < 1e-12
+    assert np.abs(driven.forces - 10.0).max() < 1e-9  # d/dt (t (2, 4)) = (2, 4), both by x: 2 + 2 * 4
+
+
+def test_smooth_paths_of_functions_that_bend():
+    system = built("pendulum")
+    times = np.linspace(0.0, 0.5, 6)
+    t = sympy.Symbol("t")
+    for path in (sympy.Max(t - 0.25, 0) ** 3, (t - 0.25) ** 3 * sympy.Heaviside(em.t - 0.25),
+                 (sympy.Abs(t - 0.25) + t - 0.25) ** 3 / 8):  # fmt: skip
+        driven = em.drive(system, times, {"theta": path})
+        assert np.abs(driven.a[0] - 6 * np.maximum(times - 0.25, 0.0)).max() < 1e-12
+    assert np.abs(em.drive(system, times, {"theta": sympy.besselj(0, t)}).x[0, 0] - 1.0) < 1e-15
+
+
+def test_jumps_between_two_times_and_at_the_end_of_a_table_are_found():
+    system, t = built("pendulum"), em.t
+    knots = np.linspace(0.0, 1.0, 11)
+    held = em.Table(make_interp_spline(knots, 0.5 + 2 * knots, k=5), name="held", outside="hold")
+    for path in (sympy.Piecewise((0, t < 0.4), (1, t < 0.6), (0, True)), held, sympy.asin(sin(2 * sympy.pi * t + 0.3))):
+        with pytest.raises(em.ModelError, match=r"jumps|has no value, rate"):
+            em.drive(system, [0.0, 1.5, 3.0], {"theta": path})
 
 
 def test_dead_centres_are_named():

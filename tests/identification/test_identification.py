@@ -185,3 +185,24 @@ def test_runs_of_other_models_are_refused():
     run = system_for(model_of("pendulum")).simulate((0, 1))
     with pytest.raises(em.ModelError, match="the run is one of pendulum"):
         em.identifiable(system_for(two_links(), "articulated_body"), ["J_1"], run)
+
+
+def test_units_of_parameters_do_not_matter():
+    """Two forces of equal size, one of a parameter of 1e13, are both told."""
+    x = dynamicsymbols("x")
+    stiffness, damping = sympy.symbols("stiffness damping")
+    model = em.Model(
+        name="units",
+        coordinates=[x],
+        kinetic_energy=x.diff() ** 2 / 2,
+        forces={x: -stiffness * x / sympy.Integer(10) ** 13 - damping * x.diff()},
+        parameters={stiffness: 1e13, damping: 1.0},
+    )
+    system, names = em.build(model, formulation="lagrange"), ["stiffness", "damping"]
+    motion = tuple(np.random.default_rng(0).normal(size=(3, 1, 20)))
+    forces = system.inverse_dynamics(*motion, parameters={"stiffness": 3e13, "damping": 2.0}).forces
+    fit = em.fit_forces(system, names, motion, forces)
+    assert np.abs(np.array([fit.parameters[name] for name in names]) / [3e13, 2.0] - 1.0).max() < 1e-9
+    for wrong in (0.0, 2.0, -1.0, float("nan")):
+        with pytest.raises(em.ModelError, match="tolerance"):
+            em.identifiable(system, names, motion, tolerance=wrong)

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from sympy import cos, sin
+from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 
 from ..driving import linkages
-from ..support.generation import system_of
+from ..support.generation import system_for, system_of
 
 STEP = 1e-3
 
@@ -115,3 +115,39 @@ def test_many_states_and_mistakes():
     rest = np.array([0.0, 0.0])
     with pytest.raises(em.ModelError, match="not every motion beside it"):
         pendulum.inverse_dynamics_derivatives(rest, rest, rest, actuators=("u",))
+
+
+@pytest.mark.parametrize("gain", [1e-12, 1e-6, 1.0, 1e6, 1e12])
+@pytest.mark.parametrize("mass", [1e-12, 1e-7, 1e-3, 1.0, 1e9, 1e12])
+def test_units_do_not_matter(mass, gain):
+    """All forces are proportional to J; two actuators of other units, one with a large weight, drive two freedoms."""
+    x, y, u, w = dynamicsymbols("x y u w")
+    J, G = symbols("J G")
+    bent = em.Model(
+        name="bent",
+        coordinates=[x, y],
+        kinetic_energy=J * (x.diff() ** 2 + y.diff() ** 2) / 2,
+        potential_energy=3 * J * sin(x) * y,
+        holonomic_constraints=[y + x * (1 + x)],
+        parameters={J: 1.0},
+        initial={x: 0.5, y: -0.75},
+    )
+    at = [0.5, -0.75], [1.0, -2.0], [0.5, -3.0]
+    for actuators in (None, ("x",), ("y",), ("x", "y")):
+        ones, found = (
+            system_for(bent, "lagrange").inverse_dynamics_derivatives(
+                *at, parameters={"J": J}, actuators=actuators, by=["J"]
+            )
+            for J in (1.0, mass)
+        )
+        assert agrees(found.by["J"] * mass / found.forces, np.ones(len(found.forces)))
+        for name in ("dx", "dv", "da"):
+            assert agrees(getattr(found, name) / mass, getattr(ones, name))
+    free = em.Model(name="gains", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                    forces={x: u, y: G * w - 3 * y}, inputs={u: 0.0, w: 0.0}, parameters={G: 1.0})  # fmt: skip
+    for actuators in (("u", "w"), {"u": 1.0, "w": mass}):
+        found = system_for(free, "lagrange").inverse_dynamics_derivatives(
+            [0.1, 0.2], [0.3, 0.4], [0.5, 0.6], parameters={"G": gain}, actuators=actuators
+        )
+        assert agrees(found.dx * [[1.0], [gain]], np.array([[0.0, 0.0], [0.0, 3.0]]))
+        assert agrees(found.da * [[1.0], [gain]], np.eye(2))

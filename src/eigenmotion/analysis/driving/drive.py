@@ -23,8 +23,10 @@ from ..state.tangent_space import null_space
 from .path_following import Follower
 from .prescribed_paths import Path, paths_of
 
-_AGREES = 1e-9
+_AGREES = 1e-6
 """Relative difference of two rates of a state that counts as none."""
+_TRIED = 8
+"""Positions of a motion at which rates of states are tried."""
 
 
 def drive(
@@ -80,7 +82,7 @@ def drive(
     x, z = split_states(c, x0)
     start = _start(system, prepared, paths, x, float(at[0]))
     _check_count(c, prepared, paths, start, float(at[0]))
-    follower = Follower(c, prepared, paths, signals, start)
+    follower = Follower(c, prepared, paths, signals, start, float(at[0]))
     rows = follower.follow(at, whole_v(c, c.initial_v, z)[c.n_coordinates :])
     return _driven(Motion(c, prepared, at, *rows, u=signals.at(at), many=True), of)
 
@@ -154,7 +156,7 @@ def _driven(motion: Motion, of: Actuators) -> Drive:
         if name in c.inputs:
             u[:, c.inputs.index(name)] = forces[:, column]
     motion = Motion(c, motion.prepared, motion.t, motion.x, motion.v, motion.a, u, True)
-    _check_states(motion)
+    _check_states(motion, of)
     names = of.names or c.coordinates[:n]
     return Drive(
         model=c,
@@ -169,21 +171,30 @@ def _driven(motion: Motion, of: Actuators) -> Drive:
     )
 
 
-def _check_states(motion: Motion) -> None:
-    """Raise ModelError if the rates of states depend on reactions, or on inputs that are actuators."""
+def _check_states(motion: Motion, of: Actuators) -> None:
+    """Raise ModelError if the rates of states depend on reactions, or on inputs that are actuators.
+
+    They are tried at random velocities and inputs beside the motion.
+    """
     c, n = motion.model, motion.model.n_coordinates
     if not c.n_states:
         return
-    t, x, v, a, u, prepared = motion.arguments
-    required, free = c.required_rows(t, x, v, a, u, prepared)[0], c.acceleration_rows(t, x, v, u, prepared, 1)[0]
-    for found in (a[:, n:] - required[:, n:], free[:, n:]):
-        differs = np.abs(found - a[:, n:]) > _AGREES * (np.abs(found) + np.abs(a[:, n:]))
-        if (differs & np.isfinite(found)).any():
-            name = c.coordinates[n + int(np.flatnonzero(differs.any(axis=0))[0])]
-            raise ModelError(
-                f"{c.name}: the rate of state {name!r} depends on a reaction or on an actuator, so that it is not "
-                "known before the forces are. Drive a model without this state, and give its value by an input."
-            )
+    draws, some = np.random.default_rng(0), motion.rows(slice(None, None, max(1, len(motion.t) // _TRIED)))
+    t, x, v, a, u, prepared = some.arguments
+    v = v + draws.normal(size=v.shape) * (1.0 + np.abs(v))
+    rates = -c.required_rows(t, x, v, 0.0 * a, u, prepared)[0][:, n:]
+    free = c.acceleration_rows(t, x, v, u, prepared, 1)[0][:, n:]
+    differs = np.abs(free - rates) > _AGREES * (np.abs(free) + np.abs(rates))
+    for name in (name for name in of.names if name in c.inputs):
+        other = u.copy()
+        other[:, c.inputs.index(name)] += 1.0 + draws.random(len(t))
+        differs |= c.required_rows(t, x, v, 0.0 * a, other, prepared)[0][:, n:] != -rates
+    if (differs & np.isfinite(free)).any():
+        name = c.coordinates[n + int(np.flatnonzero(differs.any(axis=0))[0])]
+        raise ModelError(
+            f"{c.name}: the rate of state {name!r} depends on a reaction or on an actuator, so that it is not "
+            "known before the forces are. Drive a model without this state, and give its value by an input."
+        )
 
 
 def _power(motion: Motion, names: tuple[str, ...], forces: Vector) -> Vector:

@@ -50,7 +50,7 @@ class Follower:
 
     Parameters
     ----------
-    start : x at the first time
+    first, start : the first time, and x there
     """
 
     model: CompiledModel
@@ -58,11 +58,12 @@ class Follower:
     paths: Sequence[Path]
     inputs: Inputs
     start: Vector
+    first: float
 
     @cached_property
     def unit(self) -> Vector:
         """(n + p,) 1 / sqrt(M_kk) at the start: changes of coordinates in these units can be compared."""
-        M = self.model.factored_matrix(0.0, self.start, self.prepared)
+        M = self.model.factored_matrix(self.first, self.start, self.prepared)
         return np.asarray(1.0 / np.sqrt(np.diag(M)))
 
     @cached_property
@@ -250,7 +251,7 @@ class Follower:
     @cached_property
     def _usual(self) -> float:
         """The least singular value at the start."""
-        return self._independence(0.0, self.start)
+        return self._independence(self.first, self.start)
 
     def _check_rank(self, t: float, x: Vector) -> None:
         if self.dependent and not self._independence(t, x) > _SINGULAR:

@@ -25,6 +25,9 @@ _POINTS = 6
 _JUMPS = 1e-7
 """A change that differs from the integral of its rate by more than this part is a jump."""
 _INTERVALS = 200
+_INTERVALS_OF_SPAN = 1000
+"""Into which the span of times is divided besides, so that jumps are found that cancel between two times."""
+_BENT = (sympy.Abs, sympy.Heaviside, sympy.Max, sympy.Min, sympy.sign)
 _ROUNDING = 1e3
 """Units in the last place of a path, or of its rate, that are rounding."""
 _REMEDY = (
@@ -51,7 +54,7 @@ class Path:
         """
         try:
             values = np.array(self.at(t), dtype=np.float64)
-        except (ArithmeticError, TypeError, ValueError):
+        except (ArithmeticError, NameError, TypeError, ValueError):
             values = np.full(_DERIVATIVES, math.nan)
         if not np.isfinite(values).all():
             raise ModelError(f"the path of {self.name!r} has no value, rate or second rate at t = {t:.9g}")
@@ -105,7 +108,10 @@ def _curve(name: str, path: Any, first: float, last: float) -> Callable[[float],
     joins = [at for at, order in pieces.joins(0) if order < 2 and _meets(pieces.outside, at, first, last)]
     sizes = np.abs([[pieces.value((order,), (at,)) for order in range(2)] for at in knots]).max(axis=0)
     for at in joins:
-        sides = [[pieces.value((order,), (t,)) for order in range(2)] for t in (at, math.nextafter(at, -math.inf))]
+        sides = [
+            [pieces.value((order,), (t,)) for order in range(2)]
+            for t in (math.nextafter(at, math.inf), math.nextafter(at, -math.inf))
+        ]
         if (np.abs(np.diff(sides, axis=0)) > _JUMPS * sizes).any():
             raise ModelError(f"the velocity of the path of {name!r} jumps at t = {at:g}. {_REMEDY}")
     return lambda t: [pieces.value((order,), (t,)) for order in range(_DERIVATIVES)]
@@ -126,10 +132,11 @@ def _expression(name: str, path: sympy.Expr, times: Vector) -> Callable[[float],
         raise ModelError(
             f"the path of {name!r} has {', '.join(sorted(map(str, others)))} in it. It is an expression in t alone."
         )
-    t = next(iter(path.free_symbols), sympy.Symbol("t"))
+    t = sympy.Symbol("t", real=True)
+    path = path.xreplace(dict.fromkeys(path.free_symbols, t)).rewrite(_BENT, sympy.Piecewise)
     rates = [path.diff(t, order) for order in range(_DERIVATIVES)]
     try:
-        made: Callable[[float], Any] = sympy.lambdify(t, rates, modules="math", cse=True)
+        made: Callable[[float], Any] = sympy.lambdify(t, rates, modules=["math", "scipy"], cse=True)
     except (NotImplementedError, ValueError, TypeError, AttributeError) as error:
         raise ModelError(f"the path of {name!r}, {path}, has no rates that can be evaluated. {_REMEDY}") from error
     _check_continuous(Path(0, name, made), times)
@@ -138,6 +145,7 @@ def _expression(name: str, path: sympy.Expr, times: Vector) -> Callable[[float],
 
 def _check_continuous(path: Path, times: Vector) -> None:
     """Raise ModelError if value or rate jumps: its change is then not the integral of its rate."""
+    times = np.unique(np.concatenate([times, np.linspace(times[0], times[-1], _INTERVALS_OF_SPAN)]))
     points, weights = np.polynomial.legendre.leggauss(_POINTS)
     ends = np.array([path(float(t)) for t in times])
     rounding = _ROUNDING * np.finfo(float).eps * np.abs(ends[:, :2]).max(axis=0)

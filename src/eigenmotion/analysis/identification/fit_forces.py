@@ -131,7 +131,7 @@ def fit_forces(
     found = regressor_of(rows, names)
     W, rest = found.free
     along = measured.along(rows, found.freedoms)
-    base = base_of(c.name, names, W, tolerance)
+    base = base_of(c.name, names, W, found.values, tolerance)
     return _solved(c.name, base, found.values, W, along.forces - rest, along, confidence)
 
 

@@ -9,7 +9,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from ...arguments.named_values import Vector
-from ...codegen.model.normalise import ModelError
+from ...codegen.model.normalise import ModelError, number
 from ...compiled.compiled_system import CompiledSystem
 from .given_motion import Given, given_motion
 from .regressor import chosen_of, regressor_of
@@ -123,14 +123,18 @@ def identifiable(
     (['J', 'h'], ('m',))
     """
     names = chosen_of(system.compiled, parameters)
-    W, _ = regressor_of(given_motion(system, motion, inputs, values), names).free
-    return base_of(system.compiled.name, names, W, tolerance)
+    found = regressor_of(given_motion(system, motion, inputs, values), names)
+    return base_of(system.compiled.name, names, found.free[0], found.values, tolerance)
 
 
-def base_of(model: str, names: tuple[str, ...], W: Vector, tolerance: float) -> Identifiable:
-    """Return the base parameters of a regressor W (rows, k)."""
+def base_of(model: str, names: tuple[str, ...], W: Vector, values: Vector, tolerance: float) -> Identifiable:
+    """Return the base parameters of a regressor W (rows, k), of parameters that are at values (k,)."""
+    if not 0.0 < number(tolerance, "tolerance") < 1.0:
+        raise ModelError(f"tolerance is {tolerance:g}. Give a number between 0 and 1.")
     length = np.linalg.norm(W, axis=0)
-    seen = np.flatnonzero(length > _NOTHING * length.max(initial=0.0))
+    force = length * np.abs(values)  # a column is large or small by the unit of its parameter, a force is not
+    nothing = [_NOTHING * size.max(initial=0.0) for size in (length, force)]
+    seen = np.flatnonzero((length > nothing[0]) | (force > nothing[1]))
     if not seen.size:
         raise ModelError(f"{model}: no force along this motion depends on {', '.join(names)}")
     scaled = W[:, seen] / length[seen]

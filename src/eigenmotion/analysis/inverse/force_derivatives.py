@@ -6,7 +6,7 @@ Forces tau and multipliers lambda of a motion are the solution of
 
 where tau has the least tau^T W tau, and mu are the multipliers of that choice (Karush-Kuhn-Tucker). Derivatives solve
 the equations differentiated, whose right sides follow from the partial derivatives of M a - f + A^T lambda at fixed a,
-lambda and inputs (equation_partials).
+lambda and inputs (equation_partials). Reactions are eliminated by the null space N of A: N^T B dtau = N^T dr.
 """
 
 from collections.abc import Iterable, Mapping
@@ -26,10 +26,8 @@ from .friction_modes import by_mode
 from .inverse_dynamics import required
 from .motion_arguments import Motion, motion_of
 
-_DEPENDENT = 1e-10
-"""Least singular value of the equations, relative to the largest, that counts."""
-_DRIVES = 1e-8
-"""Least part of a free motion, in the mass metric, that actuators drive."""
+_DEPENDENT = 1e-8
+"""Least singular value of rows, or of columns, of length one that counts."""
 
 
 @dataclass(frozen=True)
@@ -166,23 +164,36 @@ class _AtState:
         right = np.hstack([self.whole[:, chosen[: 2 * n]], self.M, self.whole[:, columns]])
         if not self.of.names and not c.m:
             return right
-        self._check_driven()
-        mu = np.linalg.lstsq(np.vstack([self.B.T, self.A]), np.concatenate([self.roots * self.forces, np.zeros(c.m)]),
-                             rcond=_DEPENDENT)[0]  # fmt: skip
+        C = self._free_columns()
+        nu = _least(C.T, self.roots * self.forces)
+        mu = self.N @ (nu / self.sizes)
         turning_A, turning_B = self._turning(mu * self.unit, chosen)
-        return self._solved(right, turning_A, turning_B)
+        particular = np.linalg.lstsq(self.A, -turning_A / self.lengths[:, None], rcond=_DEPENDENT)[0]
+        f = turning_B / self.roots[:, None] + self.B.T @ particular
+        free = self.N.T @ (right * self.unit[:, None]) / self.sizes[:, None]
+        return np.asarray((f + _least(C, free - C @ f)) / self.roots[:, None])
 
-    def _check_driven(self) -> None:
-        """Raise ModelError unless actuators drive all motions that the constraints allow."""
+    def _free_columns(self) -> Vector:
+        """Return C = N^T B (freedoms, count) with rows of length one; N: an orthonormal basis of A N = 0.
+
+        Raises
+        ------
+        ModelError
+            Actuators do not drive all motions that the constraints allow.
+        """
         c = self.motion.model
-        _, sizes, V = np.linalg.svd(self.A) if c.m else (None, np.zeros(0), np.eye(len(self.unit)))
-        N = V[int((sizes > _DRIVES).sum()) :].T
-        driven = np.linalg.svd(N.T @ self.B, compute_uv=False) if N.size else np.ones(1)
-        if len(driven) < N.shape[1] or not driven[-1] > _DRIVES * np.linalg.norm(self.B):
+        _, values, V = np.linalg.svd(self.A) if c.m else (None, np.zeros(0), np.eye(len(self.unit)))
+        self.N = V[int((values > _DEPENDENT).sum()) :].T
+        C = self.N.T @ self.B
+        columns = np.linalg.norm(C, axis=0)
+        self.sizes = np.linalg.norm(C, axis=1)
+        driven = np.linalg.svd(C[:, columns > 0.0] / columns[columns > 0.0], compute_uv=False)
+        if len(driven) < len(C) or not (len(C) == 0 or driven[-1] > _DEPENDENT):
             raise ModelError(
                 f"{c.name}: {' and '.join(self.of.names)} drive this motion, but not every motion beside it, so that "
                 "its forces have no derivatives. Give as many actuators as there are degrees of freedom."
             )
+        return np.asarray(C / self.sizes[:, None])
 
     def _turning(self, mu: Vector, chosen: list[int]) -> tuple[Vector, Vector]:
         """Return dA mu (m, 3 n + ...) and dB^T mu (count, 3 n + ...)."""
@@ -199,15 +210,12 @@ class _AtState:
             of_B[k, places] = mu @ (bare - self.partials(none, more)[:, chosen])
         return of_A, of_B
 
-    def _solved(self, right: Vector, turning_A: Vector, turning_B: Vector) -> Vector:
-        """Return dtau of the differentiated conditions."""
-        count, n, m = len(self.forces), len(self.unit), len(self.A)
-        whole = np.block([
-            [np.eye(count), -self.B.T, np.zeros((count, m))],
-            [np.zeros((m, count)), self.A, np.zeros((m, m))],
-            [self.B, np.zeros((n, n)), -self.A.T],
-        ])  # fmt: skip
-        sides = np.vstack(
-            [turning_B / self.roots[:, None], -turning_A / self.lengths[:, None], right * self.unit[:, None]]
-        )
-        return np.asarray(np.linalg.lstsq(whole, sides, rcond=_DEPENDENT)[0][:count] / self.roots[:, None])
+
+def _least(K: Vector, g: Vector) -> Vector:
+    """Return y of least norm with K y = g, which has solutions. Columns of a square K, of full rank, have any size."""
+    if K.shape[0] == K.shape[1] and K.size:
+        try:
+            return np.asarray(np.linalg.solve(K, g))
+        except np.linalg.LinAlgError:
+            pass
+    return np.asarray(np.linalg.lstsq(K, g, rcond=_DEPENDENT)[0])

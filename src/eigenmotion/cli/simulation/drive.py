@@ -129,7 +129,7 @@ def _expression(name: str, text: str) -> sympy.Expr:
         made = sympy.sympify(text, locals={"t": time})
     except (sympy.SympifyError, SyntaxError, TypeError, AttributeError) as error:
         raise click.UsageError(f"--path {name}={text}: {text} is no expression in t") from error
-    if not isinstance(made, sympy.Expr):
+    if not isinstance(made, sympy.Expr) or made.has(sympy.Lambda):
         raise click.UsageError(f"--path {name}={text}: {text} is no expression in t")
     return made
 
