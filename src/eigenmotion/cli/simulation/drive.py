@@ -14,14 +14,14 @@ from scipy.interpolate import make_interp_spline
 from eigenmotion.analysis.driving.drive import drive
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import t as time
-from eigenmotion.presentation.figures import FORMATS, require_matplotlib
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock
 from eigenmotion.results.drive import SAVERS, Drive
-from eigenmotion.results.pictures.animation import ANIMATIONS, require_ffmpeg, save_animation
+from eigenmotion.results.pictures.animation import ANIMATIONS, save_animation
 from eigenmotion.results.pictures.moving_shapes import require_drawing
 
-from ..options import Finite, Shape, check_targets, distinct_assignments, model, setting, shaping, values
+from ..options import Finite, Shape, distinct_assignments, model, setting, shaping, values
+from .targets import check_results
 
 _DEGREE = 5
 """Of the spline through samples: its second derivative, which forces depend on, is accurate."""
@@ -77,7 +77,7 @@ def command(
     As many coordinates have a path as the mechanism has degrees of freedom; the others follow from the constraints. For
     each actuator the largest force, its root mean square, and the largest speed and power are printed.
     """
-    _check_targets(plot, animate, target)
+    check_results(plot, animate, ("-o", target, SAVERS))
     request = Shape(**shape).request(model)
     if animate and not request.model.drawing:
         require_drawing(None, request.model.name)
@@ -99,15 +99,6 @@ def command(
         result.save(target)
         click.echo(f"saved to {target}")
     return 0
-
-
-def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
-    """Check the targets before the work."""
-    if plot or animate:
-        require_matplotlib()
-    if animate and animate.suffix == ".mp4":
-        require_ffmpeg()
-    check_targets(("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("-o", target, SAVERS))
 
 
 def _motion(paths: dict[str, str]) -> tuple[dict[str, Any], float | None]:

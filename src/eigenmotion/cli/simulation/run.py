@@ -10,20 +10,20 @@ import click
 from eigenmotion.arguments.methods import AUTO, IMPLICIT, METHODS
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
-from eigenmotion.presentation.figures import FORMATS, require_matplotlib
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock
 from eigenmotion.results.output.plot import coordinates
 from eigenmotion.results.output.saving import SAVERS, save
 from eigenmotion.results.output.summary import summary
-from eigenmotion.results.pictures.animation import ANIMATIONS, require_ffmpeg, save_animation
+from eigenmotion.results.pictures.animation import ANIMATIONS, save_animation
 from eigenmotion.results.pictures.moving_shapes import require_drawing
 from eigenmotion.results.solution import Solution
 from eigenmotion.runtime import StopReason
 from eigenmotion.simulation.simulate import simulate
 from eigenmotion.system.system import System
 
-from ..options import Finite, Shape, check_targets, ending, model, setting, shaping, values
+from ..options import Finite, Shape, ending, model, setting, shaping, values
+from .targets import check_results
 
 _log = logging.getLogger("eigenmotion")
 
@@ -63,7 +63,7 @@ def command(
     The exit code is 0 at the end time or at a terminal event. A run that stops early for another reason prints the
     reason and the time reached, and exits with 2, or with 130 if interrupted.
     """
-    _check_targets(plot, animate, target)
+    check_results(plot, animate, ("--save", target, SAVERS))
     request = Shape(**shape).request(model)
     if animate and not request.model.drawing:
         require_drawing(None, request.model.name)
@@ -84,15 +84,6 @@ def command(
         save(system, solution, target)
         click.echo(f"saved to {target}")
     return _exit_code(solution)
-
-
-def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
-    """Check the targets before the run."""
-    if plot or animate:
-        require_matplotlib()
-    if animate and animate.suffix == ".mp4":
-        require_ffmpeg()
-    check_targets(("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("--save", target, SAVERS))
 
 
 def _simulated(system: System, t_end: float, **options: Any) -> Solution:

@@ -10,10 +10,9 @@ from ...compiled.compiled_system import CompiledSystem
 from ...presentation.figures import blank, plain_text
 from ..pictures.labelled_lines import draw_lines, name_lines
 from ..pictures.moving_shapes import Drawing
-from ..pictures.sketch import Sketch
+from ..pictures.sketch import draw_motion
 from ..solution import Solution
 
-_GHOSTS = 6
 _FEW = 30  # the most events that get a line across the picture, which more would hide
 
 
@@ -43,7 +42,7 @@ def coordinates(system: CompiledSystem, solution: Solution) -> Any:
         axes.set_xlim(t[0], t[-1])
     figure.axes[-1].set_xlabel("time $t$ [s]")
     if drawn is not None:
-        _sketch(figure, places[:, 1], drawn)
+        draw_motion(figure, places[:, 1], drawn)
     return figure
 
 
@@ -51,13 +50,6 @@ def _drawn(solution: Solution) -> Drawing | None:
     if solution.drawing is None or not len(solution.t):
         return None
     return solution.drawn(np.linspace(solution.t[0], solution.t[-1], 600))
-
-
-def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
-    """Draw the mechanism at the end, faint copies of earlier positions, and the traces."""
-    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
-    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
-    sketch.show(len(drawn.t) - 1)
 
 
 def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:

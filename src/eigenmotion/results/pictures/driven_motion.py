@@ -9,10 +9,9 @@ from ...arguments.named_values import Vector
 from ...presentation.figures import COLOURS, blank, uncluttered
 from .labelled_lines import draw_lines, label, name_lines
 from .moving_shapes import Drawing
-from .sketch import Sketch
+from .sketch import draw_motion
 
 Lines = tuple[str, Sequence[str], Vector]
-_GHOSTS = 6
 _SPEED = r"\dot{%s}"
 
 
@@ -46,7 +45,7 @@ def driven_motion(
         axes.set_xlim(t[0], t[-1])
     right: Any = halves[0, 1].subgridspec(beside, 1) if beside else None
     if drawing is not None:
-        _sketch(figure, right[0, 0], drawing)
+        draw_motion(figure, right[0, 0], drawing)
     if speeds:
         _over_speeds(figure.add_subplot(right[beside - 1, 0]), speeds)
     return figure
@@ -67,10 +66,3 @@ def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector]]) -> None
     axes.set(xlabel=f"speed of {label(one)}" if one else "speeds", ylabel=f"force on {label(one)}" if one else "forces")
     if one is None:
         axes.legend(frameon=False)
-
-
-def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
-    """Draw the mechanism at the end, and faint copies of earlier positions."""
-    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
-    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
-    sketch.show(len(drawn.t) - 1)

@@ -12,6 +12,9 @@ from .outlines import Outlines, outlines
 _GREY = "0.75"
 
 
+_GHOSTS = 6
+
+
 class Sketch:
     """A drawing on its own axes; `show` moves it to a row.
 
@@ -89,3 +92,10 @@ def _few() -> Any:
     from matplotlib.ticker import MaxNLocator  # noqa: PLC0415, an optional package
 
     return MaxNLocator(4)
+
+
+def draw_motion(figure: Any, place: Any, drawn: Drawing) -> None:
+    """Draw the mechanism at the end of a motion, faint copies of earlier positions, and the traces."""
+    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
+    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
+    sketch.show(len(drawn.t) - 1)
