@@ -10,8 +10,6 @@ from .moving_shapes import Drawing
 from .outlines import Outlines, outlines
 
 _GREY = "0.75"
-
-
 _GHOSTS = 6
 
 
