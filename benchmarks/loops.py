@@ -1,10 +1,10 @@
 """Benchmark of closed loops on trees of bodies: time of an acceleration, and how far the loops open in 100 s.
 
-Four mechanisms whose loops are closed by ball joints: a gripper, a Delta robot, hanging legs with four-bar linkages,
-and a ring of links. For each: nanoseconds of a right-hand side within a run by dop853, projections included, also over
-the times of Pinocchio's `constraintDynamics` and `lcaba` (C++, called from Python) where it is installed; the largest
-relative difference of the accelerations from those of `lcaba`; and the largest gap [m] in a ball joint during 100 s,
-beside that of MuJoCo at its default settings where it is installed.
+Five mechanisms whose loops are closed by ball joints: a gripper, a Delta robot, hanging legs with four-bar linkages, a
+ring of links, and a Stewart platform. For each: nanoseconds of a right-hand side within a run by dop853, projections
+included, also over the times of Pinocchio's `constraintDynamics` and `lcaba` (C++, called from Python) where it is
+installed; the largest relative difference of the accelerations from those of `lcaba`; and the largest gap [m] in a
+ball joint during 100 s, beside that of MuJoCo at its default settings where it is installed.
 
 python benchmarks/loops.py [--inverse]
 
@@ -35,6 +35,7 @@ ACTUATORS = {
     "delta_robot": ("arm_a", "arm_b", "arm_c"),
     "legs": ("trunk", *(f"{side}_{joint}" for side in ("left", "right") for joint in ("hip", "thigh", "shank"))),
     "ring_of_links": tuple(f"link_{k}" for k in range(7)),
+    "stewart_platform": tuple(f"piston_{k}" for k in range(6)),
 }
 """As many as there are degrees of freedom."""
 SECONDS = 100.0
@@ -140,6 +141,29 @@ def ring(links: int = 10) -> Mechanism:
         last = made.add(f"link_{k}", last, "revolute", "zy"[k % 2], (0.3, 0, 0) if k else ORIGIN, 0.5, (0.3, 0, 0))
         made.start[last] = 4 * np.pi / links if k % 2 == 0 else 0.2
     made.balls.append(((last, (0.3, 0, 0)), (GROUND, (0, 0.1, 0))))
+    return made
+
+
+def stewart() -> Mechanism:
+    """A platform on six legs: each a cylinder in a universal joint, and a piston with a ball joint at its end."""
+    height, cylinder = 0.8, 0.4
+    made, last = Mechanism("stewart_platform", {"height": height}), None
+    for joint, axis in (("prismatic", "x"), ("prismatic", "y")):
+        last = made.add(f"along_{axis}", last, joint, axis, ORIGIN, 0.01, ORIGIN)
+    last = made.add("height", last, "prismatic", "z", ORIGIN, 0.01, ORIGIN)
+    for axis in "zy":
+        last = made.add(f"about_{axis}", last, "revolute", axis, ORIGIN, 0.01, ORIGIN)
+    platform = made.add("about_x", last, "revolute", "x", ORIGIN, 10.0, (0.2, 0.2, 0.05))
+    for k in range(6):
+        low, high = (2 * np.pi * (k // 2) / 3 + sign * (-1) ** k for sign in (0.2, 0.9))
+        foot, top = 0.6 * np.array([np.cos(low), np.sin(low), 0]), 0.3 * np.array([np.cos(high), np.sin(high), 0])
+        leg = turned(-low) @ (top - foot + np.array([0, 0, height]))
+        x, y, z = leg / np.linalg.norm(leg)
+        swing = made.add(f"swing_{k}", None, "revolute", "y", foot, 0.05, ORIGIN, low)
+        lower = made.add(f"cylinder_{k}", swing, "revolute", "x", ORIGIN, 1.0, (0, 0, cylinder))
+        piston = made.add(f"piston_{k}", lower, "prismatic", "z", ORIGIN, 0.5, (0, 0, cylinder))
+        made.start |= {swing: np.arctan2(x, z), lower: -np.arcsin(y), piston: np.linalg.norm(leg) - cylinder}
+        made.balls.append(((platform, top), (piston, (0, 0, cylinder))))
     return made
 
 
@@ -325,7 +349,7 @@ def main() -> None:
     """Print all."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--inverse", action="store_true")
-    for make in (gripper, delta, legs, ring):
+    for make in (gripper, delta, legs, ring, stewart):
         (report_inverse if parser.parse_args().inverse else report)(make())
 
 
