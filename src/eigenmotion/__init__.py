@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from .analysis.driving.drive import drive as drive
     from .analysis.equilibrium.assemble import assemble as assemble
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
+    from .analysis.fitting.fit import fit as fit
+    from .analysis.fitting.motion_fit import MotionFit as MotionFit
     from .analysis.identification.fit_forces import Fit as Fit
     from .analysis.identification.fit_forces import fit_forces as fit_forces
     from .analysis.identification.identifiable import Identifiable as Identifiable
@@ -68,6 +70,7 @@ _HOME = {
     "Linearization": ".analysis.linear.linearization",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
+    "MotionFit": ".analysis.fitting.motion_fit",
     "ProofError": ".building.verification",
     "Regressor": ".analysis.identification.regressor",
     "Robot": ".robots.robot",
@@ -85,6 +88,7 @@ _HOME = {
     "draw": ".codegen.model",
     "drive": ".analysis.driving.drive",
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
+    "fit": ".analysis.fitting.fit",
     "fit_forces": ".analysis.identification.fit_forces",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",

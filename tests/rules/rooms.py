@@ -128,6 +128,18 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.inverse",
         "analysis.equilibrium",
     ),
+    "analysis.fitting": (
+        "codegen.model.normalise",
+        "progress",
+        "runtime",
+        "arguments",
+        "compiled",
+        "results",
+        "simulation",
+        "analysis.state",
+        "analysis.identification",
+        "analysis.equilibrium",
+    ),
     "batch": (
         "codegen.model.normalise",
         "cores",

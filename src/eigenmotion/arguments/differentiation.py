@@ -44,7 +44,9 @@ def differentiated(c: CompiledModel, sensitivities: Sequence[Any], v0: Any) -> D
     if isinstance(sensitivities, str) or not isinstance(sensitivities, Sequence):
         raise OptionError(f"sensitivities is {shown(sensitivities)}: give a list of names")
     known = dict.fromkeys(names_of(c))
-    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in sensitivities))
+    names = tuple(
+        dict.fromkeys(one if isinstance(one, str) and one in known else variable_name(one) for one in sensitivities)
+    )
     if wrong := set(names) - known.keys():
         raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
     refuse_tables(c, names, "sensitivities")
@@ -58,5 +60,6 @@ def differentiated(c: CompiledModel, sensitivities: Sequence[Any], v0: Any) -> D
     return Differentiated(names, from_quasi)
 
 
-def _name(key: object) -> str:
+def variable_name(key: object) -> str:
+    """Return the name of a key: "theta'" for the rate of theta, as in `initial`."""
     return f"{rate_name(key)}'" if rate_name(key) != spelled(key) else spelled(key)

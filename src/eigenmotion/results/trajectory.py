@@ -29,15 +29,15 @@ class Trajectory:
         self.task, self.model, self.t, self.rows, self.segments = task, task.model, t, rows, segments
 
     @cached_property
-    def _segments(self) -> list[tuple[slice, Prepared]]:
+    def modes(self) -> list[tuple[slice, Prepared]]:
         """The rows of each segment, and its prepared parameters."""
         return _segment_rows(self.task, len(self.t), self.segments)
 
     def _by_segment(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of function(*columns, prepared), with the prepared parameters of the mode of each row."""
-        if len(self._segments) == 1:
-            return function(*columns, self._segments[0][1])
-        parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self._segments]
+        if len(self.modes) == 1:
+            return function(*columns, self.modes[0][1])
+        parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self.modes]
         if isinstance(parts[0], tuple):
             return tuple(map(np.concatenate, zip(*parts, strict=True)))
         return np.concatenate(parts)

@@ -9,10 +9,11 @@ import scipy
 from numpy.typing import ArrayLike
 
 from ...arguments.named_values import Vector
-from ...codegen.model.normalise import ModelError, number
+from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from .given_motion import Given, given_motion
 from .identifiable import Identifiable, base_of
+from .intervals import intervals_of, level_of, lines_of
 from .measured_forces import Along, measured_forces
 from .regressor import chosen_of, regressor_of
 
@@ -61,8 +62,7 @@ class Fit:
         return np.asarray(np.sqrt(np.diag(self.covariance)))
 
     def __str__(self) -> str:
-        rows = zip(self.identifiable.texts, self.estimates, self.deviations, strict=True)
-        lines = [f"{text} = {value:.6g} +- {deviation:.2g}" for text, value, deviation in rows]
+        lines = lines_of(self.identifiable.texts, self.estimates, self.deviations)
         if self.kept:
             lines.append(f"not told by this motion, kept as given: {', '.join(self.kept)}")
         return "\n".join(lines)
@@ -124,9 +124,7 @@ def fit_forces(
     c, names = system.compiled, chosen_of(system.compiled, parameters)
     rows = given_motion(system, motion, inputs, values)
     measured = measured_forces(c, len(rows.t), forces, actuators, weights)
-    confidence = number(level, "level")
-    if not 0.0 < confidence < 1.0:
-        raise ModelError(f"level is {confidence:g}. Give a number between 0 and 1.")
+    confidence = level_of(level)
     rows = replace(rows, u=measured.as_inputs(rows.u), many=True)
     found = regressor_of(rows, names)
     W, rest = found.free
@@ -152,11 +150,10 @@ def _solved(
     residual = forces - W @ beta
     variance = float(residual @ residual) / freedoms
     covariance = variance * (gain * noisy) @ gain.T
-    reach = float(scipy.special.stdtrit(freedoms, 0.5 + level / 2)) * np.sqrt(np.diag(covariance))
     others = np.array([0.0 if name in base.base else value for name, value in zip(base.parameters, given, strict=True)])
     own = dict(zip(base.base, beta - base.combinations @ others, strict=True))
     fitted = {name: float(own.get(name, value)) for name, value in zip(base.parameters, given, strict=True)}
     kept = tuple(name for name in base.parameters if name not in base.base)
     noise = float(np.sqrt(variance))
-    return Fit(base, beta, covariance, np.column_stack([beta - reach, beta + reach]), level, fitted, kept, noise,
+    return Fit(base, beta, covariance, intervals_of(beta, covariance, freedoms, level), level, fitted, kept, noise,
                freedoms, residual / noise if noise else residual)  # fmt: skip

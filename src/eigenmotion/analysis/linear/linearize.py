@@ -11,11 +11,11 @@ from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import EvaluationError
-from ...runtime.variations import output_partials
 from ...simulation.initial_state.consistency import check_consistent
 from ..state.active_contacts import mode_of
 from ..state.contact_mode import in_mode
 from ..state.operating_point import OperatingPoint, operating_point
+from ..state.output_derivatives import output_derivatives
 from ..state.tangent_space import Tangent, tangent
 from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
@@ -98,26 +98,10 @@ def _check_differentiable(at: OperatingPoint) -> None:
 
 def _full(at: OperatingPoint) -> StateSpace:
     """Return A, B, C, D of all 2 n numbers (x, v)."""
-    n, m, k = at.model.n, at.model.m, at.model.n_inputs
-    a, multipliers, da, dm = at.motion
-    B = np.vstack([np.zeros((n, k)), da[:, 2 * n : 2 * n + k]])
-    D = output_partials(at.model, at.t, at.x, at.v, a, multipliers, at.prepared, at.u)
-    by_a, by_multipliers, by_arguments = np.split(D, [n, n + m], axis=1)
-    _refuse_shared_reactions(at, by_multipliers)
-    whole = by_arguments + by_a @ da + by_multipliers @ dm
+    n, k = at.model.n, at.model.n_inputs
+    B = np.vstack([np.zeros((n, k)), at.motion[2][:, 2 * n : 2 * n + k]])
+    whole = output_derivatives(at)
     return StateSpace(at.jacobian, B, whole[:, : 2 * n], whole[:, 2 * n : 2 * n + k])
-
-
-def _refuse_shared_reactions(at: OperatingPoint, by_multipliers: Vector) -> None:
-    used = np.argwhere(by_multipliers)
-    n, h = at.model.n, at.model.h
-    dependent = at.model.m - (n - sum(k >= n for k in tangent(at).free))
-    if len(used) and dependent:
-        raise ModelError(
-            f"{at.model.name}: output {at.model.outputs[used[0][0]]!r} holds a multiplier of constraint rows that "
-            f"depend on each other ({dependent} of {at.model.m} do, {h} of them holonomic), and how they share the "
-            "reaction has no derivative. Leave out the rows that are not needed, or the output"
-        )
 
 
 def _reduced(at: OperatingPoint, basis: Tangent) -> Reduced:

@@ -1,0 +1,1 @@
+"""Fitting: parameters and initial values of a model from measured motions."""
