@@ -1,9 +1,11 @@
-/* em_fmu.h: the functions of a Functional Mock-up Unit 2.0 for co-simulation, over em_unit.h.
+/* em_fmu.h: the functions of a Functional Mock-up Unit 2.0 for co-simulation, over the em_unit of the header that is
+ * included before: em_unit.h, motion by forces, or em_inverse_unit.h, forces by motion.
  *
  * Before it are defined EM_FMU_MODEL, an em_model; EM_FMU_GUID, of modelDescription.xml; EM_FMU_OPTIONS, em_unit_options.
  * Instances know nothing of each other. */
+#include <stdlib.h>
+
 #include "em_fmi2.h"
-#include "em_unit.h"
 
 typedef struct em_fmu {
     em_unit *unit;
@@ -63,9 +65,7 @@ EM_FMU fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean has_tolerance
     (void)has_end, (void)end;
     if (!isfinite(start) || (has_tolerance && !(tolerance > 0.0 && tolerance < 1.0)))
         return em_say(fmu, fmi2Error, "the start is not finite, or the tolerance not between 0 and 1");
-    em_unit_close(fmu->unit);
-    fmu->unit->t_start = start;
-    if (has_tolerance) fmu->unit->rtol = tolerance;
+    em_unit_begin(fmu->unit, start, has_tolerance ? tolerance : 0.0);
     return fmi2OK;
 }
 
@@ -76,9 +76,7 @@ EM_FMU fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
 
 EM_FMU fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
     em_fmu *fmu = c;
-    const int failed = em_unit_open(fmu->unit);
-    fmu->unit->steps = !failed;
-    return em_answer(fmu, failed);
+    return em_answer(fmu, em_unit_enter(fmu->unit));
 }
 
 EM_FMU fmi2Status fmi2Terminate(fmi2Component c) {
@@ -95,24 +93,7 @@ EM_FMU fmi2Status fmi2Reset(fmi2Component c) {
 
 EM_FMU fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t count, fmi2Real value[]) {
     em_fmu *fmu = c;
-    const unsigned given = (unsigned)em_unit_given(fmu->unit->model), n = (unsigned)fmu->unit->model->n_outputs;
-    double *outputs = NULL;
-    int failed = 0;
-    for (size_t k = 0; k < count && !failed; ++k) {
-        if (vr[k] < given) {
-            value[k] = em_unit_number(fmu->unit, vr[k]);
-        } else if (vr[k] < given + n) {
-            if (outputs == NULL) {
-                outputs = calloc(n, sizeof *outputs);
-                failed = outputs == NULL || em_unit_outputs(fmu->unit, outputs);
-            }
-            if (!failed) value[k] = outputs[vr[k] - given];
-        } else {
-            failed = snprintf(fmu->unit->words, sizeof fmu->unit->words, "value reference %u: there is none", vr[k]) != 0;
-        }
-    }
-    free(outputs);
-    return em_answer(fmu, failed);
+    return em_answer(fmu, em_unit_read(fmu->unit, vr, count, value));
 }
 
 EM_FMU fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference vr[], size_t count, const fmi2Real value[]) {
@@ -218,9 +199,8 @@ EM_FMU fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind kind, fmi2Status
 
 /* The time that was reached: after fmi2Discard the unit stands there. */
 EM_FMU fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind kind, fmi2Real *value) {
-    const em_unit *unit = ((em_fmu *)c)->unit;
     if (kind != fmi2LastSuccessfulTime) return em_say(c, fmi2Discard, "no such status");
-    *value = unit->stepper != NULL ? unit->stepper->t : unit->t_start;
+    *value = em_unit_time(((em_fmu *)c)->unit);
     return fmi2OK;
 }
 

@@ -4,9 +4,8 @@
 #ifndef EM_UNIT_H
 #define EM_UNIT_H
 
-#include <stdio.h>
-
 #include "em_control.h"
+#include "em_unit_words.h"
 #include "loop/em_start_check.h"
 
 /* What is asked of every run. */
@@ -23,7 +22,7 @@ typedef struct em_unit {
     double t_start, rtol;
     double *given;           /* (n_given) parameters, x and v at the start, inputs */
     em_stepper *stepper;     /* or NULL: to be opened with what is given */
-    char words[256];         /* what went wrong last */
+    char words[EM_WORDS];    /* what went wrong last */
 } em_unit;
 
 static size_t em_unit_given(const em_model *m) { return (size_t)(m->n_parameters + 2 * m->n + m->n_inputs); }
@@ -39,6 +38,15 @@ static void em_unit_close(em_unit *unit) {
     em_stepper_close(unit->stepper);
     unit->stepper = NULL;
 }
+
+/* Before initialisation: the time, and the tolerance or 0. */
+static void em_unit_begin(em_unit *unit, double t, double rtol) {
+    em_unit_close(unit);
+    unit->t_start = t;
+    if (rtol > 0.0) unit->rtol = rtol;
+}
+
+static double em_unit_time(const em_unit *unit) { return unit->stepper != NULL ? unit->stepper->t : unit->t_start; }
 
 /* The model's own values. */
 static void em_unit_reset(em_unit *unit) {
@@ -74,25 +82,7 @@ static em_unit *em_unit_create(const em_model *model, em_unit_options options) {
 
 /* -1, and words that say where a fault sits. */
 static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
-    static const char *const reasons[] = {
-        "finished", "terminal event", "step size underflow", "too many steps", "the state is not finite",
-        "singular mass matrix", "dependent constraints", "coincident eigenvalues", "position not reached", "interrupted",
-        "out of memory", "eigenfactors drifted", "an event has no value", "energy drifted", "constraints drifted",
-        "no motion starts there", "events pile up", "an impact has no solution", "a reset leaves the constraints",
-        "the model jumps", "a reset ends inside an impact", "contacts clash", "a value that was not declared",
-        "the motion leaves the range of a table"};
-    const size_t count = sizeof reasons / sizeof *reasons, status = (size_t)fault->status;
-    const int row = fault->status == EM_DEPENDENT_CONSTRAINTS || fault->status == EM_POSITION_NOT_REACHED ||
-                    fault->status == EM_CONSTRAINTS_DRIFTED;
-    const int named = !row && fault->status != EM_OUTSIDE_TABLE && fault->first >= 0 && fault->first < unit->model->n;
-    const char *const reason = status < count ? reasons[status] : "failed";
-    if (fault->status == EM_OUTSIDE_TABLE)
-        snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s %s, at %.9g", t, reason,
-                 unit->model->parameters[unit->model->tables[fault->first].parameter], fault->size);
-    else if (row) snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s, row %d", t, reason, fault->first);
-    else snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s%s%s", t, reason, named ? ", coordinate " : "",
-                  named ? unit->model->coordinates[fault->first] : "");
-    return -1;
+    return em_words_of_fault(unit->model, fault, t, unit->words);
 }
 
 /* The run of a stepper, in memory for c, y and atol. 0, or -1 and words. */
@@ -130,27 +120,17 @@ static int em_unit_open(em_unit *unit) {
     return failed;
 }
 
-/* Whether a number is none of those that its symbol was declared to have; then words. */
-static int em_unit_refuses(em_unit *unit, unsigned reference, double value) {
-    const em_model *const m = unit->model;
-    const unsigned n = (unsigned)m->n, x = (unsigned)m->n_parameters, v = x + n, inputs = v + n;
-    em_fault fault;
-    if (m->declared == NULL || reference >= em_unit_given(m) || (reference >= v && reference < inputs)) return 0;
-    const unsigned place = reference < v ? reference : reference - n;
-    if (!em_check_declared(m->declared, (int)place, 1, &value, &fault)) return 0;
-    const char *const name = reference < x        ? m->parameters[reference]
-                             : reference < inputs ? m->coordinates[reference - x]
-                                                  : m->inputs[reference - inputs];
-    snprintf(unit->words, sizeof unit->words, "%s = %.9g, but it was declared %s", name, value, m->declared[place].words);
-    return 1;
+/* The end of initialisation. 0, or -1 and words. */
+static int em_unit_enter(em_unit *unit) {
+    const int failed = em_unit_open(unit);
+    unit->steps = !failed;
+    return failed;
 }
 
-/* What a reference is if it is that of a table, which a unit does not change; otherwise NULL. */
-static const char *em_unit_table(const em_model *m, unsigned reference) {
-    for (int k = 0; k < m->n_tables; ++k)
-        if (reference == (unsigned)m->tables[k].parameter)
-            return m->tables[k].is_input ? "prescribes a motion" : "is a table";
-    return NULL;
+/* The place of a number among those that may be declared: parameters, x, inputs; -1: a rate. */
+static int em_unit_declared(const em_model *m, unsigned reference) {
+    const unsigned n = (unsigned)m->n, v = (unsigned)m->n_parameters + n;
+    return reference < v ? (int)reference : reference < v + n ? -1 : (int)(reference - n);
 }
 
 /* A number by its reference. 0, or -1 and words. */
@@ -162,13 +142,7 @@ static int em_unit_set(em_unit *unit, unsigned reference, double value) {
                                                                                : "no number that can be set");
         return -1;
     }
-    const char *const table = em_unit_table(unit->model, reference);
-    if (value != 0.0 && table != NULL) {
-        snprintf(unit->words, sizeof unit->words, "%s %s, which a unit has as it was exported: leave it at 0",
-                 unit->model->parameters[reference], table);
-        return -1;
-    }
-    if (em_unit_refuses(unit, reference, value)) return -1;
+    if (em_words_of_value(unit->model, em_unit_declared(unit->model, reference), value, unit->words)) return -1;
     if (reference < inputs) em_unit_close(unit);
     unit->given[reference] = value;
     return 0;
@@ -259,6 +233,28 @@ static double em_unit_number(const em_unit *unit, unsigned reference) {
     const unsigned p = (unsigned)unit->model->n_parameters, n = (unsigned)unit->model->n;
     if (unit->stepper == NULL || reference < p || reference >= p + 2 * n) return unit->given[reference];
     return reference < p + n ? unit->stepper->x[reference - p] : unit->stepper->v[reference - p - n];
+}
+
+/* value (count) <- numbers and outputs by their references. 0, or -1 and words. */
+static int em_unit_read(em_unit *unit, const unsigned *reference, size_t count, double *value) {
+    const unsigned given = (unsigned)em_unit_given(unit->model), n = (unsigned)unit->model->n_outputs;
+    double *outputs = NULL;
+    int failed = 0;
+    for (size_t k = 0; k < count && !failed; ++k) {
+        if (reference[k] < given) {
+            value[k] = em_unit_number(unit, reference[k]);
+        } else if (reference[k] < given + n) {
+            if (outputs == NULL) {
+                outputs = calloc(n, sizeof *outputs);
+                failed = outputs == NULL || em_unit_outputs(unit, outputs);
+            }
+            if (!failed) value[k] = outputs[reference[k] - given];
+        } else {
+            failed = em_words_of_no_reference(reference[k], unit->words);
+        }
+    }
+    free(outputs);
+    return failed ? -1 : 0;
 }
 
 static int em_unit_advance(em_unit *unit, double t) {

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 _HERE = Path(__file__).parent
-_HEADERS = ("em_fmi2.h", "em_unit.h", "em_fmu.h")
+_HEADERS = ("em_fmi2.h", "em_unit_words.h", "em_unit.h", "em_fmu.h")
 _WHEN = (1980, 1, 1, 0, 0, 0)  # date of all files in the zip, so that the same model gives the same bytes
 
 
