@@ -229,6 +229,13 @@ def test_the_branch_of_the_start_is_kept():
     assert (up.x[0] > 0).all()
 
 
+def test_start_at_which_all_coordinates_are_zero():
+    """A correction of rounding is no sign that the loop stays open where x = 0 is its size."""
+    grip = em.drive(built("gripper", formulation="lagrange"), [0.0, 0.1], {"left_pad": 0.1 * em.t})
+    assert abs(grip.x[:, 0]).max() < 1e-17
+    assert grip.x[list(grip.coordinates).index("left_pad"), 1] == pytest.approx(0.01)
+
+
 def test_mistakes_are_named():
     system = built("four_bar", formulation="lagrange")
     times = [0.0, 0.1, 0.2]

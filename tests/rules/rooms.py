@@ -201,7 +201,17 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building.verification",
     ),
     "reference": ("codegen.model.symbolic", "arguments"),
-    "fmu": ("codegen.model.normalise", "files", "arguments", "system", "building"),
+    "fmu": (
+        "codegen.model.normalise",
+        "codegen.model",
+        "files",
+        "runtime",
+        "arguments",
+        "analysis.state",
+        "analysis.inverse",
+        "system",
+        "building",
+    ),
     "webpage": (
         "codegen.model.normalise",
         "codegen.model.symbolic",

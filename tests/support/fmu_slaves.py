@@ -1,5 +1,7 @@
 """A Functional Mock-up Unit, as fmpy, which knows nothing of us, opens it."""
 
+from ctypes import byref, c_char_p
+
 import pytest
 
 fmpy = pytest.importorskip("fmpy")
@@ -33,6 +35,13 @@ class Unit:
 
     def get(self, *names):
         return self.slave.getReal([self.places[name] for name in names])
+
+    @property
+    def words(self):
+        """What it said last."""
+        said = c_char_p()
+        self.slave.fmi2GetStringStatus(self.slave.component, 0, byref(said))
+        return said.value.decode()
 
     def step(self, t, h):
         self.slave.doStep(currentCommunicationPoint=t, communicationStepSize=h)

@@ -120,6 +120,11 @@ def folder(default: str, holds: str) -> Callable[[Command], Command]:
 output = folder("generated", "generated files")
 
 
+def listed(text: str | None) -> tuple[str, ...] | None:
+    """Return the names of a text, which commas separate; None without one."""
+    return None if text is None else tuple(name.strip() for name in text.split(","))
+
+
 def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
     """Return name -> value from NAME=VALUE texts; the last of several values of a name applies."""
     for text in texts:

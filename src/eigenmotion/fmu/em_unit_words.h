@@ -1,4 +1,4 @@
-/* em_unit_words.h: what units say of faults, and of numbers that they do not take. */
+/* em_unit_words.h: messages of units about faults, and about numbers that they do not take. */
 #ifndef EM_UNIT_WORDS_H
 #define EM_UNIT_WORDS_H
 

@@ -1,74 +1,39 @@
 """Export of a model as a Functional Mock-up Unit (FMI 2.0, co-simulation).
 
 The file contains the generated C with all headers, so that it can be compiled again, the description of its variables,
-and a binary for this platform. A unit is a stepper (em_control.h) whose parameters and start are set by name.
+and a binary for this platform. Its numbers are set by name. It is a stepper (em_control.h), or inverse dynamics.
 """
 
 import platform
 import re
 import sys
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
 from functools import cache
 from io import BytesIO
 from os import PathLike
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from ..arguments.methods import FIXED, STEPPED, Method, method_of
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
 from ..building.request import Request, request
 from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
-from ..codegen.model.normalise import real, shown
+from ..codegen.model.normalise import shown
 from ..files import write
-
-if TYPE_CHECKING:
-    from ..system.system import System
+from .inverse_unit import inverse_unit
+from .motion_unit import motion_unit, stepping_of
+from .unit import Content, Unit
 
 _HERE = Path(__file__).parent
-_HEADERS = ("em_fmi2.h", "em_unit_words.h", "em_unit.h", "em_fmu.h")
+_HEADERS = ("em_fmi2.h", "em_unit_words.h", "em_fmu.h")
+_STEPPING = {"method": "dop853", "rtol": 1e-6, "atol": 1e-9, "step": None}
 _WHEN = (1980, 1, 1, 0, 0, 0)  # date of all files in the zip, so that the same model gives the same bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Variable:
-    """A variable of a unit, with its FMI attributes; the value reference is its index.
-
-    initial, start : "" and None if the attribute is omitted
-    """
-
-    name: str
-    causality: str
-    variability: str
-    initial: str
-    start: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class Unit:
-    """The data of a unit for the templates.
-
-    outputs, calculated : indices of variables, counted from 1
-    """
-
-    name: str
-    guid: str
-    sources: tuple[str, ...]
-    variables: tuple[Variable, ...]
-    outputs: tuple[int, ...]
-    calculated: tuple[int, ...]
-    velocities: tuple[str, ...]
-    method: int
-    rtol: str
-    atol: str
-    step: str
 
 
 def export_fmu(
@@ -82,6 +47,8 @@ def export_fmu(
     rtol: float = 1e-6,
     atol: float = 1e-9,
     step: float | None = None,
+    inverse_dynamics: Mapping[Any, float] | Iterable[Any] | None = None,
+    motion: Iterable[Any] | None = None,
     **keywords: Any,
 ) -> Path:
     """Write a model as a Functional Mock-up Unit (FMI 2.0, co-simulation), with its C inside; return the path.
@@ -99,6 +66,12 @@ def export_fmu(
         A compiled method of `simulate`, or one of fixed step of `System.stepper`, and its step [s].
     rtol, atol
         If the importing tool sets a tolerance, it replaces rtol, and atol is scaled by the same factor.
+    inverse_dynamics
+        Names of actuators, as in `System.inverse_dynamics`, for a unit that gives their forces for a motion: positions,
+        rates and accelerations of coordinates are inputs. Nothing is integrated.
+    motion
+        The coordinates of that motion, as many as there are degrees of freedom, or all. Default: all or, with
+        constraints, those of the actuators. The others follow from the constraints.
 
     Raises
     ------
@@ -115,15 +88,27 @@ def export_fmu(
     'pendulum.fmu'
     """
     requested = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
-    chosen: Method = method_of(method, STEPPED)
     target = _target(path)
-    options = tuple(_positive(value, name) for value, name in ((rtol, "rtol"), (atol, "atol")))
-    unit = packed(requested, chosen, options, _step(chosen, step))
+    if inverse_dynamics is None:
+        if motion is not None:
+            raise ModelError("motion= is for units of inverse dynamics: give inverse_dynamics=, their actuators, too")
+        stepping = stepping_of(method, rtol, atol, step)
+        content = motion_unit(system_of(requested), stepping)
+    else:
+        _check_steps_by_default(method=method, rtol=rtol, atol=atol, step=step)
+        content = inverse_unit(system_of(requested), inverse_dynamics, motion)
+    unit = packed(requested, content)
     try:
         write(target, unit)
     except OSError as error:
         raise ModelError(f"{target}: nothing can be written there ({error.strerror})") from error
     return target
+
+
+def _check_steps_by_default(**stepping: Any) -> None:
+    """Raise ModelError for an option that a unit of inverse dynamics has no use for."""
+    if given := [name for name, value in stepping.items() if value != _STEPPING[name]]:
+        raise ModelError(f"{given[0]}= is for units that move. One of inverse dynamics integrates nothing.")
 
 
 def _target(path: object) -> Path:
@@ -137,37 +122,22 @@ def _target(path: object) -> Path:
     return target
 
 
-def _positive(value: float, name: str) -> float:
-    number = real(value, name)
-    if not 0 < number < 1:
-        raise ModelError(f"{name} is {number}, but must be above 0 and less than 1")
-    return number
-
-
-def _step(method: Method, step: float | None) -> float:
-    if (step is not None) != (method.name in FIXED):
-        raise ModelError(
-            f"step= is for methods of fixed step ({', '.join(FIXED)}), which need it; method is {method.name}"
-        )
-    return 0.0 if step is None else _positive(step, "step")
-
-
-def packed(requested: Request, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
+def packed(requested: Request, content: Content) -> bytes:
     """Return the unit's bytes: the same for the same model, options and compiler."""
     texts = {file.name: file.text for file in cached_sources(requested).files if not file.name.endswith(".pyx")}
     texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h"))}
-    texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in _HEADERS}
+    texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in (*_HEADERS, *content.headers)}
     texts = {name: _side_by_side(text) for name, text in texts.items()}
-    unit = _unit(system_of(requested), texts, method, tolerances, step)
+    unit = _unit(system_of(requested).name, texts, content)
     texts[f"{unit.name}_fmu.c"] = _template("unit.c.jinja", unit)
     files = {"modelDescription.xml": _template("modelDescription.xml.jinja", unit).encode()}
     files |= {f"sources/{name}": text.encode() for name, text in sorted(texts.items())}
     files[f"binaries/{_platform()}/{unit.name}{_suffix()}"] = _binary(unit, texts)
-    content = BytesIO()
-    with ZipFile(content, "w") as archive:
+    archived = BytesIO()
+    with ZipFile(archived, "w") as archive:
         for name, data in files.items():
             archive.writestr(ZipInfo(name, _WHEN), data, ZIP_DEFLATED)
-    return content.getvalue()
+    return archived.getvalue()
 
 
 def _side_by_side(text: str) -> str:
@@ -175,31 +145,21 @@ def _side_by_side(text: str) -> str:
     return re.sub(r'^#include "\w+/(\w+\.h)"', r'#include "\1"', text, flags=re.MULTILINE)
 
 
-def _unit(
-    system: "System", texts: Mapping[str, str], method: Method, tolerances: tuple[float, ...], step: float
-) -> Unit:
-    variables = tuple(_variables(system))
-    for variable in variables:
-        _check_xml(system.name, variable.name)
-    places = {v.name: k for k, v in enumerate(variables, 1)}
-    if len(places) < len(variables):
-        raise ModelError(f"{system.name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
+def _unit(name: str, texts: Mapping[str, str], content: Content) -> Unit:
+    for variable in content.variables:
+        _check_xml(name, variable.name)
+    places = {v.name: k for k, v in enumerate(content.variables, 1)}
+    if len(places) < len(content.variables):
+        raise ModelError(f"{name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
                          "own, outputs too")  # fmt: skip
-    parts = (*(text for _, text in sorted(texts.items())), method.name, *map(repr, tolerances), repr(step))
-    digest = key(*parts)
-    rtol, atol = map(repr, tolerances)
+    digest = key(*(text for _, text in sorted(texts.items())), content.options, *map(repr, content.constants))
     return Unit(
-        name=system.name,
+        name=name,
         guid="{" + "-".join(digest[a:b] for a, b in ((0, 8), (8, 12), (12, 16), (16, 20), (20, 32))) + "}",
-        sources=(f"{system.name}.c", f"{system.name}_fmu.c"),
-        variables=variables,
-        outputs=tuple(places[v.name] for v in variables if v.causality == "output"),
-        calculated=tuple(places[v.name] for v in variables if v.initial == "calculated"),
-        velocities=tuple(map(repr, system.begin()[1].tolist())),
-        method=method.number,
-        rtol=rtol,
-        atol=atol,
-        step=repr(step),
+        sources=(f"{name}.c", f"{name}_fmu.c"),
+        content=content,
+        outputs=tuple(places[v.name] for v in content.variables if v.causality == "output"),
+        initial=tuple(places[v.name] for v in content.variables if v.initial in ("approx", "calculated")),
     )
 
 
@@ -209,23 +169,6 @@ def _check_xml(model: str, name: str) -> None:
         raise ModelError(
             f"{model}: {name!r} has a character that the description of a unit, which is XML, cannot hold. Rename it."
         )
-
-
-def _variables(system: "System") -> Iterator[Variable]:
-    """Yield all variables in the order of em_unit.h."""
-    x, v = (values.tolist() for values in system.begin())
-    places = (*system.coordinates, *(f"integral({name})" for name in system.states))
-    rates = (*(f"der({name})" for name in system.coordinates), *system.states)
-    for name, value in system.parameters.items():
-        yield Variable(name, "parameter", "fixed", "exact", repr(value))
-    for name, value in zip(places, x, strict=True):
-        yield Variable(name, "output", "continuous", "exact", repr(value))
-    for name, value in zip(rates, v, strict=True):
-        yield Variable(name, "output", "continuous", "exact", repr(value))
-    for name, value in system.inputs.items():
-        yield Variable(name, "input", "continuous", "", repr(value))
-    for name in system.outputs:
-        yield Variable(name, "output", "continuous", "calculated", None)
 
 
 @cache

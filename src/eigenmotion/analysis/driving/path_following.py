@@ -206,13 +206,14 @@ class Follower:
             phi, _ = c.position(t, x, self.prepared)
             A = c.pfaffian(t, x, self.prepared)[0][: c.h]
             step = self._solved(A, -phi)
+            before = x.copy()
             x[self.dependent] += step
             size = float(np.linalg.norm(step / self.unit[self.dependent]))
             if size <= 4.0 * np.finfo(float).eps * np.linalg.norm(x / self.unit):
                 break
             if not size <= _CONTRACTION * last:
-                if size > _ROUNDED * np.linalg.norm(x / self.unit):
-                    raise self._open(t, x)
+                if size > _ROUNDED * np.linalg.norm(x / self.unit):  # by rounding, or it is lost: back, and see
+                    x = before
                 break
             last = size
         self._check_closed(t, x)

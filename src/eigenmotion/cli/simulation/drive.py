@@ -20,7 +20,7 @@ from eigenmotion.results.drive import SAVERS, Drive
 from eigenmotion.results.pictures.animation import ANIMATIONS, save_animation
 from eigenmotion.results.pictures.moving_shapes import require_drawing
 
-from ..options import Finite, Shape, distinct_assignments, model, setting, shaping, values
+from ..options import Finite, Shape, distinct_assignments, listed, model, setting, shaping, values
 from .targets import check_results
 
 _DEGREE = 5
@@ -85,11 +85,10 @@ def command(
     if "v0" in arguments:
         raise click.UsageError("--set: rates follow from the paths")
     motion, last = _motion(distinct_assignments(paths, "--path"))
-    names = tuple(name.strip() for name in actuators.split(",")) if actuators else None
     with clock():
         system = system_of(request)
         times = np.linspace(0.0, t_end or last or _END, rows)
-        result = drive(system, times, motion, actuators=names, **arguments)
+        result = drive(system, times, motion, actuators=listed(actuators), **arguments)
     click.echo(summary(result))
     if plot:
         click.echo(f"drawn to {save_figure(result.plot(), plot)}")
