@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from scipy.optimize import curve_fit
-from sympy import symbols
+from sympy import Abs, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -134,6 +134,34 @@ def test_rolling_without_slip():
     close(em.fit(system, guess, times, run.x, rtol=1e-11), truth)
 
 
+@cache
+def rod() -> System:
+    """A point mass on a massless rod, by x and y; the force in the rod, and rates along x and y by name."""
+    x, y, vx, vy = dynamicsymbols("x y vx vy")
+    length, g = symbols("length g", positive=True)
+    model = em.Model(
+        name="rod_in_x_and_y", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+        potential_energy=g * y, holonomic_constraints=[(x**2 + y**2 - length**2) / 2],
+        quasi_velocities={vx: x.diff(), vy: y.diff()}, outputs={"tension": em.multiplier(0) * length},
+        parameters={length: 1.0, g: 9.81}, initial={x: 0.6, y: -0.8},
+    )  # fmt: skip
+    return system_for(model, "lagrange")
+
+
+def test_reactions_along_constraints():
+    """Of a pendulum of length L at angle a the tension is g cos a + L a'^2, by another model's run."""
+    length, g, times = 1.1, 9.7, np.linspace(0.0, 1.5, 20)
+    swing = system_of("pendulum", "lagrange").simulate(
+        (0, 1.5), x0=[0.7], v0=[0.4], parameters={"l": length, "g": g}, t_eval=times, **TIGHT
+    )
+    tension = g * np.cos(swing.x[0]) + length * swing.v[0] ** 2
+    unknowns = {"length": 1.0, "g": 9.81, "x": 0.6, "x'": 0.2}
+    fit = em.fit(rod(), unknowns, times, {"tension": tension}, rtol=1e-11)
+    start = length * np.sin(0.7), length * 0.4 * np.cos(0.7)
+    close(fit, {"length": length, "g": g, "x": start[0], "x'": start[1]})
+    assert fit.x0["y"] == pytest.approx(-length * np.cos(0.7), rel=1e-8)
+
+
 def noisy(seed, spread=0.02):
     return position(TIMES, *TRUTH.values()) + np.random.default_rng(seed).normal(0.0, spread, 40)
 
@@ -219,6 +247,8 @@ def test_bounds():
     assert np.isnan(fit.deviations[0])
     assert np.isfinite(fit.deviations[1:]).all()
     assert "on a bound" in str(fit)
+    with pytest.raises(ModelError, match="all unknowns are on their bounds"):
+        em.fit(oscillator(), {"k": 3.0}, TIMES, {"x": noisy(5)}, bounds={"k": (0.0, 3.1)}, x0={"x": 0.8}, v0=[-0.6])
 
 
 def test_a_run_that_fails_shortens_the_step():
@@ -238,6 +268,17 @@ def test_a_run_that_fails_shortens_the_step():
     assert np.isnan(outside.deviations).all()
     with pytest.raises(ModelError, match=r"the run at the guesses fails.*before the last sample"):
         em.fit(system, {"k": 7.0}, times, {"x": times})
+
+
+def test_a_kink_of_the_motion_is_no_success():
+    """A block that slides down, or sticks once it has stopped: the best place is neither, at its limit."""
+    x, b = dynamicsymbols("x"), symbols("b")
+    system = system_for(
+        em.Model(name="folded", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, outputs={"fold": Abs(b - 1) + x},
+                 parameters={b: 3.0}), "lagrange")  # fmt: skip
+    fit = em.fit(system, {"b": 1.5}, TIMES, {"fold": np.full(40, -0.5)})
+    assert not fit.success
+    assert "it is no minimum" in fit.message
 
 
 def test_too_few_runs():
@@ -278,6 +319,7 @@ ONE = {"x": np.ones(40)}
     (["k"], ONE, {"bounds": {"k": (1, 0)}}, r"Give \(low, high\)"),
     ({"k": 3.0}, ONE, {"bounds": {"k": (4, 9)}}, "not within its bounds"),
     (["k"], ONE, {"t_start": 1.0}, "before t_start"),
+    (["k"], ONE, {"max_runs": 0}, "max_runs is 0"),
     (["k"], ONE, {"level": 1.0}, "between 0 and 1"),
     (["k", "x"], {"x": np.where(np.arange(40) < 2, 1.0, np.nan)}, {}, "2 samples of 'x' do not tell their own noise"),
 ])  # fmt: skip
@@ -289,6 +331,30 @@ def test_mistakes(unknowns, measured, more, words):
 def test_times_that_go_back():
     with pytest.raises(ModelError, match="not a list of increasing numbers"):
         em.fit(oscillator(), ["k"], TIMES[::-1], ONE)
+
+
+def test_noise_that_does_not_settle(monkeypatch):
+    monkeypatch.setattr("eigenmotion.analysis.fitting.fit._ROUNDS", 1)
+    with pytest.raises(ModelError, match="the noise of x, x' does not settle"):
+        em.fit(oscillator(), {"k": 4.0}, TIMES, {"x": noisy(6), "x'": noisy(7)})
+
+
+def test_starts_that_constraints_do_not_allow():
+    times = np.linspace(0.1, 1.0, 5)
+    run = rod().simulate((0, 1), t_eval=times)
+    with pytest.raises(ModelError, match="starts from rates, not from quasi-velocities"):
+        em.fit(rod(), ["g"], times, run.x, v0={"vx": 0.0, "vy": 0.0})
+    with pytest.raises(ModelError, match="the constraints cannot be closed with x kept"):
+        em.fit(rod(), {"length": 1.0, "x": 1.2}, times, run.x)
+    short = em.fit(rod(), {"length": 1.02, "x": 1.0}, times, {"x": np.full(5, 1.05)}, parameters={"g": 1e-9})
+    assert not short.success
+    assert "the constraints cannot be closed at the start with x kept" in short.message
+
+
+def test_progress(capsys, monkeypatch):
+    monkeypatch.setattr("eigenmotion.progress._SELDOM", 0.0)
+    em.fit(oscillator(), {"k": 4.0}, TIMES, {"x": noisy(6)}, progress=True)
+    assert "run 1 of at most 200" in capsys.readouterr().err
 
 
 def test_mistakes_on_constraints():

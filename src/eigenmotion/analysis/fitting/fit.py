@@ -32,7 +32,7 @@ from .unknowns import Given, unknowns_of
 
 _ROUNDS = 40
 """Largest number of searches, each with the noise that the last one tells."""
-_SETTLED = 1e-6
+_SETTLED = 1e-4
 """Relative change of the noise at which it is known."""
 _DEPENDENT = 30.0
 """A singular value of the derivatives that counts as zero, in rtol."""
@@ -123,6 +123,8 @@ def fit(
     if not is_system(system):
         raise no_system("fit", system, ", unknowns, times, measured")
     confidence, most = level_of(level), int(number(max_runs, "max_runs"))
+    if most < 1:
+        raise ModelError(f"max_runs is {most}, but the guesses need one run")
     given = Given(system, x0, v0, parameters, inputs, number(t_start, "t_start"))
     chosen = unknowns_of(given, unknowns, bounds)
     rows = _times(system.name, times, given.t)

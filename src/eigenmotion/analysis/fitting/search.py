@@ -71,35 +71,36 @@ def search(runs: Runs, begin: Evaluation, deviations: Vector) -> Found:
     """Return the least squares near an evaluation, of samples with standard deviations (quantities,).
 
     Variables are in units in which each changes the predictions by their own size, so that units of users do not
-    matter. Where a run fails, residuals are NaN, and the trust region shrinks.
+    matter; values are clipped to bounds that scaling misses by rounding. Where a run fails, residuals are NaN, and the
+    trust region shrinks.
     """
     unknowns = runs.experiment.unknowns
     scale, size = _scales(runs.experiment, begin, deviations)
     count = sum(map(len, begin.residuals))
 
+    first = begin.values / scale
+
+    def at(u: Vector) -> Evaluation | None:
+        return begin if np.array_equal(u, first) else runs.at(np.clip(scale * u, unknowns.lower, unknowns.upper))
+
     def residual(u: Vector) -> Vector:
-        found = runs.at(_within(unknowns, scale * u))
+        found = at(u)
         return np.full(count, np.nan) if found is None else -weighted(found, deviations)[0] / size
 
     def slopes(u: Vector) -> Vector:
-        found = runs.at(_within(unknowns, scale * u))
+        found = at(u)
         if found is None:
             raise RuntimeError("derivatives are asked for where a run has succeeded")
         return weighted(found, deviations)[1] * scale / size
 
     ends = least_squares(
-        residual, begin.values / scale, slopes, bounds=(unknowns.lower / scale, unknowns.upper / scale), method="trf",
-        x_scale="jac", max_nfev=max(runs.most - runs.count, 1), **_SMALL,
+        residual, first, slopes, bounds=(unknowns.lower / scale, unknowns.upper / scale), method="trf",
+        x_scale="jac", max_nfev=max(runs.most - runs.count + 1, 1), **_SMALL,
     )  # fmt: skip
-    best = runs.at(_within(unknowns, scale * ends.x))
+    best = at(ends.x)
     if best is None:
         raise RuntimeError("the search ends where a run has succeeded")
     return Found(best, ends.status > 0, _on_bound(unknowns, best, deviations))
-
-
-def _within(unknowns: Unknowns, values: Vector) -> Vector:
-    """Return values within their bounds, which scaling may miss by rounding."""
-    return np.clip(values, unknowns.lower, unknowns.upper)
 
 
 def _scales(experiment: Experiment, begin: Evaluation, deviations: Vector) -> tuple[Vector, float]:
