@@ -151,3 +151,60 @@ def test_units_do_not_matter(mass, gain):
         )
         assert agrees(found.dx * [[1.0], [gain]], np.array([[0.0, 0.0], [0.0, 3.0]]))
         assert agrees(found.da * [[1.0], [gain]], np.eye(2))
+
+
+def guided(joint=False):
+    """A bead on a parabola in an upright plane, whose guide rubs, and a mass on a spring that it carries.
+
+    joint: as a pendulum whose bearing, of two rows, rubs instead.
+    """
+    x, y, s, theta, mu, k = *dynamicsymbols("x y s theta"), *symbols("mu k")
+    T = (2 * x.diff() ** 2 + 2 * y.diff() ** 2 + (x.diff() + s.diff()) ** 2 + theta.diff() ** 2) / 2
+    rows = {"pin": [x - sin(theta), y + cos(theta)]} if joint else {"guide": [y - x**2]}
+    rub = em.Friction(theta.diff(), mu * 0.3, "pin") if joint else em.Friction(x.diff(), mu, "guide")
+    return em.Model(
+        name="guided", coordinates=[x, y, s, theta], kinetic_energy=T, potential_energy=20 * y + k * s**2 / 2,
+        holonomic_constraints=rows, contacts={"rub": rub}, parameters={mu: 0.3, k: 30.0},
+        initial={x: sin(0.4) if joint else 0.4, y: -cos(0.4) if joint else 0.16, theta: 0.4},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("joint", [False, True])
+def test_friction_that_is_proportional_to_reactions(joint):
+    system, t = system_for(guided(joint), "lagrange"), em.t
+    paths = {"s": lambda e: 0.1 * sin(4 * t) + e * cos(3 * t), "theta": lambda e: 0.4 + 0.6 * t + e * t**2}
+    if not joint:
+        paths["x"] = lambda e: 0.4 + t + e * sin(5 * t + 1)
+    along(system, lambda e: {name: path(e) for name, path in paths.items()}, None, tuple(paths))
+    turn = em.drive(system, [0.0, 0.2], {name: path(0.0) for name, path in paths.items()})
+    at = turn.x[:, -1], turn.v[:, -1], turn.a[:, -1]
+    found = system.inverse_dynamics_derivatives(*at, actuators=tuple(paths), by=["mu", "k"])
+
+    def forces(parameters):
+        return system.inverse_dynamics(*at, actuators=tuple(paths), parameters=parameters).forces
+
+    for name, value in (("mu", 0.3), ("k", 30.0)):
+        wanted = difference(lambda e, n=name, p=value: forces({n: p + e}))
+        assert np.abs(wanted).max() > 1e-2
+        assert agrees(found.by[name], wanted)
+    frictionless = system.inverse_dynamics_derivatives(*at, actuators=tuple(paths), parameters={"mu": 0.0})
+    assert not agrees(found.da, frictionless.da)
+    if joint:
+        with pytest.raises(em.ModelError, match="more actuators than degrees of freedom"):
+            system.inverse_dynamics_derivatives(*at)
+
+
+def test_a_choice_of_actuators_beside_friction():
+    """The norm of one multiplier is linear in it, but for its sign."""
+    t = em.t
+    paths = lambda e: {"s": 0.1 * sin(4 * t), "theta": 0.4 + t, "x": 0.4 + t + e * sin(5 * t + 1)}  # noqa: E731
+    for actuators in (("x", "y", "s", "theta"), {"x": 1.0, "y": 0.2, "s": 3.0, "theta": 2.0}, None):
+        along(system_for(guided(), "lagrange"), paths, None, actuators)
+
+
+def test_reactions_that_vanish():
+    """The pendulum falls freely from its bearing's height."""
+    system = system_for(guided(joint=True), "lagrange")
+    at = {"x": 1.0, "y": 0.0, "theta": np.pi / 2}, {}, {"y": -10.0, "theta": -10.0}
+    with pytest.raises(em.ModelError, match="are zero at t = 0"):
+        system.inverse_dynamics_derivatives(*at, actuators=("s", "theta"))

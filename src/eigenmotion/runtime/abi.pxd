@@ -268,6 +268,7 @@ cdef extern from "eigenmotion.h" nogil:
         const int *input_is_linear
         void (*pushes)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_normals
+        const unsigned char *normals
         int (*inverse_dynamics)(double, const double *, const double *, const double *, const double *, const double *,
                                 const em_actuators *, double *, double *, double *, em_inverse_check *,
                                 em_fault *) noexcept nogil

@@ -19,6 +19,9 @@ def equation_partials(
     c: Prepared,
     u: ArrayLike,
 ) -> Vector: ...
+def reaction_rows(
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike
+) -> tuple[Vector, Vector]: ...
 def constraint_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def output_partials(
     model: PointModel,

@@ -120,6 +120,22 @@ def equation_partials(PointModel model not None, double t, x, v, a, multipliers,
     return D.array
 
 
+def reaction_rows(PointModel model not None, double t, x, v, Prepared c not None, u):
+    """P (m + norms, n), along whose rows lambda and norms of it act as forces, and (norms, m), 1 for the lambda of each.
+
+    Without friction that is proportional to multipliers, P is A.
+    """
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
+    cdef int k, norms = model.model.n_normals
+    cdef Numbers P = zeros((model.m + norms, model.n)), among = zeros((norms, model.m))
+    for k in range(norms * model.m):
+        among.data[k] = model.model.normals[k]
+    if model.pushes:
+        model.model.pushes(t, q.data, w.data, c.c, s.data, P.data)
+        return P.array, among.array
+    return model.pfaffian(t, x, c)[0], among.array
+
+
 def constraint_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(h + m, n_arguments), of phi and of A v + b."""
     cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")

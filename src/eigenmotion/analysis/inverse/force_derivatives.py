@@ -2,11 +2,12 @@
 
 Forces tau and multipliers lambda of a motion are the solution of
 
-    B tau - A^T lambda = r = M a - f,   W tau = B^T mu,   A mu = 0
+    B tau - P^T lambda = r = M a - f,   W tau = B^T mu,   P mu = 0
 
-where tau has the least tau^T W tau, and mu are the multipliers of that choice (Karush-Kuhn-Tucker). Derivatives solve
-the equations differentiated, whose right sides follow from the partial derivatives of M a - f + A^T lambda at fixed a,
-lambda and inputs (equation_partials). Reactions are eliminated by the null space N of A: N^T B dtau = N^T dr.
+where tau has the least tau^T W tau, and mu are the multipliers of that choice (Karush-Kuhn-Tucker). P is A, unless
+friction is proportional to reactions: then P^T are the derivatives of reactions and friction by lambda. Derivatives
+solve the equations differentiated, whose right sides follow from the partial derivatives of M a - f + P^T lambda at
+fixed a, lambda and inputs (equation_partials). Reactions are eliminated by the null space N of P: N^T B dtau = N^T dr.
 """
 
 from collections.abc import Iterable, Mapping
@@ -20,7 +21,7 @@ from ...arguments.named_values import Vector, spelled, unknown
 from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators, CompiledModel
-from ...runtime.variations import equation_partials
+from ...runtime.variations import equation_partials, reaction_rows
 from .actuators import actuators_of
 from .friction_modes import by_mode
 from .inverse_dynamics import required
@@ -28,6 +29,8 @@ from .motion_arguments import Motion, motion_of
 
 _DEPENDENT = 1e-8
 """Least singular value of rows, or of columns, of length one that counts."""
+_VANISHES = 1e-12
+"""Of the forces of inertia and of actuators: reactions that are smaller have no direction."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +76,8 @@ def inverse_dynamics_derivatives(
     Raises
     ------
     ModelError
-        As `inverse_dynamics`; a name is unknown; actuators drive this motion, but not all motions beside it; friction
-        is proportional to reactions.
+        As `inverse_dynamics`; a name is unknown; actuators drive this motion, but not all motions beside it; there is
+        a choice of actuators, and friction of a bearing with two reactions or more; or reactions with friction vanish.
 
     Examples
     --------
@@ -88,10 +91,6 @@ def inverse_dynamics_derivatives(
     of = actuators_of(c, actuators)
     motion = motion_of(system, x, v, a, t, parameters, inputs)
     forces, multipliers, _ = required(motion, of)
-    if c.pushes:
-        raise ModelError(
-            f"{c.name}: friction is proportional to reactions; derivatives of its forces are not available"
-        )
     places = _places(c, by, of)
     n, columns = c.n_coordinates, list(places.values())
     made = np.empty((len(motion.t), forces.shape[1], 3 * n + len(columns)))
@@ -129,20 +128,39 @@ class _AtState:
         factored = c.factored_matrix(self.t, self.x, motion.prepared)
         self.unit = 1.0 / np.sqrt(np.diag(factored)[:n])
         self.whole = self.partials(multipliers, self.u)
-        A = c.pfaffian(self.t, self.x, motion.prepared)[0][:, :n] * self.unit
-        self.lengths = np.linalg.norm(A, axis=1)
-        self.lengths[self.lengths == 0.0] = 1.0
-        self.A = A / self.lengths[:, None]
         self.roots = np.sqrt(np.ones(len(forces)) if of.weights is None else np.array(of.weights))
         self.B = self._columns() * self.unit[:, None] / self.roots
+        P = self._reaction_rows()[:, :n] * self.unit
+        self.lengths = np.linalg.norm(P, axis=1)
+        self.lengths[self.lengths == 0.0] = 1.0
+        self.P = P / self.lengths[:, None]
 
     def partials(self, multipliers: Vector, u: Vector) -> Vector:
-        """Return the derivatives (n, n_arguments) of M a - f + A^T lambda at fixed a, lambda."""
+        """Return the derivatives (n, n_arguments) of M a - f + P^T lambda at fixed a, lambda."""
         c, motion = self.motion.model, self.motion
         D: Vector = equation_partials(
             c, self.t, self.x, motion.v[self.row], motion.a[self.row], multipliers, motion.prepared, u
         )
         return D[: c.n_coordinates]
+
+    def _reaction_rows(self) -> Vector:
+        """Return P (m, n): the derivatives of reactions, with the friction that is proportional to them, by lambda."""
+        c, motion = self.motion.model, self.motion
+        rows, among = reaction_rows(c, self.t, self.x, motion.v[self.row], motion.prepared, self.u)
+        self.bends = bool((among.sum(axis=1) > 1.0).any())
+        P = rows[: c.m].copy()
+        inertia = self.unit * (self.M @ motion.a[self.row, : len(self.M)])
+        size = np.linalg.norm(inertia) + np.linalg.norm(self.B @ (self.roots * self.forces))
+        for one, row in zip(among, rows[c.m :], strict=True):
+            rho = np.linalg.norm(one * self.multipliers)
+            reaction = np.linalg.norm((one * self.multipliers) @ rows[: c.m, : len(self.unit)] * self.unit)
+            if not reaction > _VANISHES * size:
+                raise ModelError(
+                    f"{c.name}: reactions to which friction is proportional are zero at t = {self.t:g}, where forces "
+                    "have no derivatives"
+                )
+            P += np.outer(one * self.multipliers / rho, row)
+        return P
 
     def _columns(self) -> Vector:
         """Return B (n, count)."""
@@ -165,16 +183,26 @@ class _AtState:
         if not self.of.names and not c.m:
             return right
         C = self._free_columns()
-        nu = _least(C.T, self.roots * self.forces)
-        mu = self.N @ (nu / self.sizes)
-        turning_A, turning_B = self._turning(mu * self.unit, chosen)
-        particular = np.linalg.lstsq(self.A, -turning_A / self.lengths[:, None], rcond=_DEPENDENT)[0]
-        f = turning_B / self.roots[:, None] + self.B.T @ particular
         free = self.N.T @ (right * self.unit[:, None]) / self.sizes[:, None]
+        f = self._choice(C, chosen) if len(C) < C.shape[1] else np.zeros((len(self.forces), right.shape[1]))
         return np.asarray((f + _least(C, free - C @ f)) / self.roots[:, None])
 
+    def _choice(self, C: Vector, chosen: list[int]) -> Vector:
+        """Return the derivatives (count, ...) of the forces that only follow from the choice of the least of them."""
+        if self.bends:
+            raise ModelError(
+                f"{self.motion.model.name}: friction is proportional to norms of two reactions or more, and there are "
+                "more actuators than degrees of freedom; derivatives of the least forces are not available. Give as "
+                "many actuators as there are degrees of freedom."
+            )
+        nu = _least(C.T, self.roots * self.forces)
+        mu = self.N @ (nu / self.sizes)
+        turning_P, turning_B = self._turning(mu * self.unit, chosen)
+        particular = np.linalg.lstsq(self.P, -turning_P / self.lengths[:, None], rcond=_DEPENDENT)[0]
+        return np.asarray(turning_B / self.roots[:, None] + self.B.T @ particular)
+
     def _free_columns(self) -> Vector:
-        """Return C = N^T B (freedoms, count) with rows of length one; N: an orthonormal basis of A N = 0.
+        """Return C = N^T B (freedoms, count) with rows of length one; N: an orthonormal basis of P N = 0.
 
         Raises
         ------
@@ -182,7 +210,7 @@ class _AtState:
             Actuators do not drive all motions that the constraints allow.
         """
         c = self.motion.model
-        _, values, V = np.linalg.svd(self.A) if c.m else (None, np.zeros(0), np.eye(len(self.unit)))
+        _, values, V = np.linalg.svd(self.P) if c.m else (None, np.zeros(0), np.eye(len(self.unit)))
         self.N = V[int((values > _DEPENDENT).sum()) :].T
         C = self.N.T @ self.B
         columns = np.linalg.norm(C, axis=0)
@@ -196,19 +224,19 @@ class _AtState:
         return np.asarray(C / self.sizes[:, None])
 
     def _turning(self, mu: Vector, chosen: list[int]) -> tuple[Vector, Vector]:
-        """Return dA mu (m, 3 n + ...) and dB^T mu (count, 3 n + ...)."""
+        """Return dP mu (m, 3 n + ...) and dB^T mu (count, 3 n + ...)."""
         c, n = self.motion.model, self.motion.model.n_coordinates
         none, width = np.zeros(c.m), len(chosen) + n
-        of_A, of_B = np.zeros((c.m, width)), np.zeros((len(self.forces), width))
+        of_P, of_B = np.zeros((c.m, width)), np.zeros((len(self.forces), width))
         places = [*range(2 * n), *range(3 * n, width)]
         bare = self.partials(none, self.u)[:, chosen]
         for row, one in enumerate(np.eye(c.m)):
-            of_A[row, places] = mu @ (self.partials(one, self.u)[:, chosen] - bare)
+            of_P[row, places] = mu @ (self.partials(one, self.u)[:, chosen] - bare)
         for k in self.inputs:
             more = self.u.copy()
             more[c.inputs.index(self.of.names[k])] += 1.0
             of_B[k, places] = mu @ (bare - self.partials(none, more)[:, chosen])
-        return of_A, of_B
+        return of_P, of_B
 
 
 def _least(K: Vector, g: Vector) -> Vector:
