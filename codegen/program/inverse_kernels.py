@@ -20,7 +20,7 @@ def is_recursive(terms: Terms) -> bool:
 
 
 def inverse_kernels(terms: Terms, one: One, column: Column) -> dict[str, Any]:
-    """Write `required`, `input_columns` and `linear_inputs` of `Kernels`.
+    """Write `required`, `input_columns` and `mixed_inputs` of `Kernels`.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def inverse_kernels(terms: Terms, one: One, column: Column) -> dict[str, Any]:
     return {
         "required": _required(terms, one, column),
         "input_columns": _input_columns(terms, one),
-        "linear_inputs": _linear_inputs(terms),
+        "mixed_inputs": _mixed_inputs(terms),
     }
 
 
@@ -51,10 +51,10 @@ def _input_columns(terms: Terms, one: One) -> Kernel | None:
     return one("input_columns", nonzero, "t", "x", "v", "a", "c", "u", "B") if flat else None
 
 
-def _linear_inputs(terms: Terms) -> tuple[int, ...]:
+def _mixed_inputs(terms: Terms) -> tuple[int, ...]:
     inputs = [symbol.name for symbol in terms.mechanics.inputs]
 
-    def is_linear(column: Iterable[Node]) -> bool:
-        return not any(terms.graph.depends(entry, u) for entry in column for u in inputs)
+    def depends(column: Iterable[Node], u: str) -> bool:
+        return any(terms.graph.depends(entry, u) for entry in column)
 
-    return tuple(int(is_linear(column)) for column in zip(*terms.input_columns, strict=True))
+    return tuple(int(depends(column, u)) for column in zip(*terms.input_columns, strict=True) for u in inputs)

@@ -108,7 +108,7 @@ class Kernels:
     bias : None if it is `required` at zero accelerations
     required : inverse dynamics; None if it follows from M and bias
     input_columns : derivatives of forces with respect to inputs; None if there are no inputs
-    linear_inputs : for each input 1 or 0, whether forces are linear in it
+    mixed_inputs : (inputs, inputs) 1 where the column of one input depends on another, or on itself
     partials : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
     own_masses : entries of M besides those that C adds in loops; None if there are none
@@ -127,7 +127,7 @@ class Kernels:
     bias: Kernel | None
     required: Kernel | None
     input_columns: Kernel | None
-    linear_inputs: tuple[int, ...]
+    mixed_inputs: tuple[int, ...]
     energy: Kernel
     outputs: Kernel
     events: Kernel

@@ -127,7 +127,8 @@ def test_a_run_is_a_motion():
     run = system.simulate((0, 3), x0=[0.3, 0.5], t_eval=np.linspace(0, 3, 50))
     found = em.identifiable(system, system.parameters, run)
     a = run.trajectory.accelerations.T
-    assert found.base == em.identifiable(system, system.parameters, (run.x, run.v, a, run.t)).base
+    for motion in ((run.x, run.v, a, run.t), [run.x, run.v, a], np.array([run.x, run.v, a])):
+        assert found.base == em.identifiable(system, system.parameters, motion).base
     fit = em.fit_forces(system, ["J_1", "mx_1"], run, np.zeros((2, 50)))
     assert fit.parameters == pytest.approx({"J_1": 0.5, "mx_1": 0.9}, abs=1e-9)
 

@@ -363,3 +363,24 @@ def test_rounding_of_positions_is_no_refusal():
     assert found.forces == pytest.approx([2.0])
     with pytest.raises(em.ModelError, match="x does not satisfy"):
         system.inverse_dynamics([1.0, 1e-5], [0.0, 0.0], [2.0, 0.0], actuators=("p",))
+
+
+def test_inputs_that_multiply_each_other():
+    """A steered thruster: its thrust is an actuator at a known angle, and not both together."""
+    x, y, thrust, angle = dynamicsymbols("x y thrust angle")
+    model = em.Model(name="thruster", coordinates=[x, y], kinetic_energy=x.diff() ** 2 + y.diff() ** 2,
+                     forces={x: thrust * cos(angle), y: thrust * sin(angle)},
+                     inputs={thrust: 0.0, angle: 0.3})  # fmt: skip
+    system = system_for(model)
+    found = system.inverse_dynamics([0, 0], [0, 0], [3 * np.cos(0.7), 3 * np.sin(0.7)], inputs={"angle": 0.7},
+                                    actuators=("thrust",))  # fmt: skip
+    assert found.forces == pytest.approx([6.0], rel=1e-14)
+    with pytest.raises(em.ModelError, match="not linear in input 'angle'"):
+        system.inverse_dynamics([0, 0], [0, 0], [1, 1], actuators=("angle",))
+    q, u, w = dynamicsymbols("q u w")
+    mixed = system_for(em.Model(name="mixed", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, forces={q: u * w + u},
+                                inputs={u: 0.0, w: 2.0}))  # fmt: skip
+    assert mixed.inverse_dynamics([0], [0], [6.0], actuators=("u",)).forces == pytest.approx([2.0])
+    assert mixed.inverse_dynamics([0], [0], [6.0], actuators=("w",), inputs={"u": 1.5}).forces == pytest.approx([3.0])
+    with pytest.raises(em.ModelError, match="not linear in inputs 'u' and 'w' together"):
+        mixed.inverse_dynamics([0], [0], [6.0], actuators=("u", "w"))

@@ -265,7 +265,7 @@ cdef extern from "eigenmotion.h" nogil:
         const int (*rotations)[3]
         void (*required_forces)(double, const double *, const double *, const double *, const double *, const double *,
                                 double *, double *) noexcept nogil
-        const int *input_is_linear
+        const unsigned char *mixed_inputs
         void (*pushes)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_normals
         const unsigned char *normals

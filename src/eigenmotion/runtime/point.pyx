@@ -121,9 +121,10 @@ cdef class PointModel:
         return self.need_derivatives() if method == EM_RADAU5 or method == EM_RADAU9 else 0
 
     @property
-    def linear_inputs(self):
-        """For each input, whether forces are linear in it."""
-        return tuple([self.model.input_is_linear[k] != 0 for k in range(self.n_inputs)])
+    def mixed_inputs(self):
+        """Pairs (i, j) of inputs, i = j among them, for which df / du_i depends on u_j."""
+        cdef int i, j, n = self.n_inputs
+        return frozenset([(i, j) for i in range(n) for j in range(n) if self.model.mixed_inputs[i * n + j]])
 
     @property
     def pushes(self):

@@ -113,9 +113,10 @@ def _start(system: CompiledSystem, prepared: Prepared, paths: list[Path], x0: An
         return np.concatenate([guess, np.zeros(c.n_states)])
     try:
         closed = assemble(system, guess, t=t, parameters=prepared, keep=[path.name for path in paths])
-    except ModelError:
+    except ModelError as error:
         _check_count(c, prepared, paths, c.initial_x, t)
-        raise
+        at = ", ".join(f"{path.name} = {path(t)[0]:g}" for path in paths)
+        raise ModelError(f"the paths begin at t = {t:g} with {at}, where the mechanism cannot be. {error}") from None
     if x0 is None and closed.branch and not closed.same_branch:
         raise ModelError(
             f"{c.name}: with {', '.join(f'{path.name} = {path(t)[0]:g}' for path in paths)} at t = {t:g}, the loops "

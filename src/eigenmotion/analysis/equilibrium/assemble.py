@@ -143,7 +143,8 @@ def _closed_outside_contacts(
 def _named(c: CompiledModel, touching: list[Switch], fixed: list[int], error: ModelError) -> ModelError:
     names = ", ".join(one.words(c) for one in touching)
     kept = f" with {', '.join(c.coordinates[k] for k in fixed)} kept" if fixed else ""
-    return ModelError(f"{c.name}: x0 is inside {names}, and{kept} it cannot be put on the surface: {error}")
+    why = str(error).removeprefix(f"{c.name}: ")
+    return ModelError(f"{c.name}: x0 is inside {names}, and{kept} it cannot be put on the surface: {why}")
 
 
 class _Loop:

@@ -1,16 +1,17 @@
 """Motions that are given for identification: a run, or arrays."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
+from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError, shown
 from ...compiled.compiled_system import CompiledSystem
 from ...results.solution import Solution
 from ..inverse.motion_arguments import Motion, motion_of
 
-Given = Solution | Sequence[Any]
+Given = Solution | Sequence[Any] | Vector
 
 
 def given_motion(system: CompiledSystem, motion: Given, inputs: Any, values: Any) -> Motion:
@@ -23,9 +24,10 @@ def given_motion(system: CompiledSystem, motion: Given, inputs: Any, values: Any
     """
     if isinstance(motion, Solution):
         return _of_run(system, motion, inputs, values)
-    if isinstance(motion, Mapping | str) or not isinstance(motion, Sequence) or len(motion) not in (3, 4):
+    parts = list(motion) if isinstance(motion, tuple | list) or (isinstance(motion, np.ndarray) and motion.ndim) else []
+    if len(parts) not in (3, 4):
         raise ModelError(f"motion is {shown(motion)}. Give a Solution, or arrays (x, v, a) or (x, v, a, t).")
-    x, v, a, *t = motion
+    x, v, a, *t = parts
     return motion_of(system, x, v, a, t[0] if t else 0.0, values, inputs)
 
 

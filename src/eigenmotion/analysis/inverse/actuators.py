@@ -15,7 +15,7 @@ def actuators_of(c: CompiledModel, given: Any) -> Actuators:
     ------
     ModelError
         There are none; a name is neither a coordinate nor an input; an input prescribes a motion, or forces are not
-        linear in it; a weight is not positive.
+        linear in the inputs among them; a weight is not positive.
     """
     if given is None:
         return _named(c, None)
@@ -58,8 +58,15 @@ def _check(c: CompiledModel, name: str, names: tuple[str, ...]) -> None:
         raise ModelError(f"{c.name}: {name!r} is a first-order state, on which no force acts")
     if name not in own and name not in c.inputs:
         raise ModelError(f"{c.name}: {unknown('actuator', [name], (*own, *c.inputs))}")
-    if name in c.inputs and not c.linear_inputs[c.inputs.index(name)]:
+    if name in c.inputs and (others := _mixed_with(c, name, names)):
+        what = f"input {name!r}" if name in others else f"inputs {name!r} and {others[0]!r} together"
         raise ModelError(
-            f"{c.name}: forces are not linear in input {name!r}. Take the coordinates on which it acts for actuators, "
-            "and find the input that gives their forces."
+            f"{c.name}: forces are not linear in {what}. Take the coordinates on which they act for actuators, and "
+            "find the inputs that give their forces."
         )
+
+
+def _mixed_with(c: CompiledModel, name: str, names: tuple[str, ...]) -> list[str]:
+    """Return the actuators on which the effect of an input depends, itself among them."""
+    place = c.inputs.index(name)
+    return [one for one in names if one in c.inputs and (place, c.inputs.index(one)) in c.mixed_inputs]

@@ -107,6 +107,11 @@ def _places(c: CompiledModel, by: Iterable[Any], of: Actuators) -> dict[str, int
     known |= {name: 2 * c.n + k for k, name in enumerate(c.inputs) if name not in of.names}
     known |= {name: 2 * c.n + c.n_inputs + k for k, name in enumerate(c.parameters) if name not in c.tables}
     names = [by] if isinstance(by, str) else list(map(spelled, by))
+    if prescribed := [name for name in names if name in c.prescribed]:
+        raise ModelError(
+            f"{c.name}: input {prescribed[0]!r} prescribes a motion by its value and two derivatives, which x, v and a "
+            "have. Take the derivatives by these."
+        )
     if wrong := set(names) - set(known):
         raise ModelError(f"{c.name}: {unknown('parameter, input or state', wrong, tuple(known))}")
     return {name: known[name] for name in names}

@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 36 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 37 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -267,7 +267,7 @@ typedef struct em_model {
                             double *r, double *s);
     void (*input_columns)(double t, const double *x, const double *v, const double *a, const double *c, const double *u,
                           double *B); /* (n, n_inputs) df / du; NULL: no inputs */
-    const int *input_is_linear;       /* (n_inputs) 1 where df / du depends on no input; NULL: no inputs */
+    const unsigned char *mixed_inputs; /* (n_inputs, n_inputs) 1 where df / du_i depends on u_j; NULL: no inputs */
     /* P (m + n_normals, n): reactions are -P^T (lambda, rho), with friction proportional to multipliers; NULL: A */
     void (*pushes)(double t, const double *x, const double *v, const double *c, const double *u, double *P);
     int n_normals;                /* the number of rho: norms of multipliers in friction */
