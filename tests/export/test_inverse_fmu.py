@@ -5,12 +5,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from sympy import cos
+from sympy import cos, lambdify, sin
 
 import eigenmotion as em
 from eigenmotion import ModelError
 from eigenmotion.cli import main
 
+from ..driving import linkages
 from ..support.fmu_slaves import Unit, fmpy
 from ..support.generation import MODELS, system_of
 
@@ -254,3 +255,27 @@ def test_rounding_is_no_obstacle(tmp_path):
     system = system_of("gripper", "lagrange")
     expected = em.assemble(system, unit.get(*names), keep=["left_pad"]).x
     assert unit.get(*names) == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("name", "motors", "moved"), [("six_bar", ["u0"], ["q1"]), ("delta", ["u_a", "u_b", "u_c"], ["x", "y", "z"])]
+)
+def test_motors_of_linkages(tmp_path, name, motors, moved):
+    """Inputs that act, behind loops that close from a rough start."""
+    model = getattr(linkages, name)()
+    path = em.export_fmu(model, tmp_path / "moved.fmu", inverse_dynamics=motors, motion=moved)
+    system = em.build(model)
+    start = dict(zip(system.coordinates, system.begin()[0], strict=True))
+    paths = {one: float(start[one]) + 0.05 * sin((2 + k) * em.t) for k, one in enumerate(moved)}
+    times = np.linspace(0.0, 2.0, 201)
+    unit, found = Unit(path, tmp_path / "a"), []
+    motions = [[lambdify(em.t, one.diff(em.t, order)) for one in paths.values()] for order in range(3)]
+    for before, t in zip((0.0, *times), times, strict=False):
+        unit.set(**spelled(moved, *([float(at(t)) for at in row] for row in motions)))
+        if not found:
+            unit.begin()
+        unit.step(before, t - before)
+        found.append(unit.get(*motors))
+    driven = em.drive(system, times, paths, actuators=motors)
+    assert np.abs(np.array(found).T - driven.forces).max() < 1e-11 * np.abs(driven.forces).max()

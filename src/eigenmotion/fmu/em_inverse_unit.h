@@ -162,7 +162,7 @@ static int em_unit_follow(em_unit *unit, const em_branch *of, double *x, em_bran
     memcpy(from, begins ? unit->model->initial_x : unit->last, sizeof from);
     memcpy(x, guessed ? given : from, sizeof from);
     for (int j = 0; j < unit->d && guessed; ++j) x[unit->dependent[j]] = unit->last[unit->dependent[j]];
-    if (begins && em_branch_close(of, unit->t, x, guessed ? 1.0 : EM_BRANCH_CONTRACTS, EM_GUESS_CORRECTIONS, at))
+    if (begins && em_branch_close(of, unit->t, x, 1.0, EM_GUESS_CORRECTIONS, at)) /* the start may be rough, too */
         return em_unit_stuck(unit, of, unit->t, x, at);
     if (begins) unit->usual = em_branch_independence(of, unit->t, x, at, loose);
     int rests = line.t[0] == line.t[1];
