@@ -297,6 +297,14 @@ def test_what_a_motion_does_not_tell_is_named():
         em.fit(oscillator(), ["lag"], TIMES, samples)
 
 
+def test_a_mass_that_cancels_up_to_rounding_is_named():
+    """Its derivative is no exact zero; the fit was a success at twice the mass."""
+    system = system_of("rotating_hoop")
+    run = system.simulate((0, 1), parameters={"m": 1.01}, t_eval=TIMES / 4, **TIGHT)
+    with pytest.raises(ModelError, match="nothing that is measured depends on m"):
+        em.fit(system, ["m"], TIMES / 4, run.x)
+
+
 ONE = {"x": np.ones(40)}
 
 

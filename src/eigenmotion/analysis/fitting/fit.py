@@ -36,6 +36,8 @@ _SETTLED = 1e-4
 """Relative change of the noise at which it is known."""
 _DEPENDENT = 30.0
 """A singular value of the derivatives that counts as zero, in rtol."""
+_UNRESOLVED = 1e-2
+"""Effect of an unknown as a whole, in rtol relative to the samples, that counts as none."""
 _EXPLAINED, _OF_RUNS = 1e-3, 100.0
 """Part of the residual that another step would still remove at a minimum; and in rtol, relative to the samples."""
 
@@ -192,6 +194,19 @@ class _Fit:
     def _free(self, found: Found) -> list[int]:
         return [k for k in range(len(self.names)) if k not in found.on_bound]
 
+    def _resolved(self, found: Found, deviations: Vector) -> Vector:
+        """Return derivatives (samples, k), with zeros for unknowns whose whole effect is less than runs resolve."""
+        slopes = weighted(found.best, deviations)[1]
+        sizes = np.maximum(np.abs(found.best.values), np.abs(self.experiment.unknowns.guesses))
+        effects = np.linalg.norm(slopes, axis=0) * sizes
+        nothing = (sizes > 0.0) & (effects <= _UNRESOLVED * self.rtol * self._size(deviations))
+        return np.where(nothing, 0.0, slopes)
+
+    def _size(self, deviations: Vector) -> float:
+        """Return the length of all samples in standard deviations."""
+        samples = [q.samples[q.seen] / s for q, s in zip(self.quantities, deviations, strict=True)]
+        return float(np.linalg.norm(np.concatenate(samples)))
+
     def _linearised(self, found: Found, deviations: Vector) -> Linearised:
         """Return the fit by unknowns that are not on a bound.
 
@@ -202,7 +217,7 @@ class _Fit:
         """
         free = self._free(found)
         names = tuple(self.names[k] for k in free)
-        slopes = weighted(found.best, deviations)[1][:, free]
+        slopes = self._resolved(found, deviations)[:, free]
         if not free:
             raise ModelError(f"{self.model}: all unknowns are on their bounds. Give wider ones.")
         if not slopes.any():
@@ -244,8 +259,7 @@ class _Fit:
         failed = f" The last run that failed: {self.runs.failure}" if self.runs.failure else ""
         if not found.ended:
             return f"not converged: {self.runs.count} runs were not enough; begin nearer, or give max_runs.{failed}"
-        samples = [q.samples[q.seen] / s for q, s in zip(self.quantities, deviations, strict=True)]
-        size = float(np.linalg.norm(np.concatenate(samples)))
+        size = self._size(deviations)
         if here.explained <= max(_EXPLAINED * float(np.linalg.norm(here.residual)), _OF_RUNS * self.rtol * size):
             return ""
         return f"not converged: it is no minimum, but no step from there, however short, fits better.{failed}"
