@@ -16,7 +16,7 @@ from ...results.drive import Drive
 from ...runtime import Actuators, CompiledModel, Prepared
 from ..equilibrium.assemble import assemble
 from ..inverse.actuators import actuators_of
-from ..inverse.friction_modes import by_mode
+from ..inverse.contact_modes import by_mode
 from ..inverse.inverse_dynamics import required
 from ..inverse.motion_arguments import Motion
 from ..state.tangent_space import null_space

@@ -11,7 +11,7 @@ from ...arguments.named_values import Vector, spelled, unknown
 from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import CompiledModel
-from ..inverse.friction_modes import by_mode
+from ..inverse.contact_modes import by_mode
 from ..inverse.motion_arguments import Motion, motion_of
 from ..state.active_contacts import switches_of
 from .freedoms import free_motions, obstacle_of

@@ -23,7 +23,7 @@ from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators, CompiledModel
 from ...runtime.variations import equation_partials, reaction_rows
 from .actuators import actuators_of
-from .friction_modes import by_mode
+from .contact_modes import by_mode
 from .inverse_dynamics import required
 from .motion_arguments import Motion, motion_of
 

@@ -13,8 +13,8 @@ from ...compiled.at_state import InverseDynamics
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators
 from .actuators import actuators_of
+from .contact_modes import by_mode
 from .feasibility import check_feasible
-from .friction_modes import by_mode
 from .motion_arguments import Motion, motion_of
 
 
