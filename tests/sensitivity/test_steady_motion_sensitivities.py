@@ -67,7 +67,17 @@ CIRCLE = 2.5 * np.tan(0.2)
 AT_REST = {
     name: Steady(name)
     for name in NAMES
-    if name not in {"clock", "driven_pendulum", "drone", "governor", "heavy_top", "polar_particle", "sphere"}
+    if name
+    not in {
+        "clock",
+        "driven_pendulum",
+        "drone",
+        "governor",
+        "heavy_top",
+        "polar_particle",
+        "quick_return_shaper",
+        "sphere",
+    }
 }
 """Of the others the start is not near a rest, or there is none."""
 PLACES = AT_REST | {
