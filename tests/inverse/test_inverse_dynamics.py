@@ -335,7 +335,7 @@ def test_closed_contacts_are_refused():
                      contacts={"ground": em.Contact(h)})  # fmt: skip
     system = system_for(model)
     assert system.inverse_dynamics([1.0], [0.0], [2.0]).forces == pytest.approx([11.81])
-    with pytest.raises(em.ModelError, match=r"'ground' is closed.*State it as a constraint"):
+    with pytest.raises(em.ModelError, match=r"'ground' is closed.*state the contact as a constraint"):
         system.inverse_dynamics([0.0], [0.0], [0.0])
 
 

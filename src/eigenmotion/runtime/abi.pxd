@@ -265,6 +265,8 @@ cdef extern from "eigenmotion.h" nogil:
         const int (*rotations)[3]
         void (*required_forces)(double, const double *, const double *, const double *, const double *, const double *,
                                 double *, double *) noexcept nogil
+        void (*input_columns)(double, const double *, const double *, const double *, const double *, const double *,
+                              double *) noexcept nogil
         const unsigned char *mixed_inputs
         void (*pushes)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         int n_normals

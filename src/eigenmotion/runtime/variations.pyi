@@ -22,6 +22,9 @@ def equation_partials(
 def reaction_rows(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike
 ) -> tuple[Vector, Vector]: ...
+def input_columns(
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, a: ArrayLike, c: Prepared, u: ArrayLike
+) -> Vector: ...
 def constraint_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def output_partials(
     model: PointModel,

@@ -136,6 +136,15 @@ def reaction_rows(PointModel model not None, double t, x, v, Prepared c not None
     return model.pfaffian(t, x, c)[0], among.array
 
 
+def input_columns(PointModel model not None, double t, x, v, a, Prepared c not None, u):
+    """B (n, n_inputs): df / du."""
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
+    cdef Numbers b = floats(a, (model.n,), "a"), B = zeros((model.n, model.n_inputs))
+    if model.n_inputs > 0:
+        model.model.input_columns(t, q.data, w.data, b.data, c.c, s.data, B.data)
+    return B.array
+
+
 def constraint_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(h + m, n_arguments), of phi and of A v + b."""
     cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v")

@@ -168,7 +168,7 @@ def _driven(motion: Motion, of: Actuators) -> Drive:
         forces=forces.T,
         multipliers=multipliers.T,
         power=_power(motion, names, forces),
-        outputs=_outputs(motion, multipliers),
+        outputs=_outputs(motion, multipliers, of),
     )
 
 
@@ -214,11 +214,11 @@ def _power(motion: Motion, names: tuple[str, ...], forces: Vector) -> Vector:
     return made
 
 
-def _outputs(motion: Motion, multipliers: Vector) -> dict[str, Vector]:
+def _outputs(motion: Motion, multipliers: Vector, of: Actuators) -> dict[str, Vector]:
     """Return name -> (k,), with the accelerations and multipliers of the driven motion."""
     c = motion.model
     made = np.empty((len(motion.t), len(c.outputs)))
-    parts = by_mode(motion) if c.switches else [(np.arange(len(motion.t)), motion)]
+    parts = by_mode(motion, of) if c.switches else [(np.arange(len(motion.t)), motion)]
     for rows, part in parts:
         t, x, v, a, u, prepared = part.arguments
         made[rows] = c.observed_rows(t, x, v, a, np.ascontiguousarray(multipliers[rows]), u, prepared)

@@ -23,6 +23,7 @@ from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators, CompiledModel
 from ...runtime.variations import equation_partials, reaction_rows
 from .actuators import actuators_of
+from .contact_forces import check_inside_bounds
 from .contact_modes import by_mode
 from .inverse_dynamics import required
 from .motion_arguments import Motion, motion_of
@@ -77,7 +78,8 @@ def inverse_dynamics_derivatives(
     ------
     ModelError
         As `inverse_dynamics`; a name is unknown; actuators drive this motion, but not all motions beside it; there is
-        a choice of actuators, and friction of a bearing with two reactions or more; or reactions with friction vanish.
+        a choice of actuators, and friction of a bearing with two reactions or more; reactions with friction vanish;
+        or a contact or friction is at its bound.
 
     Examples
     --------
@@ -94,7 +96,8 @@ def inverse_dynamics_derivatives(
     places = _places(c, by, of)
     n, columns = c.n_coordinates, list(places.values())
     made = np.empty((len(motion.t), forces.shape[1], 3 * n + len(columns)))
-    for rows, part in by_mode(motion) if c.switches else [(np.arange(len(motion.t)), motion)]:
+    for rows, part in by_mode(motion, of) if c.switches else [(np.arange(len(motion.t)), motion)]:
+        check_inside_bounds(part, multipliers[rows])
         for row, k in enumerate(rows):
             made[k] = _AtState(part, row, of, forces[k], multipliers[k]).derivatives(columns)
     dx, dv, da, rest = (motion.out(one) for one in np.split(made, [n, 2 * n, 3 * n], axis=2))

@@ -13,6 +13,7 @@ from ...compiled.at_state import InverseDynamics
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators
 from .actuators import actuators_of
+from .contact_forces import with_pushing_contacts
 from .contact_modes import by_mode
 from .feasibility import check_feasible
 from .motion_arguments import Motion, motion_of
@@ -47,7 +48,8 @@ def inverse_dynamics(
     Raises
     ------
     ModelError
-        Constraints do not allow the motion, no actuator drives it (names the motion), or a contact is closed.
+        Constraints do not allow the motion; no actuator drives it (names the motion); a contact is closed and no
+        actuators are named; or it would have to pull.
     EvaluationError
         M is singular, or friction jams.
 
@@ -75,12 +77,18 @@ def required(motion: Motion, of: Actuators) -> tuple[Vector, Vector, Vector]:
         raise ModelError(f"{c.name} was written by hand and has no inverse dynamics")
     if not c.switches:
         return _of_rows(motion, of)
-    parts = [(rows, _of_rows(part, of)) for rows, part in by_mode(motion)]
+    parts = [(rows, _of_contacts(part, of)) for rows, part in by_mode(motion, of)]
     made = tuple(np.empty((len(motion.t), part.shape[1])) for part in parts[0][1])
     for rows, values in parts:
         for whole, part in zip(made, values, strict=True):
             whole[rows] = part
     return made[0], made[1], made[2]
+
+
+def _of_contacts(motion: Motion, of: Actuators) -> tuple[Vector, Vector, Vector]:
+    """Return what `_of_rows` does for rows in one mode; contacts push, and frictions are within their limits."""
+    forces, multipliers, residual = _of_rows(motion, of)
+    return *with_pushing_contacts(motion, forces, multipliers, of), residual
 
 
 def _of_rows(motion: Motion, of: Actuators) -> tuple[Vector, Vector, Vector]:
