@@ -8,6 +8,7 @@ equations, so that the result has no error of an iteration.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import nnls
 
 from ...arguments.named_values import Vector
@@ -50,7 +51,7 @@ def least_forces(
     return y[:count], y[count:]
 
 
-def _reached(K: Vector, r: Vector, G: Vector, g: Vector, count: int) -> Vector | None:
+def _reached(K: Vector, r: Vector, G: Vector, g: Vector, count: int) -> NDArray[np.intp] | None:
     """Return the bounds (indices) that the least y with K y = r, G y + g >= 0 reaches; None if there is no y."""
     D = np.ones(K.shape[1])
     D[count:] = _OF_MULTIPLIERS
