@@ -50,13 +50,24 @@ test: $(READY)
 fuzz: $(READY)
 	$(BIN)/python -m tests.fuzz $(FUZZ_ARGS)
 
-# Longer sweeps, and the whole suite with every compiler there is
-nightly: fuzz
-	EIGENMOTION_CFLAGS=-O1 $(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
+# Longer sweeps, and the suite with every compiler there is: one of ten parts a night, of the day's number.
+# `make nightly NIGHTS=1` takes all at once, and hours
+NIGHTS ?= 10
+NIGHT  ?= $(shell date +%j)
+SLICE  := --slice $(NIGHT)/$(NIGHTS)
+PEERS  := $(VENV)/.peers
+
+nightly: $(READY) $(PEERS)
+	$(BIN)/python -m tests.fuzz $(SLICE) $(FUZZ_ARGS)
 	for compiler in gcc clang; do \
 	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \
-	    CC=$$compiler $(BIN)/pytest -n auto $(PYTEST_ARGS) || exit 1; \
+	    EIGENMOTION_CFLAGS=-O1 CC=$$compiler $(BIN)/pytest -n auto $(SLICE) $$([ $$compiler = clang ] || echo '-m=') $(PYTEST_ARGS) || exit 1; \
 	done
+
+# Other tools that compute the same: only the night's tests compare with them
+$(PEERS): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt 'eigenmotion[peers,oracles]'
+	touch $@
 
 # The site, in build/site: every warning is an error. LIVE="pendulum four_bar" makes live pages of these models only
 docs: $(DOCS) $(WORKED) $(SHOWN)

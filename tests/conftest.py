@@ -16,6 +16,7 @@ from .graph.expressions import Bench
 from .support import generation
 from .support.by_day import mark_nightly, rule_of
 from .support.generation import COMPILERS
+from .support.night_slice import outside_slice, slice_of
 
 SCENE = """\
 from sympy import cos, symbols
@@ -42,6 +43,11 @@ LEFT_OUT = pytest.StashKey[Counter[str]]()
 """How many cases each rule left for the night."""
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add what `make nightly` uses."""
+    parser.addoption("--slice", metavar="K/N", help="of the cases run at night only, one of N parts (default: all)")
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """By day compile in a hurry, with Clang, a fifth of the time; where CC or flags are given, as at night, optimise.
 
@@ -64,10 +70,13 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Longest files first, where `--no-loadscope-reorder` leaves it at that; what is not for every day, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
     mark_nightly(items)
+    if part := config.option.slice:
+        others = outside_slice(items, *slice_of(part))
+        items[:] = [item for item in items if item not in others]
 
 
 def pytest_deselected(items: list[pytest.Item]) -> None:

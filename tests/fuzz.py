@@ -3,7 +3,7 @@
 Exits with 1 if anything is wrong.
 
     python -m tests.fuzz [--trees N] [--mechanisms N] [--states N] [--tables N] [--driven N]
-                         [--machines N] [--first SEED] [--workers N]
+                         [--machines N] [--first SEED] [--slice K/N] [--workers N]
 
 Everything wrong is named by its seed: `--first SEED --trees 1 --mechanisms 0` looks at it again.
 """
@@ -26,6 +26,7 @@ from .bodies import machine_checks
 from .equations import mechanism_checks, state_checks, table_checks
 from .graph import tree_checks
 from .support.generation import FORMULATIONS
+from .support.night_slice import slice_of
 
 ZEROS_PER_TREE = 5
 """One seed in so many is also asked what is zero: each makes twenty forms."""
@@ -121,7 +122,9 @@ def main() -> int:
         ("workers", os.cpu_count() or 1),
     ):
         parser.add_argument(f"--{name}", type=int, default=default)
+    parser.add_argument("--slice", type=slice_of, default=(0, 1), metavar="K/N", help="one of N parts of all seeds")
     asked = parser.parse_args()
+    part, parts = asked.slice
     lines, wrong = [], 0
     with ProcessPoolExecutor(asked.workers) as pool:
         kinds = (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms),
@@ -129,7 +132,7 @@ def main() -> int:
                  ("driven", one_driven, asked.driven), ("machines", one_machine, asked.machines))  # fmt: skip
         for name, check, count in kinds:
             start = time.monotonic()
-            found = list(swept(check, range(asked.first, asked.first + count), pool))
+            found = list(swept(check, range(asked.first + part, asked.first + count, parts), pool))
             if found:
                 lines.append(summed(name, time.monotonic() - start, found))
                 wrong += sum(len(counts.wrong) for counts in found)

@@ -1,7 +1,5 @@
 """Regressors against SymPy's derivatives, Pinocchio and inverse dynamics."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import sympy
@@ -13,6 +11,7 @@ import eigenmotion as em
 from ..equations.test_equation_partials import by_sympy
 from ..states.mechanisms import servo
 from ..support import hand_written
+from ..support.example_robots import pinocchio, robot_file
 from ..support.generation import model_of, system_for
 from ..support.random_machines import Machine
 from .mechanisms import crank_four_bar
@@ -135,20 +134,9 @@ def test_constraints_that_depend_on_parameters_leave_no_linear_forces():
     assert rest == pytest.approx([0.0])
 
 
-def robots() -> Path:
-    """The folder of example-robot-data beside Pinocchio."""
-    pinocchio = pytest.importorskip("pinocchio", reason="compares with Pinocchio: pip install pin example-robot-data")
-    return Path(pinocchio.__file__).parents[4] / "share/example-robot-data/robots"
-
-
 def test_the_inertial_parameters_of_a_robot_against_pinocchio():
     """All 60 columns of a UR5; tools that are fixed to its last link have ten more."""
-    pytest.importorskip("yourdfpy", reason="URDF files are read by yourdfpy: pip install 'eigenmotion[robots]'")
-    file = robots() / "ur_description/urdf/ur5_robot.urdf"
-    if not file.exists():
-        pytest.skip("example-robot-data is not here: pip install example-robot-data")
-    import pinocchio as pin  # noqa: PLC0415
-
+    pin, file = pinocchio(), robot_file("ur_description/urdf/ur5_robot.urdf")
     theirs = pin.buildModelFromUrdf(str(file))
     system = em.build(em.load_urdf(file, inertial_parameters=True))
     links = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
