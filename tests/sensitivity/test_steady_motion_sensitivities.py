@@ -80,6 +80,8 @@ AT_REST = {
     }
 }
 """Of the others the start is not near a rest, or there is none."""
+DRIVEN = {"quick_return_shaper"}
+"""Its motor leaves it nowhere at rest."""
 PLACES = AT_REST | {
     "pendulum_hangs": Steady("pendulum", {"theta": 0.1}),
     "double_pendulum_hangs": Steady("double_pendulum", {"theta1": 0.1, "theta2": 0.1}),
@@ -157,7 +159,7 @@ def off_the_exponential(steady: Steady) -> tuple[float, float]:
 
 
 def test_no_model_is_left_out():
-    assert {one.model for one in PLACES.values()} == set(NAMES)
+    assert {one.model for one in PLACES.values()} | DRIVEN == set(NAMES)
 
 
 @pytest.mark.parametrize("place", [

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
+import scipy
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
@@ -93,7 +93,7 @@ def search(runs: Runs, begin: Evaluation, deviations: Vector) -> Found:
             raise RuntimeError("derivatives are asked for where a run has succeeded")
         return weighted(found, deviations)[1] * scale / size
 
-    ends = least_squares(
+    ends = scipy.optimize.least_squares(
         residual, first, slopes, bounds=(unknowns.lower / scale, unknowns.upper / scale), method="trf",
         x_scale="jac", max_nfev=max(runs.most - runs.count + 1, 1), **_SMALL,
     )  # fmt: skip

@@ -8,8 +8,8 @@ equations, so that the result has no error of an iteration.
 """
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import nnls
 
 from ...arguments.named_values import Vector
 
@@ -68,7 +68,9 @@ def _reached(K: Vector, r: Vector, G: Vector, g: Vector, count: int) -> NDArray[
     unit, far = along[moving] / lengths[moving, None], (least - rounded)[moving] / lengths[moving]
     if not (far > 0.0).any():
         return np.flatnonzero(moving)[:0]
-    u, distance = nnls(np.vstack([unit.T, far[None] / far.max()]), np.append(np.zeros(unit.shape[1]), 1.0))
+    u, distance = scipy.optimize.nnls(
+        np.vstack([unit.T, far[None] / far.max()]), np.append(np.zeros(unit.shape[1]), 1.0)
+    )
     return np.flatnonzero(moving)[u > 0.0] if distance > _INFEASIBLE else None
 
 
