@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from .garbage import uncollected
 
 if TYPE_CHECKING:
+    from .analysis.cycles.cycle import Cycle as Cycle
+    from .analysis.cycles.find_cycle import find_cycle as find_cycle
     from .analysis.driving.drive import drive as drive
     from .analysis.equilibrium.assemble import assemble as assemble
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
@@ -60,6 +62,7 @@ _HOME = {
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
     "Contact": ".codegen.model",
+    "Cycle": ".analysis.cycles.cycle",
     "Drive": ".results.drive",
     "Ensemble": ".results.ensemble",
     "EvaluationError": ".runtime",
@@ -87,6 +90,7 @@ _HOME = {
     "build": ".building.build",
     "draw": ".codegen.model",
     "drive": ".analysis.driving.drive",
+    "find_cycle": ".analysis.cycles.find_cycle",
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
     "fit": ".analysis.fitting.fit",
     "fit_forces": ".analysis.identification.fit_forces",

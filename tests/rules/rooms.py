@@ -128,6 +128,16 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.inverse",
         "analysis.equilibrium",
     ),
+    "analysis.cycles": (
+        "codegen.model.normalise",
+        "runtime",
+        "arguments",
+        "compiled",
+        "results",
+        "simulation",
+        "analysis.state",
+        "analysis.equilibrium",
+    ),
     "analysis.fitting": (
         "codegen.model.normalise",
         "progress",

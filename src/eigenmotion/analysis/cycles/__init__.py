@@ -1,0 +1,1 @@
+"""Cycles: periodic motions."""

@@ -1,0 +1,242 @@
+"""Search for a periodic motion."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments.differentiation import variable_name
+from ...arguments.named_values import Vector, unknown
+from ...arguments.options import is_system, no_system
+from ...codegen.model.normalise import ModelError, number, shown
+from ...compiled.compiled_system import CompiledSystem
+from ..equilibrium.assemble import assemble
+from .cycle import Cycle
+from .judgement import judged
+from .newton import Found, Unknowns, converged, noise
+from .period_guess import first_motion
+from .periodic_problem import Count, Problem
+from .returns import NoReturnError, Return, Section, firings, returned, run
+from .symmetry import symmetry_of
+from .time_dependence import advancing, check_symmetry, depends_on_time
+
+PERIOD = "period"
+_LATER = 10
+"""Number of periods after which a search begins again,"""
+_AGAIN = 3
+"""and how often."""
+_PARTS = 60
+"""Largest number of periods that a guess may have taken for one."""
+
+
+def find_cycle(
+    system: CompiledSystem,
+    *,
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    period: float | None = None,
+    section: str | None = None,
+    t: float = 0.0,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    free: Sequence[Any] | None = None,
+    symmetry: Mapping[Any, Any] | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-11,
+    atol: Any = None,
+    max_runs: int = 100,
+) -> Cycle:
+    """Return a periodic motion near a guess, by Newton's method with exact derivatives of the runs.
+
+    Motions go through events, impacts, contacts and friction; their derivatives do, too. Constraints hold at the start.
+
+    Parameters
+    ----------
+    x0, v0
+        A guess of the start, over the model's `initial`; x0 may also name states.
+    period
+        [s] A guess, or None: the first return. If equations depend on time, by an input that is a signal for example,
+        the period is required and exact: that of the forcing or a multiple. With an event as section, the guess says
+        how often the event happens in a period.
+    section
+        The name of an event of the model: motions start right after it and end right after it. Or the name of a
+        coordinate, rate ("theta'") or state that keeps the value of the guess at the start. None: the start moves
+        across the motion only.
+    t
+        Start [s], for equations that depend on time.
+    free
+        Names of what may vary, of coordinates, rates, states and "period"; None: all. What is not free keeps the value
+        of the guess, which selects a member of a family, as of a pendulum's swings.
+    symmetry
+        Coordinate or state -> its value after a period, as an expression of their values before: {"x": "x + L"} for
+        one that advances, {"left": "right", "right": "left"} for a step after which legs change roles. Coordinates on
+        which nothing depends advance freely without it: `Cycle.advance`.
+    rtol, atol, method
+        As in `simulate`; atol is by default rtol times the size of the motion.
+    max_runs
+        Number of runs after which the search ends.
+
+    Returns
+    -------
+    Cycle
+        Also if no motion that closes was found: see `success` and `message`.
+
+    Raises
+    ------
+    ModelError
+        Unknown names; an inconsistent start; no period for equations that depend on time; the motion does not return;
+        the symmetry is none of the equations.
+
+    Notes
+    -----
+    Deviations are measured relative to the sizes of coordinates and rates along the motion, so units make no
+    difference. Multipliers are the eigenvalues of the derivative of the motion over a period in independent coordinates
+    and velocities. Hartman, Ordinary Differential Equations, chapter IX.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/rimless_wheel.py")
+    >>> cycle = em.find_cycle(system, x0={"theta": -0.3}, v0={"theta": 1.2}, section="step")
+    >>> cycle.stable, cycle.multipliers.real.round(9)
+    (True, array([0.5]))
+    """
+    if not is_system(system):
+        raise no_system("find_cycle", system)
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
+        options = {"method": method} | ({} if atol is None else {"atol": atol})
+        problem, q = _problem(system, (x0, v0), number(t, "t"), (parameters, inputs), symmetry, options,
+                              (number(rtol, "rtol"), max_runs))  # fmt: skip
+        guess = None if period is None else number(period, "period")
+        if guess is not None and not guess > 0.0:
+            raise ModelError(f"{system.name}: period is {guess:g}. Give a positive time")
+        return _searched(problem, q, guess, section, free)
+
+
+def _problem(system: CompiledSystem, start: tuple[Any, Any], t: float, given: tuple[Any, Any], symmetry: Any,
+             options: dict[str, Any], limits: tuple[float, int]) -> tuple[Problem, Vector]:  # fmt: skip
+    prepared = system.prepare_both(*given)[0]
+    x, v = (each.copy() for each in system.begin(*start, t, prepared))
+    if system.m:
+        x[: system.n], v[: system.n] = assemble(system, *start, t=t, parameters=prepared)
+    problem = Problem(
+        system, *given, prepared, t, symmetry_of(system.compiled, prepared, symmetry), False, options, limits[0],
+        Count(limits[1]),
+    ).with_tolerance(limits[0], None)  # fmt: skip
+    q = np.concatenate([x, v])
+    q[system.compiled.n_coordinates : system.compiled.n] = 0.0
+    return problem, q
+
+
+def _searched(problem: Problem, q: Vector, guess: float | None, section: Any, free: Any) -> Cycle:
+    where, c = _section(problem, section), problem.c
+    size_of_time = guess or 10.0 * problem.point(q, problem.t, problem.prepared).time
+    problem = replace(problem, clock=depends_on_time(problem, q, size_of_time))
+    if problem.clock:
+        _check_clock(problem, guess, section)
+    check_symmetry(problem, q, guess or size_of_time)
+    stated = range(problem.c.n_coordinates) if problem.symmetry.stated else ()
+    candidates = tuple(k for k in advancing(problem, q, size_of_time) if k not in stated and k != where.place)
+    problem = replace(problem, free_advance=candidates)
+    q, period, where = _begun(problem, where, q, guess)
+    try:
+        problem, here = _first(problem, where, q, period)
+        return _closed(problem, where, _unknowns(problem, free), here, guess is None)
+    except NoReturnError as error:
+        raise ModelError(f"{c.name}: no motion from x0, v0 over {period:.6g} s: {error}") from error
+
+
+def _closed(problem: Problem, where: Section, unknowns: Unknowns, first: Return, guessed: bool) -> Cycle:
+    """Return the cycle near a motion, or else near what the motion has become some periods later."""
+    here, later = first, 0
+    found = converged(problem, where, unknowns, here)
+    while found.failure and later < _LATER * _AGAIN and not unknowns.kept:
+        try:
+            for _ in range(_LATER):
+                here = returned(
+                    problem, where, problem.symmetry.back(here.end, here.q, problem.free_advance), here.period
+                )
+        except NoReturnError:
+            break
+        later += _LATER
+        found = converged(problem, where, unknowns, here)
+    if guessed and where.event is None and not found.failure and not problem.symmetry.stated:
+        found = _shortest(problem, where, unknowns, found)
+    return judged(problem, where, found, f"; the motion from x0, v0, {later} periods later" if later else "")
+
+
+def _shortest(problem: Problem, where: Section, unknowns: Unknowns, found: Found) -> Found:
+    """Return the motion over the shortest period, where several were found as one."""
+    last = found.last
+    parts = np.arange(_PARTS, 1, -1)
+    try:
+        rows = problem.rows(run(problem, last.q, problem.t + last.period, t_eval=problem.t + last.period / parts))
+        gaps = np.abs((rows - last.q) / last.scale)[:, problem.own].max(axis=1)
+        near = np.flatnonzero(gaps <= 1e3 * noise(problem, last))
+        if not len(near):
+            return found
+        part = returned(problem, where, last.q, last.period / float(parts[near[0]]))
+        shorter = converged(problem, where, unknowns, part)
+    except NoReturnError:
+        return found
+    return found if shorter.failure else shorter
+
+
+def _begun(problem: Problem, where: Section, q: Vector, guess: float | None) -> tuple[Vector, float, Section]:
+    """Return the start, the period and the section of the first motion."""
+    if guess is None:
+        return first_motion(problem, where, q)
+    if where.event is None:
+        return q, guess, where
+    q, once, where = first_motion(problem, where, q)
+    try:
+        times = firings(problem, run(problem, q, problem.t + 1.5 * max(guess, once)), where.event or 0, once)
+    except NoReturnError as error:
+        raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not return: {error}") from error
+    count = int(np.abs(times - problem.t - guess).argmin())
+    return q, float(times[count]) - problem.t, replace(where, times=count + 1)
+
+
+def _first(problem: Problem, where: Section, q: Vector, period: float) -> tuple[Problem, Any]:
+    """Return the first motion, with tolerances relative to its sizes, and without advances that are none."""
+    rough = returned(problem, where, q, period)
+    problem = replace(problem, free_advance=tuple(k for k in problem.free_advance if rough.drift[k] < 1e-7))
+    problem = problem.with_tolerance(problem.rtol, rough.scale)
+    return problem, returned(problem, where, rough.q, rough.period)
+
+
+def _check_clock(problem: Problem, guess: float | None, section: Any) -> None:
+    name = problem.c.name
+    if section is not None:
+        raise ModelError(f"{name}: the equations depend on time, so motions start at a time, t, not on a section")
+    if guess is None:
+        raise ModelError(f"{name}: the equations depend on time. Give the period, that of the forcing or a multiple")
+
+
+def _section(problem: Problem, section: Any) -> Section:
+    if section is None:
+        return Section()
+    name, c = str(section), problem.c
+    if name in c.events:
+        return Section(event=c.events.index(name))
+    name = variable_name(section)
+    places = dict(zip(problem.names, problem.places, strict=True))
+    if name not in places:
+        raise ModelError(f"{c.name}: {unknown('section', [name], (*c.events, *places))}")
+    return Section(place=places[name])
+
+
+def _unknowns(problem: Problem, free: Any) -> Unknowns:
+    """Return what varies. A period that forcing gives does not."""
+    if free is None:
+        return Unknowns(not problem.clock, ())
+    if isinstance(free, str) or not isinstance(free, Sequence):
+        raise ModelError(f"{problem.c.name}: free is {shown(free)}. Give a list of names")
+    places = dict(zip(problem.names, problem.places, strict=True))
+    known = (*places, *(() if problem.clock else (PERIOD,)))
+    names = {PERIOD if str(one) == PERIOD else variable_name(one) for one in free}
+    if wrong := names - set(known):
+        raise ModelError(f"{problem.c.name}: {unknown('name in free', wrong, known)}")
+    return Unknowns(PERIOD in names, tuple(k for name, k in places.items() if name not in names))

@@ -1,0 +1,75 @@
+"""Judgement of a motion that seems to close: it is run once more, and measured."""
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from .cycle import Cycle
+from .multipliers import Multipliers, multipliers_of
+from .newton import Found, growth, noise, size
+from .periodic_problem import Problem
+from .returns import NoReturnError, Return, Section, returned, run
+
+_LATER = 0.31830988
+"""Part of a period by which the other run begins later, if equations do not depend on time."""
+_UNSTABLE = 1e6
+"""Growth of deviations in one period above which a single run decides little."""
+
+
+def judged(problem: Problem, section: Section, found: Found, note: str = "") -> Cycle:
+    """Return the result of a search, after a run at another tolerance and, if it must not matter, time."""
+    failure, last = found.failure, found.last
+    nothing = Multipliers(np.zeros(0, dtype=complex), np.zeros(0))
+    if failure:
+        return _cycle(
+            problem, last, f"not converged: {failure}" if "no cycle" not in failure else failure, nothing, False
+        )
+    problem.count.most += 3
+    later = problem.t if problem.clock else problem.t + _LATER * last.period
+    other = problem.with_tolerance(max(problem.rtol / 10.0, 1e-13), last.scale, later)
+    try:
+        check = returned(other, section, last.q, last.period)
+    except NoReturnError as error:
+        return _cycle(problem, last, f"not converged: the motion cannot be run again: {error}", nothing, False)
+    if check.order != last.order:
+        names = problem.c.events
+        orders = " but ".join(", ".join(names[k] for k in one) or "none" for one in (last.order, check.order))
+        message = f"not converged: events differ between runs of different tolerance: {orders}"
+        return _cycle(problem, check, message, nothing, False)
+    if size(problem, check) > 10.0 * noise(problem, check):
+        message = f"not converged: another run does not close, by {size(problem, check):.3g} of the motion"
+        return _cycle(problem, check, message, nothing, False)
+    multipliers = multipliers_of(other, check)
+    return _cycle(problem, check, _words(problem, check, multipliers) + note, multipliers, True)
+
+
+def _words(problem: Problem, one: Return, multipliers: Multipliers) -> str:
+    kind = {True: "stable", False: "unstable", None: "neither stable nor unstable by its multipliers"}
+    words = [kind[multipliers.stable]]
+    if multipliers.neutral:
+        beside = "" if problem.clock else " beside that of the motion"
+        many = f"{multipliers.neutral} multipliers are 1" if multipliers.neutral > 1 else "a multiplier is 1"
+        words.append(f"{many}{beside}: one of a family of cycles, or at a bifurcation")
+    if growth(one) > _UNSTABLE:
+        words.append(f"deviations grow by {growth(one):.2g} in a period, so small multipliers are uncertain")
+    return "; ".join(words)
+
+
+def _cycle(problem: Problem, one: Return, message: str, multipliers: Multipliers, success: bool) -> Cycle:
+    c, n = problem.c, problem.c.n_coordinates
+    x0, rates = problem.start(one.q)
+    solution = None
+    if success:
+        problem.count.most += 1
+        solution = run(problem, one.q, problem.t + one.period, dense_output=True)
+    stable = multipliers.stable if success else None
+    return Cycle(
+        problem.system, success, message, problem.t, one.period, _named(c.coordinates, x0),
+        _named(c.coordinates[:n], rates), multipliers.values, multipliers.errors, stable, multipliers.neutral,
+        {c.coordinates[k]: float(one.end[k] - one.q[k]) for k in problem.free_advance}, size(problem, one),
+        tuple(c.events[k] for k in one.order), solution, problem.count.runs,
+        _named(c.parameters, np.array(problem.prepared.parameters)),
+    )  # fmt: skip
+
+
+def _named(names: tuple[str, ...], values: Vector) -> dict[str, float]:
+    return dict(zip(names, values.tolist(), strict=True))

@@ -1,0 +1,88 @@
+"""Guess of a period: the time at which a motion first comes back to where it started."""
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError
+from ...runtime import StopReason
+from .periodic_problem import Problem
+from .returns import NoReturnError, Section, firings, run
+
+_ROWS = 400
+_DOUBLINGS = 12
+_NEAR = 0.1
+"""Distance of a return, relative to the extent of the motion, that ends the search."""
+
+
+def first_motion(problem: Problem, section: Section, q: Vector) -> tuple[Vector, float, Section]:
+    """Return a start and a period to begin with; an event that does not act begins the motion where it happens.
+
+    Raises
+    ------
+    ModelError
+        The motion does not return.
+    """
+    ahead = 10.0 * problem.point(q, problem.t, problem.prepared).time
+    best: tuple[float, float] | None = None
+    for _ in range(_DOUBLINGS):
+        try:
+            if section.event is not None:
+                found = _of_event(problem, section, q, ahead)
+                if found is not None:
+                    return *found, section
+            else:
+                one = _nearest(problem, section, q, ahead)
+                if one is not None and (best is None or one[0] < 0.5 * best[0]):
+                    best = one
+                if best is not None and best[0] <= _NEAR:
+                    return q, best[1], section
+        except NoReturnError as error:
+            raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not return: {error}") from error
+        ahead *= 2.0
+    if best is not None:
+        return q, best[1], section
+    name = problem.c.events[section.event] if section.event is not None else None
+    what = f"event {name!r} does not happen" if name else "the motion does not return"
+    raise ModelError(
+        f"{problem.c.name}: {what} within {ahead / 2:.3g} s of the start. Give the period, or another start"
+    )
+
+
+def _of_event(problem: Problem, section: Section, q: Vector, ahead: float) -> tuple[Vector, float] | None:
+    """Return a start and a period, or None if the event does not happen often enough."""
+    assert section.event is not None
+    solution = run(problem, q, problem.t + ahead)
+    times, acts = firings(problem, solution, section.event, 0.0), problem.c.acting[section.event]
+    if len(times) < section.times + (not acts):
+        if solution.stop is StopReason.TERMINAL_EVENT:
+            raise NoReturnError(solution.message)
+        return None
+    if acts:
+        return q, float(times[section.times - 1]) - problem.t
+    there = problem.rows(run(problem, q, float(times[0])))[-1]
+    return there, float(times[section.times] - times[0])
+
+
+def _nearest(problem: Problem, section: Section, q: Vector, ahead: float) -> tuple[float, float] | None:
+    """Return the relative distance and the period of the nearest return, the first of equals, or None."""
+    solution = run(problem, q, problem.t + ahead, t_eval=np.linspace(problem.t, problem.t + ahead, _ROWS))
+    rows, own = problem.rows(solution), problem.own
+    if (np.ptp(rows, axis=0)[own] <= 1e-9 * np.abs(rows).max(axis=0)[own]).all():
+        raise NoReturnError("nothing moves, it is an equilibrium")
+    scale = problem.scales(rows, problem.t, ahead)
+    scale[: problem.c.n] = np.maximum(np.ptp(rows, axis=0), 1e-300)[: problem.c.n]
+    there = ((rows - problem.symmetry(q)) / scale)[:, own]
+    flow = (problem.symmetry.G @ problem.flow(q, problem.t, problem.in_mode(solution, problem.t)) / scale)[own]
+    if section.place is not None:
+        flow = flow * (np.array(own) == section.place)
+    side = there @ flow
+    crossings = np.flatnonzero((side[1:-1] < 0.0) & (side[2:] >= 0.0)) + 1
+    if not len(crossings):
+        return None
+    part = side[crossings] / (side[crossings] - side[crossings + 1])
+    at = there[crossings] + part[:, None] * (there[crossings + 1] - there[crossings])
+    distances = np.linalg.norm(at, axis=1) / np.linalg.norm(there, axis=1).max()
+    near = np.flatnonzero(distances <= max(_NEAR, 1.5 * float(distances.min())))
+    first = near[0]
+    k, step = crossings[first], float(solution.t[1] - solution.t[0])
+    return float(distances[first]), float(solution.t[k]) + float(part[first]) * step - problem.t

@@ -1,0 +1,183 @@
+"""One return: a run from a start over one period, with its derivatives."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError
+from ...results.solution import Solution
+from ...runtime import EvaluationError, StopReason
+from ...simulation.simulate import simulate
+from ..state.tangent_space import Tangent, tangent
+from .periodic_problem import Problem
+
+_AT_ONCE = 1e-8
+"""Part of a period within which an event at the start of a run belongs to the period before."""
+
+
+class NoReturnError(ModelError):
+    """A run that does not return: it failed, ended before, or has no derivatives."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """Where a motion starts and ends; if neither is given, the hyperplane normal to the motion.
+
+    event : the number of an event of the model; times : how often it happens in a period
+    place : a number of the state that keeps its value
+    """
+
+    event: int | None = None
+    times: int = 1
+    place: int | None = None
+
+
+@dataclass(frozen=True)
+class Return:
+    """A motion from q (2 n,) at t until t + period.
+
+    end : (2 n,); rows : (rows, 2 n) along the motion
+    basis : the tangent space of the constraints at q; S : (2 n, k) derivatives of the end in its directions, at fixed
+    time; dt : (k,) derivatives of the period, 0 if it is given
+    flow, end_flow : dq/dt at both ends; order : numbers of the events within, in order
+    drift : (2 n,) the largest change of each column of the derivatives, in units of the scales: 0 if nothing depends
+        on the number
+    """
+
+    q: Vector
+    period: float
+    end: Vector
+    rows: Vector
+    scale: Vector
+    basis: Tangent
+    S: Vector
+    dt: Vector
+    flow: Vector
+    end_flow: Vector
+    order: tuple[int, ...]
+    drift: Vector
+    gap: Vector
+
+    @property
+    def residual(self) -> Vector:
+        """(2 n,) the distance by which the motion does not close, in units of the scales."""
+        return self.gap / self.scale
+
+
+def run(problem: Problem, q: Vector, end: float, **more: Any) -> Solution:
+    """Return a run from q until `end`.
+
+    Raises
+    ------
+    NoReturnError
+        It fails, or there are no more runs.
+    """
+    if problem.count.runs >= problem.count.most:
+        raise NoReturnError(f"{problem.count.most} runs were not enough; begin nearer, or give max_runs")
+    problem.count.runs += 1
+    x0, v0 = problem.start(q)
+    try:
+        solution = simulate(
+            problem.system, (problem.t, end), x0=x0, v0=v0, parameters=problem.parameters, inputs=problem.inputs,
+            **dict(problem.options) | more,
+        )  # fmt: skip
+    except (ModelError, EvaluationError) as error:
+        raise NoReturnError(str(error)) from error
+    if solution.stop is StopReason.INTERRUPTED:
+        raise KeyboardInterrupt
+    if not solution.success:
+        raise NoReturnError(solution.message)
+    return solution
+
+
+def firings(problem: Problem, solution: Solution, event: int, period: float) -> Vector:
+    """Return the times at which an event happens after the start."""
+    times = solution.t_events[event]
+    return np.asarray(times[times - problem.t > _AT_ONCE * period])
+
+
+def returned(problem: Problem, section: Section, q: Vector, period: float) -> Return:
+    """Return the motion from q over about one period, with derivatives.
+
+    Raises
+    ------
+    NoReturnError
+        A run fails, has no derivatives, or does not reach the section.
+    """
+    if section.event is None:
+        solution = run(problem, q, problem.t + period, sensitivities=problem.names)
+        return _measured(problem, solution, q, (problem.t + period, len(solution.t) - 1), None)
+    return _until_event(problem, section, q, period)
+
+
+def _until_event(problem: Problem, section: Section, q: Vector, period: float) -> Return:
+    event, ahead = section.event, 1.02 * period
+    assert event is not None
+    for _ in range(12):
+        solution = run(problem, q, problem.t + ahead, sensitivities=problem.names)
+        times = firings(problem, solution, event, period)
+        if len(times) >= section.times:
+            break
+        if solution.stop is StopReason.TERMINAL_EVENT:
+            raise NoReturnError(f"the run ends at a terminal event before {problem.c.events[event]!r} happens")
+        ahead *= 2.0
+    else:
+        raise NoReturnError(f"event {problem.c.events[event]!r} does not happen within {ahead / 2:.3g} s of the start")
+    at = float(times[section.times - 1])
+    which = int(np.flatnonzero(solution.t_events[event] == at)[0])
+    if problem.c.acting[event]:
+        row = int(np.flatnonzero(solution.t == at)[-1])
+        return _measured(problem, solution, q, (at, row), (event, which))
+    steps = np.append(np.linspace(problem.t, at, 50)[:-1], at)
+    rows = run(problem, q, problem.t + ahead, sensitivities=problem.names, t_eval=steps)
+    return _measured(problem, rows, q, (at, len(steps) - 1), (event, which))
+
+
+def _measured(
+    problem: Problem, solution: Solution, q: Vector, last: tuple[float, int], event: tuple[int, int] | None
+) -> Return:
+    (at, row), period = last, last[0] - problem.t
+    with np.errstate(all="ignore"):
+        rows = problem.rows(solution)[: row + 1]
+        scale = problem.scales(rows, problem.t, period)
+        start, end = problem.in_mode(solution, problem.t), problem.in_mode(solution, at)
+        basis = tangent(problem.point(q, problem.t, start))
+        every = _derivatives(problem, solution, row)
+        dt = np.zeros(basis.Z.shape[1])
+        if event is not None:
+            shifts = [solution.sensitivity[name].dt_events[event[0]][event[1]] for name in problem.names]
+            dt = np.array(shifts) @ basis.Z[problem.places]
+        made = Return(
+            q, period, rows[-1], rows, scale, basis, every[-1] @ basis.Z, dt, problem.flow(q, problem.t, start),
+            problem.flow(rows[-1], at, end), _order(problem, solution, at), _drift(every, scale),
+            rows[-1] - problem.symmetry(q),
+        )  # fmt: skip
+    if not all(np.isfinite(part).all() for part in (made.end, made.S, made.dt, made.end_flow)):
+        raise NoReturnError("the run, or its derivatives, are not finite")
+    return made
+
+
+def _derivatives(problem: Problem, solution: Solution, row: int) -> Vector:
+    """Return (rows, 2 n, 2 n) derivatives of q at rows up to one."""
+    n, every = problem.c.n_coordinates, problem.c.n
+    S = np.zeros((row + 1, 2 * every, 2 * every))
+    for name, place in zip(problem.names, problem.places, strict=True):
+        one = solution.sensitivity[name]
+        S[:, :n, place] = one.dx[:, : row + 1].T
+        S[:, every : every + n, place] = one.dv[:, : row + 1].T
+        S[:, every + n :, place] = one.dz[:, : row + 1].T
+    return S
+
+
+def _drift(every: Vector, scale: Vector) -> Vector:
+    changes = (every - np.eye(len(scale))) / scale[:, None] * scale
+    return np.asarray(np.abs(changes).max(axis=(0, 1)))
+
+
+def _order(problem: Problem, solution: Solution, at: float) -> tuple[int, ...]:
+    """Return the numbers of the events within a period, in order; none at its ends."""
+    margin = _AT_ONCE * (at - problem.t)
+    times = [(float(t), k) for k, one in enumerate(solution.t_events or ()) for t in one]
+    return tuple(k for t, k in sorted(times) if problem.t + margin < t < at - margin)
