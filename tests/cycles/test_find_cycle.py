@@ -100,6 +100,17 @@ def test_van_der_pol():
     assert cycle.stable is True
 
 
+def test_a_first_order_state_follows():
+    """A filter of the motion: its deviations decay by exp(-rate T)."""
+    filtered = Model(name="filtered", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                     forces=[(1 - x**2) * x.diff()], states={z: c * (x - z)}, parameters={c: 0.1})  # fmt: skip
+    cycle = em.find_cycle(system_for(filtered, "lagrange"), x0={"x": 2.0, "z": 0.3}, period=6.6)
+    assert cycle.period == pytest.approx(6.663286859323130, rel=1e-11)
+    assert cycle.multipliers[0] == pytest.approx(np.exp(-0.1 * cycle.period), rel=1e-9)
+    again = cycle.solution.states["z"]
+    assert again[-1] == pytest.approx(again[0], abs=1e-9)
+
+
 def test_van_der_pol_from_elsewhere():
     """The period is the shortest, and half of it up to the symmetry."""
     whole = em.find_cycle(van_der_pol(), x0={"x": 0.1}, v0={"x": 0.0})
