@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:4d128ea20431f269a25450ff61477ebcbb2676698bb6448ebdd8d37e15829545 */
-/* body sha256:1911a5490a22a30f164d445691f7e27975149c55772bc9054e48d27153ad1e30 */
+/* body sha256:d94fe3fbcca776049dbbcce814120c64d6614ec78531fba48b2ae27928cacb28 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -738,6 +738,7 @@ const em_model bouncing_ball_model = {
     .event_actions = event_actions,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .levels = levels,
     .n_impacts = N_IMPACTS,
     .impacts = impacts,
     .lanes = &bouncing_ball_lanes,

@@ -376,3 +376,12 @@ def test_mistakes_on_constraints():
     assert em.fit(system, ["g"], times, run.x, x0=x).success
     with pytest.raises(ModelError, match=r"tells only g\. It tells nothing about density"):
         em.fit(system, ["density", "g"], times, run.x)
+
+
+def test_one_sample_does_not_tell_its_noise():
+    system = em.build("models/pendulum.py")
+    times = np.array([2.0])
+    measured = system.simulate((0, 2), t_eval=times, rtol=1e-9).x + 1e-3
+    fit = em.fit(system, {"l": 0.9}, times, measured, deviations={"theta": 1e-3})
+    assert fit.success
+    assert np.isnan(fit.noise["theta"])

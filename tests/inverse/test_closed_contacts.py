@@ -187,3 +187,82 @@ def test_least_forces_satisfy_the_conditions_of_optimality(seed):
     stationary = np.concatenate([w * tau, np.zeros(m)])  # = K^T mu + (0, G^T u), u >= 0 on the active bounds
     columns = np.hstack([K.T, -K.T, np.vstack([np.zeros((count, bounds)), (G / units).T])[:, active]])
     assert nnls(columns / np.linalg.norm(columns, axis=0), stationary)[1] < 1e-7 * np.linalg.norm(stationary) + 1e-9
+
+
+def skid(cone=False, at_rest=None, push=0.0):
+    """A block on a floor, free in space, pushed along x."""
+    x, y, z = dynamicsymbols("x y z")
+    slips = (x.diff(), y.diff()) if cone else x.diff()
+    rub = em.Friction(slips, 0.3, "floor", **({} if at_rest is None else {"limit_at_rest": at_rest}))
+    return em.Model(
+        name="skid", coordinates=[x, y, z], kinetic_energy=x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2,
+        potential_energy=2 * G * z - push * x, contacts={"floor": em.Contact(z), "rub": rub},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("cone", [False, True])
+@pytest.mark.parametrize("z", [0.0, 0.5])
+@pytest.mark.parametrize("v", [(0, 0, 0), (1, 0, 0), (1, -2, 0.5)])
+def test_open_contacts_press_no_friction(z, v, cone):
+    """In flight, and as it lifts off, forces are M a + gravity."""
+    a = np.array([2.0, -1.0, 1.0])
+    system = system_for(skid(cone))
+    found = system.inverse_dynamics([0, 0, z], v, a, actuators=("x", "y", "z"))
+    assert found.forces == pytest.approx(2 * a + [0, 0, 2 * G], rel=1e-13)
+    assert not found.multipliers.any()
+    derivatives = system.inverse_dynamics_derivatives([0, 0, z], v, a, actuators=("x", "y", "z"))
+    assert derivatives.da == pytest.approx(2 * np.eye(3))
+    assert not derivatives.dv.any()
+
+
+@pytest.mark.parametrize("cone", [False, True])
+@pytest.mark.parametrize(("push", "lacks"), [(8.0, 0.0), (-8.0, 0.0), (13.0, 13.0 - 0.6 * 2 * G)])
+def test_frictions_that_stick_have_their_own_limit(push, lacks, cone):
+    system = system_for(skid(cone, 0.6, push))
+    found = system.inverse_dynamics([0, 0, 0], [0, 0, 0], [0, 0, 0], actuators=("x",))
+    assert found.forces == pytest.approx([-lacks], abs=1e-8)
+    if lacks == 0.0:
+        derivatives = system.inverse_dynamics_derivatives([0, 0, 0], [0, 0, 0], [0, 0, 0], actuators=("x", "y"))
+        assert not derivatives.dx.any()
+
+
+@pytest.mark.parametrize("push", [3.0, 6.0, 9.0, 9.7])
+def test_a_box_on_two_feet_with_cones(push):
+    """Feet share the load so that each is within its cone; 0.5 m g = 9.81 N is the most."""
+    x, y, z, tilt = dynamicsymbols("x y z tilt")
+    feet = {}
+    for name, side in (("l", -1), ("r", 1)):
+        feet[f"foot{name}"] = em.Contact(z + side * sin(tilt) / 5 - 0.3 * cos(tilt))
+        slips = ((x + side * cos(tilt) / 5 + 0.3 * sin(tilt)).diff(em.t), y.diff())
+        feet[f"rub{name}"] = em.Friction(slips, 0.5, f"foot{name}")
+    V = 2 * G * z - symbols("push") * x
+    box = em.Model(name="box", coordinates=[x, y, z, tilt], potential_energy=V, contacts=feet,
+                   kinetic_energy=x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2 + tilt.diff() ** 2 / 20,
+                   parameters={symbols("push"): 3.0}, initial={z: 0.3})  # fmt: skip
+    system, still = system_for(box), [0.0] * 4
+    at = [0, 0, 0.3, 0], still, still
+    found = system.inverse_dynamics(*at, actuators=("tilt",), parameters={"push": push})
+    assert found.forces == pytest.approx([0.0], abs=1e-7)
+    with pytest.raises(em.ModelError, match="would have to take more than its limit: no forces of tilt"):
+        system.inverse_dynamics(*at, actuators=("tilt",), parameters={"push": 9.9})
+    helped = system.inverse_dynamics(*at, actuators=("x",), parameters={"push": 12.0})
+    assert helped.forces == pytest.approx([9.81 - 12.0], abs=1e-7)
+
+
+def test_places_inside_a_contact_and_no_states():
+    system = system_for(skid())
+    with pytest.raises(em.ModelError, match=r"x is inside contact 'floor': its gap is -0\.5"):
+        system.inverse_dynamics([0, 0, -0.5], [0, 0, 0], [0, 0, 0], actuators=("x",))
+    none = np.zeros((3, 0))
+    assert system.inverse_dynamics(none, none, none, actuators=("x",)).forces.shape == (1, 0)
+
+
+def test_a_run_that_comes_to_rest_takes_no_forces():
+    """Accelerations at rest are rounding."""
+    for cone in (False, True):
+        system = system_for(skid(cone))
+        run = system.simulate((0, 3), x0={"z": 1.0}, v0={"x": 6.0, "y": 0.5}, t_eval=np.linspace(0, 3, 31), rtol=1e-9)
+        for k in range(31):
+            a = run.trajectory.accelerations[k]
+            found = system.inverse_dynamics(run.x[:, k], run.v[:, k], a, actuators=("x", "y", "z"))
+            assert np.abs(found.forces).max() < 1e-6, k

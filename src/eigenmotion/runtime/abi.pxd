@@ -62,6 +62,7 @@ cdef extern from "eigenmotion.h" nogil:
         int event
         int holds
         int slides
+        int over
         int row
         int idles
         int poisson
@@ -220,6 +221,7 @@ cdef extern from "eigenmotion.h" nogil:
         const char *const *rows
         int n_switches
         const em_switch *switches
+        void (*levels)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         const em_lanes *lanes
         void *(*enter)(em_run *, int *) noexcept nogil
         int n_shapes

@@ -163,7 +163,7 @@ cdef class PointModel:
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
         self.acts = c.event_actions != NULL
         self.acting = tuple([self.acts and c.event_actions[k].acts != 0 for k in range(c.n_events)])
-        self.switches = tuple([(one["event"], one["holds"], one["slides"], one["row"], one["idles"], one["shift"])
+        self.switches = tuple([(one["event"], one["holds"], one["slides"], one["row"], one["idles"], one["shift"], one["over"])
                                for one in [c.switches[k] for k in range(c.n_switches)]])
         self.rotations = tuple([(c.rotations[k][0], c.rotations[k][1], c.rotations[k][2]) for k in range(c.n_rotations)])
         self.has_cones = any([c.switches[k].shift >= 0 for k in range(c.n_switches)])

@@ -41,7 +41,7 @@ cdef dict _mode_of(model, parameters):
     An idle contact counts as holding: others keep it at rest.
     """
     cdef dict mode = {}
-    for _, holds, slides, _, idles, _ in model.switches:
+    for _, holds, slides, _, idles, *_ in model.switches:
         idle = parameters[idles] > 0.0
         mode[model.parameters[holds]] = 1.0 if idle else parameters[holds]
         if slides >= 0:

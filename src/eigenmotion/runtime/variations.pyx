@@ -136,6 +136,15 @@ def reaction_rows(PointModel model not None, double t, x, v, Prepared c not None
     return model.pfaffian(t, x, c)[0], among.array
 
 
+def levels(PointModel model not None, double t, x, v, Prepared c not None, u):
+    """(n_switches, 2): the limits of frictions that slide and that stick, over the normal force of those that have one."""
+    cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")
+    cdef Numbers made = zeros((model.model.n_switches, 2))
+    if model.model.n_switches > 0:
+        model.model.levels(t, q.data, w.data, c.c, s.data, made.data)
+    return made.array
+
+
 def input_columns(PointModel model not None, double t, x, v, a, Prepared c not None, u):
     """B (n, n_inputs): df / du."""
     cdef Numbers q = floats(x, (model.n,), "x"), w = floats(v, (model.n,), "v"), s = floats(u, (model.n_inputs,), "inputs")

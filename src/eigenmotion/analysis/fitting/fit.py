@@ -32,6 +32,8 @@ from .unknowns import Given, unknowns_of
 
 _ROUNDS = 40
 """Largest number of searches, each with the noise that the last one tells."""
+_TOLD = 0.5
+"""Freedoms from which residuals tell their noise."""
 _SETTLED = 1e-4
 """Relative change of the noise at which it is known."""
 _DEPENDENT = 30.0
@@ -179,6 +181,7 @@ class _Fit:
             new = np.where(known, deviations, np.maximum(noise, least))
             change, deviations = np.abs(new / deviations - 1.0).max(), new
             if len(known) == 1 or change <= _SETTLED or not found.ended:
+                noise = np.where(here.freedoms >= _TOLD, noise, np.nan)
                 return self._result(found, deviations, noise, known, level)
         raise ModelError(
             f"{self.model}: the noise of {', '.join(q.name for q in self.quantities if q.deviation is None)} does not "

@@ -23,7 +23,8 @@ class MotionFit:
     level : confidence of the intervals
     values : name -> estimate, of all unknowns
     parameters, x0, v0 : for `simulate`: the fitted parameters by name, and the start
-    noise : quantity -> standard deviation of its samples, from the residuals; also where `deviations` are given
+    noise : quantity -> standard deviation of its samples, from the residuals; also where `deviations` are given;
+        NaN if the samples are too few to tell
     freedoms : samples less estimates
     residual : quantity -> (nt,) measured less fitted, in units of its standard deviation; NaN where one is missing
     held : initial values that are neither given nor unknown, and which are kept while the constraints move others

@@ -8,21 +8,16 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...runtime import Actuators
-from ...runtime.variations import input_columns, reaction_rows
-from ..state.active_contacts import Surfaces, Switch, switches_of, with_parameters
+from ...runtime.variations import input_columns, levels, reaction_rows
+from ..state.active_contacts import Surfaces, Switch, switches_of
 from ..state.operating_point import OperatingPoint
 from .least_forces import least_forces
 from .motion_arguments import Motion
 
+_PLANES = 60
+"""Approximations of cones by planes before a search ends: each has a tenth of the error of the last, or less."""
 _WITHIN = 1e-9
 """Part of all reactions by which one may be beyond its bound."""
-
-
-def presses(at: OperatingPoint, contact: Switch, friction: Switch) -> bool:
-    """Return whether the force of a contact enters the limit of a friction."""
-    there = with_parameters(at, {contact.holds: 1.0})
-    free, slides = (_rows(one)[0] for one in (there, _sliding(there, friction)))
-    return bool((free[contact.row] != slides[contact.row]).any())
 
 
 def with_pushing_contacts(motion: Motion, forces: Vector, multipliers: Vector, of: Actuators) -> tuple[Vector, Vector]:
@@ -62,18 +57,22 @@ def _bounds_of(motion: Motion) -> Iterator[tuple[int, "Bounds"]]:
 
 
 def _bounded(bounds: "Bounds", a: Vector, of: Actuators, beyond: Switch) -> tuple[Vector, Vector]:
+    """Return the least forces within the bounds. Cones are approximated from outside, by planes where they are left."""
     c, at = bounds.at.model, bounds.at
-    found = least_forces(*_equations(at, a, of), bounds.linear, np.array(of.weights or np.ones(len(of.names))))
-    if found is None:
-        what = "pull" if beyond.is_contact else "take more than its limit"
-        raise ModelError(f"{c.name}: at t = {at.t:g} {beyond.words(c)} would have to {what}: no forces of "
-                         f"{' and '.join(of.names)} give this motion otherwise.")  # fmt: skip
-    if still := bounds.beyond(found[1]):
-        raise ModelError(
-            f"{c.name}: at t = {at.t:g} the least forces of these actuators have {still[0].words(c)} take more "
-            "than its limit, and the least forces below the limit of a cone are not searched for. Name fewer actuators."
-        )
-    return found
+    equations, weights = _equations(at, a, of), np.array(of.weights or np.ones(len(of.names)))
+    G, g = bounds.linear
+    for _ in range(_PLANES):
+        found = least_forces(*equations, (G, g), weights)
+        if found is None:
+            break
+        left = bounds.beyond(found[1])
+        if not left:
+            return found
+        planes = [bounds.plane(one, found[1]) for one in left]
+        G, g = np.vstack([G, *(row for row, _ in planes)]), np.append(g, [least for _, least in planes])
+    what = "pull" if beyond.is_contact else "take more than its limit"
+    raise ModelError(f"{c.name}: at t = {at.t:g} {beyond.words(c)} would have to {what}: no forces of "
+                     f"{' and '.join(of.names)} give this motion otherwise.")  # fmt: skip
 
 
 def _equations(at: OperatingPoint, a: Vector, of: Actuators) -> tuple[Vector, Vector, Vector]:
@@ -94,15 +93,6 @@ def _equations(at: OperatingPoint, a: Vector, of: Actuators) -> tuple[Vector, Ve
 def _rows(at: OperatingPoint) -> tuple[Vector, Vector]:
     """Return P (m + norms, n), and (norms, m) the multipliers of each norm."""
     return reaction_rows(at.model, at.t, at.x, at.v, at.prepared, at.u)
-
-
-def _sliding(at: OperatingPoint, friction: Switch) -> OperatingPoint:
-    """Return the state with one friction that slides, along its first row."""
-    values = {friction.holds: 0.0, friction.slides: 1.0}
-    if friction.shift >= 0:
-        rate = Surfaces(at).rates[0][friction.row : friction.row + 2]
-        values |= {friction.shift: 1.0 - rate[0], friction.shift + 1: -rate[1]}
-    return with_parameters(at, values)
 
 
 class Bounds:
@@ -130,6 +120,14 @@ class Bounds:
         length = np.linalg.norm(G, axis=1)
         return G / length[:, None], g / length
 
+    def plane(self, one: Switch, multipliers: Vector) -> tuple[Vector, float]:
+        """Return G (m,), g of the plane that touches the cone of a friction in the direction of its force."""
+        own = multipliers[one.row : one.row + 2]
+        least, row = self.limits[one][0], self.limits[one][1].copy()
+        row[one.row : one.row + 2] -= own / np.linalg.norm(own)
+        length = float(np.linalg.norm(row))
+        return row / length, least / length
+
     def beyond(self, multipliers: Vector, within: float = _WITHIN) -> list[Switch]:
         """Return the contacts and frictions whose reactions are beyond their bounds by more than a part of all."""
         units = self.surfaces.units
@@ -144,11 +142,11 @@ class Bounds:
         return float(least + slope @ multipliers - np.linalg.norm(own))
 
     def _limit(self, one: Switch) -> tuple[float, Vector]:
-        """Return the limit of a friction by the force with which it would slide along its row."""
-        row = self.surfaces.A[one.row]
-        along = row / (row @ row)
-        there = self.at, with_parameters(self.at, {one.holds: 0.0}), _sliding(self.at, one)
-        (_, stuck), (_, slides) = ((None, _rows(state)[0][: self.at.model.m]) for state in there[1:])
-        r = [state.model.required_rows(np.array([state.t]), state.x[None], state.v[None], 0.0 * state.x[None],
-                                       state.u[None], state.prepared)[0][0] for state in there[1:]]  # fmt: skip
-        return float((r[1] - r[0]) @ along), (slides - stuck) @ along
+        """Return the limit of a friction that sticks, over the force of its contact if one presses it."""
+        at, every = self.at, switches_of(self.at.model)
+        level = float(levels(at.model, at.t, at.x, at.v, at.prepared, at.u)[every.index(one)].max())
+        slope = np.zeros(at.model.m)
+        if one.over < 0:
+            return level, slope
+        slope[every[one.over].row] = -level
+        return 0.0, slope

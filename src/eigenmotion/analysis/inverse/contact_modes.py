@@ -9,7 +9,6 @@ from ...codegen.model.normalise import ModelError
 from ...runtime import Actuators
 from ..state.active_contacts import Surfaces, Switch, all_open, switches_of, with_parameters
 from ..state.operating_point import OperatingPoint
-from .contact_forces import presses
 from .motion_arguments import Motion
 
 _STILL = 1e-9
@@ -51,6 +50,10 @@ def _mode(motion: Motion, row: int, of: Actuators | None) -> tuple[tuple[int, fl
     """Return (index, value) of the parameters of the mode; none for frictions at rest that no contact presses."""
     at = _point(motion, row)
     surfaces = Surfaces(at)
+    if inside := surfaces.inside():
+        one, gap = inside[0]
+        raise ModelError(f"{at.model.name}: at t = {at.t:g} x is inside {one.words(at.model)}: its gap is {gap:.3g}. "
+                         "Choose a motion that stays outside.")  # fmt: skip
     held = [one for one in surfaces.closed() if _stays_closed(surfaces, motion.a[row], one)]
     if held and not (of and of.names):
         remedy = "Name the actuators, state" if of else "State"
@@ -95,13 +98,18 @@ def _accelerations(surfaces: Surfaces, a: Vector) -> tuple[Vector, Vector]:
 
 
 def _of_friction(surfaces: Surfaces, a: Vector, one: Switch, held: list[Switch]) -> Iterator[tuple[int, float]]:
-    """Yield the parameters of one friction; of a cone also those that turn it, if its slip begins to move."""
+    """Yield the parameters of one friction; of a cone also those that turn it, if its slip begins to move.
+
+    An open contact presses no friction.
+    """
+    if one.over >= 0 and switches_of(surfaces.at.model)[one.over] not in held:
+        return
     rows = slice(one.row, one.row + (2 if one.shift >= 0 else 1))
     rate, within = (part[rows] for part in surfaces.rates)
     begins = bool((np.abs(rate) <= within).all())
     along, rounded = (part[rows] for part in _accelerations(surfaces, a))
     if begins and (np.abs(along) <= rounded).all():
-        if any(presses(surfaces.at, contact, one) for contact in held):
+        if one.over >= 0:
             yield one.holds, 1.0
         return
     moving = along if begins else rate

@@ -15,6 +15,8 @@ _DRIVEN = 1e-8
 """Part of the required forces, in the mass metric, that counts as driven by actuators: EM_DRIVEN of C."""
 _LEAST = (64 * np.finfo(float).eps, 1e-12, 1e-12)
 """Residual of each equation that is rounding, relative to the lengths of the row and of x, v or a."""
+_OF_ACCELERATIONS = 2
+"""The number of their equation."""
 _ROUNDED = 1e3
 """A residual is rounding if changes of x, v and a by a few units in the last place change it by this part of it."""
 _SHOWN = 3
@@ -54,7 +56,10 @@ def _check_allowed(one: Motion, check: Vector, where: str) -> None:
     """Raise ModelError if a constraint does not allow the motion of one row."""
     equation, row, c = int(check[2]), int(check[3]), one.model
     found = _residual(one, equation)[row : row + 1]
-    if abs(float(found[0])) <= _LEAST[equation] * _size(one, row, (one.x, one.v, one.a)[equation]):
+    w = np.abs((one.x, one.v, one.a)[equation])
+    if equation == _OF_ACCELERATIONS:
+        w = w + np.abs(_without_reactions(one))
+    if abs(float(found[0])) <= _LEAST[equation] * _size(one, row, w):
         return
     if _is_rounding(one, found, lambda near: _residual(near, equation)[row : row + 1]):
         return
@@ -72,6 +77,13 @@ def _size(one: Motion, row: int, w: Vector) -> float:
     root = np.linalg.cholesky(c.factored_matrix(t, one.x[0], one.prepared))
     A = c.pfaffian(t, one.x[0], one.prepared)[0]
     return float(np.linalg.norm(np.linalg.solve(root, A[row])) * np.linalg.norm(w[0] @ root))
+
+
+def _without_reactions(one: Motion) -> Vector:
+    """Return the sizes (1, n) of accelerations that the acting forces cause, coordinate by coordinate."""
+    c = one.model
+    f = c.required_rows(one.t, one.x, one.v, 0.0 * one.a, one.u, one.prepared)[0]
+    return np.asarray(f / np.diag(c.factored_matrix(float(one.t[0]), one.x[0], one.prepared)))
 
 
 def _residual(one: Motion, equation: int) -> Vector:

@@ -75,7 +75,7 @@ def required(motion: Motion, of: Actuators) -> tuple[Vector, Vector, Vector]:
     c = motion.model
     if not c.inverts:
         raise ModelError(f"{c.name} was written by hand and has no inverse dynamics")
-    if not c.switches:
+    if not c.switches or not len(motion.t):
         return _of_rows(motion, of)
     parts = [(rows, _of_contacts(part, of)) for rows, part in by_mode(motion, of)]
     made = tuple(np.empty((len(motion.t), part.shape[1])) for part in parts[0][1])

@@ -25,6 +25,7 @@ class Switch(NamedTuple):
     """A contact or a friction (slides < 0: contact): indices of its event, its row and its parameters.
 
     shift : the first of the two parameters that turn the direction of a friction cone, which has a second row; else -1
+    over : the index of the contact whose force presses a friction; else -1
     """
 
     event: int
@@ -33,6 +34,7 @@ class Switch(NamedTuple):
     row: int
     idles: int
     shift: int
+    over: int
 
     @property
     def is_contact(self) -> bool:

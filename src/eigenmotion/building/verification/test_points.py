@@ -56,7 +56,7 @@ def draw(system: System, attempt: int) -> Points:
     other = [1, 1 + k // 3, k - 2, k - 1] if k < len(far) else [1, 1 + len(far) // 2, k - 2, k - 1]
     p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
     modes = [parameter for _, holds, slides, *_ in c.switches for parameter in (holds, slides) if parameter >= 0]
-    idle = [idles for *_, idles, _ in c.switches]
+    idle = [idles for _, _, _, _, idles, *_ in c.switches]
     p[:, modes], p[:, [*idle, *(place for place, _ in c.tables.values())]] = random.integers(0, 2, (k, len(modes))), 0.0
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
     for row in p:

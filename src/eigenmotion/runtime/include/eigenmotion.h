@@ -13,7 +13,7 @@
 #include "em_run.h"
 #include "em_lanes.h"
 
-#define EM_ABI 37 /* increased whenever anything here or in the three files above changes its meaning */
+#define EM_ABI 38 /* increased whenever anything here or in the three files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -175,6 +175,9 @@ typedef struct em_model {
     const em_event_action *event_actions;          /* (n_events), or NULL: events change nothing */
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
+    /* (n_switches, 2) the limit of each friction as it slides and as it sticks, over the normal force if it has one; of a
+     * contact, the rate below which it stays closed. NULL: no switches */
+    void (*levels)(double t, const double *x, const double *v, const double *c, const double *u, double *level);
     int n_impacts;
     void (*impacts)(double t, const double *x, const double *v, const double *c, const double *u,
                     double *data); /* (n_impacts, n + 2): N = dphi/dx, dphi/dt, the restitution; NULL without impacts */
