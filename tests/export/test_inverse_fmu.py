@@ -178,7 +178,6 @@ def test_what_is_not_exported(tmp_path):
         ("four_bar", {"inverse_dynamics": ["q1", "q2"]}, "motion of 2 coordinates"),
         ("four_bar", {"motion": ["q1"]}, "give inverse_dynamics="),
         ("four_bar", {"inverse_dynamics": ["q1"], "rtol": 1e-3}, "rtol= is for units that move"),
-        ("block_on_incline", {"inverse_dynamics": ["s"]}, "no contacts and no frictions"),
     ):
         with pytest.raises(ModelError, match=words):
             exported(tmp_path, name, **options)

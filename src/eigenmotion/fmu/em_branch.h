@@ -3,7 +3,8 @@
  * phi(x, t) = 0 for the dependent coordinates x_D (d), while t and the others move along a straight line. Each step is
  * predicted along the tangent and closed by Newton's method, whose corrections must shrink to a quarter. It is halved
  * where the determinant of independent rows of A_D falls below half, so that no step passes a zero of it, where branches
- * meet: steps towards a dead centre become ever shorter, until that is what is said. All of its m rows are of positions.
+ * meet: steps towards a dead centre become ever shorter, until that is what is said. Its rows are the h of positions; the
+ * others, if there are any, are those of frictions.
  * The same in Python: analysis/driving/path_following.py. */
 #ifndef EM_BRANCH_H
 #define EM_BRANCH_H
@@ -28,8 +29,8 @@ typedef struct em_branch {
     const double *unit;   /* (n) 1 / sqrt(M_kk): changes of coordinates in these units can be compared */
 } em_branch;
 
-/* A_D (m, d) at a position, with unit rows of A; the lengths (m) that these had; b (m) of A v + b; its d most independent
- * rows. */
+/* A_D (h, d) at a position, with unit rows of A; the lengths (h) that these had; A (m, n), b (m) of A v + b; its d most
+ * independent rows. */
 typedef struct em_branch_rows {
     double *G, *length, *b, *A;
     int *row;
@@ -55,7 +56,7 @@ static void em_branch_choose(int m, int d, const double *G, int *row) {
 }
 
 static void em_branch_rows_at(const em_branch *of, double t, const double *x, em_branch_rows *at) {
-    const int n = of->model->n, m = of->model->m, d = of->d;
+    const int n = of->model->n, m = of->model->h, d = of->d;
     of->model->pfaffian(t, x, of->c, at->A, at->b);
     for (int i = 0; i < m; ++i) {
         double square = 0.0;
@@ -84,9 +85,9 @@ static double em_branch_solved(const em_branch *of, const double *G, const int *
     return sign * determinant;
 }
 
-/* w_D <- with A w = - right (m), by the rows; w (n) is changed there alone. The least pivot. */
+/* w_D <- with A w = - right (h), by the rows; w (n) is changed there alone. The least pivot. */
 static double em_branch_dependent(const em_branch *of, const em_branch_rows *at, const double *right, double *w) {
-    const int m = of->model->m, d = of->d;
+    const int m = of->model->h, d = of->d;
     double scaled[m], y[d], least;
     for (int i = 0; i < m; ++i) scaled[i] = -right[i] / at->length[i];
     em_branch_solved(of, at->G, at->row, scaled, y, &least);
@@ -107,7 +108,7 @@ static double em_branch_length(const em_branch *of, const double *x, int depende
 
 /* The row whose residual is the largest in roundings, with its residual; -1: all are rounding. */
 static int em_branch_open_row(const em_branch *of, double t, const double *x, const em_branch_rows *at, double *residual) {
-    const int m = of->model->m;
+    const int m = of->model->h;
     const double size = em_branch_length(of, x, 0);
     double phi[m], terms[m], worst = EM_BRANCH_CLOSED;
     int row = -1;
@@ -122,7 +123,7 @@ static int em_branch_open_row(const em_branch *of, double t, const double *x, co
 
 /* x <- closed near by. Each correction is at most `ratio` of the one before. 0, or -1: it is not reached. */
 static int em_branch_close(const em_branch *of, double t, double *x, double ratio, int most, em_branch_rows *at) {
-    double last = INFINITY, residual, phi[of->model->m], terms[of->model->m];
+    double last = INFINITY, residual, phi[of->model->h], terms[of->model->h];
     double step[of->model->n], before[of->model->n];
     for (int pass = 0; pass < most; ++pass) {
         em_branch_rows_at(of, t, x, at);
@@ -146,7 +147,7 @@ static int em_branch_close(const em_branch *of, double t, double *x, double rati
 /* Whether a determinant of independent rows keeps its sign and half its size. */
 static int em_branch_keeps(const em_branch *of, const em_branch_rows *before, const em_branch_rows *after) {
     const int *const rows[2] = {before->row, after->row};
-    double none[of->model->m], y[of->d], least;
+    double none[of->model->h], y[of->d], least;
     memset(none, 0, sizeof none);
     for (int k = 0; k < 2; ++k) {
         const double was = em_branch_solved(of, before->G, rows[k], none, y, &least);
@@ -167,7 +168,7 @@ static double em_on_line(double from, double to, double s) { return s == 1.0 ? t
 /* next (n) <- x (n), at `at` and the part s of the line, moved to the part `end`; `there` <- its rows. 0, or -1. */
 static int em_branch_step(const em_branch *of, const em_line *line, double s, double end, const double *x,
                           const em_branch_rows *at, double *next, em_branch_rows *there) {
-    const int n = of->model->n, m = of->model->m;
+    const int n = of->model->n, m = of->model->h;
     const double dt = (end - s) * (line->t[1] - line->t[0]);
     double d[n], right[m];
     for (int k = 0; k < n; ++k) next[k] = em_on_line(line->x[0][k], line->x[1][k], end);
@@ -207,7 +208,7 @@ static double em_branch_follow(const em_branch *of, const em_line *line, double 
  * if it is nearly zero. */
 static double em_branch_independence(const em_branch *of, double t, const double *x, em_branch_rows *at, double *loose) {
     const int d = of->d;
-    double S[d * d], y[d], none[of->model->m], least;
+    double S[d * d], y[d], none[of->model->h], least;
     memset(none, 0, sizeof none);
     em_branch_rows_at(of, t, x, at);
     em_branch_solved(of, at->G, at->row, none, y, &least);

@@ -12,6 +12,7 @@
 
 #include "em_unit_words.h"
 #include "em_branch.h"
+#include "inverse_dynamics/em_sliding.h"
 #include "tables/em_table_ranges.h"
 
 #define EM_UNIT_ROUNDED 1e3 /* a residual is rounding if changes of x, v, a in the last place change it by this part of it */
@@ -30,7 +31,7 @@ typedef struct em_unit {
     double t, t_last, usual;  /* time; that of `last`; the least pivot of A_D (em_branch.h) at the start */
     double *numbers;          /* by their references */
     double *last;             /* (n) x at the last communication point, or a guess before the first */
-    double *c, *unit;         /* (n_prepared); (n) units of coordinates */
+    double *c, *unit;         /* (n_prepared), in the mode of the motion; (n) units of coordinates */
     int *dependent, d;        /* coordinates that follow from the constraints */
     char words[EM_WORDS];     /* what went wrong last */
 } em_unit;
@@ -314,7 +315,10 @@ static int em_unit_calculate(em_unit *unit) {
     em_fault fault;
     if (m->prepare(unit->numbers, unit->c, &fault)) return em_unit_fail(unit, &fault);
     em_unit_scales(unit);
-    if (em_unit_motion(unit, x, v, a) || em_unit_outside(unit, x, v) || em_unit_ask(unit, x, v, a, &asked)) return -1;
+    if (em_unit_motion(unit, x, v, a) || em_unit_outside(unit, x, v)) return -1;
+    if (em_slide_along(m, unit->t, x, v, a, em_unit_u(unit), &unit->options.actuators, unit->c, &fault))
+        return em_unit_fail(unit, &fault);
+    if (em_unit_ask(unit, x, v, a, &asked)) return -1;
     if ((asked.check.forbidden > EM_ALLOWED || asked.check.undriven > EM_DRIVEN) &&
         !em_unit_is_rounding(unit, x, v, a, &asked))
         return em_unit_refuse(unit, &asked);

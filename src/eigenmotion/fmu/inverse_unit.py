@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..analysis.inverse.actuators import actuators_of
+from ..analysis.state.active_contacts import switches_of
 from ..analysis.state.tangent_space import null_space
 from ..arguments.named_values import spelled, unknown
 from ..codegen.model import ModelError
@@ -30,17 +31,16 @@ def inverse_unit(system: "System", actuators: Any, motion: Any) -> Content:
     Raises
     ------
     ModelError
-        Actuators or coordinates are unknown, too few or too many; or the model has contacts or frictions, or
+        Actuators or coordinates are unknown, too few or too many; or the model has contacts, or
         nonholonomic constraints whose positions would have to be integrated.
     """
     c = system.compiled
     if not c.inverts:
         raise ModelError(f"{c.name} was written by hand and has no inverse dynamics")
-    if c.switches:
-        name = c.events[c.switches[0][0]]
+    if contacts := [one for one in switches_of(c) if one.is_contact]:
         raise ModelError(
-            f"{c.name}: a unit of inverse dynamics has no contacts and no frictions, and {name!r} is one. "
-            "System.inverse_dynamics takes frictions that slide."
+            f"{c.name}: a unit of inverse dynamics has no contacts, and {c.events[contacts[0].event]!r} is one. "
+            "System.inverse_dynamics decides them."
         )
     of = actuators_of(c, actuators)
     given = _given(c, of, motion)
@@ -58,18 +58,24 @@ def inverse_unit(system: "System", actuators: Any, motion: Any) -> Content:
 def _given(c: CompiledModel, of: Actuators, motion: Any) -> tuple[str, ...]:
     """Return the names of the coordinates whose motion is given."""
     own = c.coordinates[: c.n_coordinates]
-    if motion is None and c.m and not set(of.names) <= set(own):
+    constrained = _constraints(c) > 0
+    if motion is None and constrained and not set(of.names) <= set(own):
         raise ModelError(
             f"{c.name}: which coordinates move as prescribed? Actuators are inputs, too: give motion=, the names of as "
             "many coordinates as there are degrees of freedom, on the command line --path."
         )
     if motion is None:
-        return of.names if c.m else own
+        return of.names if constrained else own
     names = (motion,) if isinstance(motion, str) or not isinstance(motion, Iterable) else tuple(motion)
     named = tuple(map(spelled, names))
     if wrong := set(named) - set(own):
         raise ModelError(f"{c.name}: {unknown('coordinate of the motion', wrong, own)}")
     return named
+
+
+def _constraints(c: CompiledModel) -> int:
+    """Return the number of rows that hold in every mode."""
+    return c.m - sum(2 if one.shift >= 0 else 1 for one in switches_of(c))
 
 
 def _check_freedoms(system: "System", of: Actuators, given: tuple[str, ...]) -> None:
@@ -89,7 +95,7 @@ def _check_freedoms(system: "System", of: Actuators, given: tuple[str, ...]) -> 
         )
     if not others:
         return
-    if c.m > c.h:
+    if _constraints(c) > c.h:
         raise ModelError(
             f"{c.name} has nonholonomic constraints, through which positions do not follow from others: the motion of "
             f"all coordinates is given, motion={list(c.coordinates[:n])}"
