@@ -43,10 +43,9 @@ def converged(problem: Problem, section: Section, unknowns: Unknowns, first: Ret
         while True:
             if failure := _still(problem, here, first, extent):
                 return Found(here, failure)
-            dz, dT = step(problem, section, unknowns, here, q0)
+            J, right = equations(problem, section, unknowns, here, q0)
             ends = size(problem, here) <= noise(problem, here)
-            J = equations(problem, section, unknowns, here, q0)[0]
-            there, failure = _shorter(problem, section, here, (dz, dT), J)
+            there, failure = _shorter(problem, section, here, step(problem, here, J, right), J)
             if ends:
                 better = there is not None and size(problem, there) < size(problem, here)
                 return Found(there if there is not None and better else here, "")
@@ -71,12 +70,11 @@ def noise(problem: Problem, one: Return) -> float:
     return 100.0 * problem.rtol * growth(one)
 
 
-def step(problem: Problem, section: Section, unknowns: Unknowns, here: Return, q0: Vector) -> tuple[Vector, float]:
+def step(problem: Problem, here: Return, J: Vector, right: Vector) -> tuple[Vector, float]:
     """Return the changes of q (2 n,), along the constraints, and of the period, that close the linearised motion.
 
     Where they leave a choice, as within a family of cycles, the change is the smallest.
     """
-    J, right = equations(problem, section, unknowns, here, q0)
     z = _solved(problem, here, J, right)
     unit, k = here.scale[list(here.basis.free)], here.basis.Z.shape[1]
     return here.basis.Z @ (z[:k] * unit), float(z[k] * here.period) if len(z) > k else 0.0

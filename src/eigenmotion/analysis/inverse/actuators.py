@@ -3,7 +3,9 @@
 from collections.abc import Iterable
 from typing import Any
 
-from ...arguments.named_values import by_spelling, is_named, spelled, unknown
+import numpy as np
+
+from ...arguments.named_values import Vector, by_spelling, is_named, spelled, unknown
 from ...codegen.model.normalise import ModelError, number
 from ...runtime import Actuators, CompiledModel
 
@@ -45,6 +47,17 @@ def _made(c: CompiledModel, names: tuple[str, ...], weights: tuple[float, ...] |
     coordinates = [own.index(name) if name in own else -1 for name in names]
     inputs = [c.inputs.index(name) if name in c.inputs else -1 for name in names]
     return Actuators(names, coordinates, inputs, weights)
+
+
+def columns_of(c: CompiledModel, of: Actuators, by_inputs: Vector) -> Vector:
+    """Return B (n, count): the forces that actuators give, from df / du (n, n_inputs)."""
+    B = np.zeros((c.n_coordinates, len(of.names)))
+    for k, name in enumerate(of.names):
+        if name in c.inputs:
+            B[:, k] = by_inputs[:, c.inputs.index(name)]
+        else:
+            B[c.coordinates.index(name), k] = 1.0
+    return B
 
 
 def _check(c: CompiledModel, name: str, names: tuple[str, ...]) -> None:

@@ -22,7 +22,7 @@ from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...runtime import Actuators, CompiledModel
 from ...runtime.variations import equation_partials, reaction_rows
-from .actuators import actuators_of
+from .actuators import actuators_of, columns_of
 from .contact_forces import check_inside_bounds
 from .contact_modes import by_mode
 from .inverse_dynamics import required
@@ -172,16 +172,9 @@ class _AtState:
 
     def _columns(self) -> Vector:
         """Return B (n, count)."""
-        c, n = self.motion.model, self.motion.model.n_coordinates
-        if not self.of.names:
-            return np.eye(n)
-        B = np.zeros((n, len(self.of.names)))
-        for k, name in enumerate(self.of.names):
-            if name in c.coordinates[:n]:
-                B[c.coordinates.index(name), k] = 1.0
-            else:
-                B[:, k] = -self.whole[:, 2 * c.n + c.inputs.index(name)]
-        return B
+        c = self.motion.model
+        by_inputs = -self.whole[:, 2 * c.n : 2 * c.n + c.n_inputs]
+        return columns_of(c, self.of, by_inputs) if self.of.names else np.eye(c.n_coordinates)
 
     def derivatives(self, columns: list[int]) -> Vector:
         """Return the derivatives (count, 3 n + columns) by x, v, a and the arguments in these columns."""

@@ -1,6 +1,6 @@
 """The least forces of actuators for which reactions are within bounds.
 
-    minimise tau^T W tau   subject to   B tau - P^T lambda = r,  G lambda + g >= 0
+    minimise tau^T W tau   subject to   B tau - P^T lambda = r,  G lambda >= 0
 
 Of multipliers that leave tau the least, those with the least sum of squares are taken. A problem of least distance
 [Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23] finds which bounds are reached; these are then
@@ -23,46 +23,43 @@ _OF_MULTIPLIERS = 1e-5
 """Weight of multipliers beside that of forces, where both are minimised at once."""
 
 
-def least_forces(
-    B: Vector, P: Vector, r: Vector, bounds: tuple[Vector, Vector], weights: Vector
-) -> tuple[Vector, Vector] | None:
+def least_forces(B: Vector, P: Vector, r: Vector, G: Vector, weights: Vector) -> tuple[Vector, Vector] | None:
     """Return tau (count,) and lambda (m,); None if there are none.
 
     Parameters
     ----------
     B, P, r
         (n, count), (m, n), (n,).
-    bounds
-        G (bounds, m), without rows of zeros, and g (bounds,).
+    G
+        (bounds, m), without rows of zeros.
     weights
         (count,) of the squares of tau, positive.
     """
-    count, G = B.shape[1], np.hstack([np.zeros((len(bounds[1]), B.shape[1])), bounds[0]])
+    count, G = B.shape[1], np.hstack([np.zeros((len(G), B.shape[1])), G])
     lengths, size = np.linalg.norm(P, axis=1), np.linalg.norm(B / np.sqrt(weights), axis=0).max(initial=0.0) or 1.0
     lengths[lengths == 0.0] = 1.0
     scale = np.concatenate([1.0 / np.sqrt(weights) / size, 1.0 / lengths])
     K, G = np.hstack([B, -P.T]) * scale, G * scale
-    units = np.linalg.norm(G, axis=1)
-    G, g = G / units[:, None], bounds[1] / units
-    reached = _reached(K, r, G, g, count)
+    G = G / np.linalg.norm(G, axis=1)[:, None]
+    reached = _reached(K, r, G, count)
     if reached is None:
         return None
-    y = _least(np.vstack([K, G[reached]]), np.concatenate([r, -g[reached]]), count) * scale
+    y = _least(np.vstack([K, G[reached]]), np.concatenate([r, np.zeros(len(reached))]), count) * scale
     return y[:count], y[count:]
 
 
-def _reached(K: Vector, r: Vector, G: Vector, g: Vector, count: int) -> NDArray[np.intp] | None:
-    """Return the bounds (indices) that the least y with K y = r, G y + g >= 0 reaches; None if there is no y."""
+def _reached(K: Vector, r: Vector, G: Vector, count: int) -> NDArray[np.intp] | None:
+    """Return the bounds (indices) that the least y with K y = r, G y >= 0 reaches; None if there is no y."""
     D = np.ones(K.shape[1])
     D[count:] = _OF_MULTIPLIERS
     y, Z = _solutions(K, r)
     if np.linalg.norm(K @ y - r) > _UNDRIVEN * np.linalg.norm(r):
         return None
     Q, R = np.linalg.qr(D[:, None] * Z)
-    along = np.linalg.solve(R.T, (G @ Z).T).T if Z.shape[1] else np.zeros((len(g), 0))
-    least = along @ (Q.T @ (D * y)) - G @ y - g  # along w >= least, with w of the least length
+    along = np.linalg.solve(R.T, (G @ Z).T).T if Z.shape[1] else np.zeros((len(G), 0))
+    least = along @ (Q.T @ (D * y)) - G @ y  # along w >= least, with w of the least length
     lengths, moving = np.linalg.norm(along, axis=1), np.linalg.norm(G @ Z, axis=1) > _DEPENDENT
-    rounded = _DEPENDENT * (np.abs(G) @ np.abs(y) + np.abs(g))
+    rounded = _DEPENDENT * (np.abs(G) @ np.abs(y))
     if (least > rounded)[~moving].any():
         return None
     unit, far = along[moving] / lengths[moving, None], (least - rounded)[moving] / lengths[moving]
