@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from .garbage import uncollected
 
 if TYPE_CHECKING:
+    from .analysis.continuation.branch import Branch as Branch
+    from .analysis.continuation.follow import follow as follow
     from .analysis.cycles.cycle import Cycle as Cycle
     from .analysis.cycles.find_cycle import find_cycle as find_cycle
     from .analysis.driving.drive import drive as drive
@@ -59,6 +61,7 @@ if TYPE_CHECKING:
     from .webpage.page_object import show as show
 
 _HOME = {
+    "Branch": ".analysis.continuation.branch",
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
     "Contact": ".codegen.model",
@@ -94,6 +97,7 @@ _HOME = {
     "find_equilibrium": ".analysis.equilibrium.equilibrium",
     "fit": ".analysis.fitting.fit",
     "fit_forces": ".analysis.identification.fit_forces",
+    "follow": ".analysis.continuation.follow",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",
     "identifiable": ".analysis.identification.identifiable",

@@ -138,6 +138,16 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.state",
         "analysis.equilibrium",
     ),
+    "analysis.continuation": (
+        "codegen.model.normalise",
+        "runtime",
+        "arguments",
+        "presentation",
+        "compiled",
+        "analysis.linear",
+        "analysis.equilibrium",
+        "analysis.cycles",
+    ),
     "analysis.fitting": (
         "codegen.model.normalise",
         "progress",

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from ...arguments.named_values import Vector
 from ...compiled.compiled_system import CompiledSystem
 from ...results.solution import Solution
+from .newton import Search
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,7 @@ class Cycle:
     solution : the motion over one period, with dense output
     runs : number of runs
     parameters : all values by name
+    search : the equations that it solves, for `follow`
 
     Examples
     --------
@@ -60,6 +62,7 @@ class Cycle:
     solution: Solution | None
     runs: int
     parameters: dict[str, float]
+    search: Search | None = None
 
     def __str__(self) -> str:
         if not self.success:

@@ -15,10 +15,11 @@ from ...compiled.compiled_system import CompiledSystem
 from ..equilibrium.assemble import assemble
 from .cycle import Cycle
 from .judgement import judged
-from .newton import Found, Unknowns, converged, noise
+from .newton import Found, Search, Unknowns, converged, noise
 from .period_guess import first_motion
 from .periodic_problem import Count, Problem
 from .returns import NoReturnError, Return, Section, firings, returned, run
+from .stated_period import stated_period
 from .symmetry import symmetry_of
 from .time_dependence import advancing, check_symmetry, depends_on_time
 
@@ -36,7 +37,7 @@ def find_cycle(
     *,
     x0: Mapping[Any, float] | ArrayLike | None = None,
     v0: Mapping[Any, float] | ArrayLike | None = None,
-    period: float | None = None,
+    period: Any = None,
     section: str | None = None,
     t: float = 0.0,
     parameters: Any = None,
@@ -109,10 +110,16 @@ def find_cycle(
         options = {"method": method} | ({} if atol is None else {"atol": atol})
         problem, q = _problem(system, (x0, v0), number(t, "t"), (parameters, inputs), symmetry, options,
                               (number(rtol, "rtol"), max_runs))  # fmt: skip
-        guess = None if period is None else number(period, "period")
+        problem = replace(problem, stated_period=stated_period(system.compiled, period))
+        guess = None if period is None else _period(problem, period)
         if guess is not None and not guess > 0.0:
             raise ModelError(f"{system.name}: period is {guess:g}. Give a positive time")
         return _searched(problem, q, guess, section, free)
+
+
+def _period(problem: Problem, period: Any) -> float:
+    stated = problem.stated_period
+    return stated.value(problem.c, problem.prepared) if stated else number(period, "period")
 
 
 def _problem(system: CompiledSystem, start: tuple[Any, Any], t: float, given: tuple[Any, Any], symmetry: Any,
@@ -164,7 +171,9 @@ def _closed(problem: Problem, where: Section, unknowns: Unknowns, first: Return,
         found = converged(problem, where, unknowns, here)
     if guessed and where.event is None and not found.failure and not problem.symmetry.stated:
         found = _shortest(problem, where, unknowns, found)
-    return judged(problem, where, found, f"; the motion from x0, v0, {later} periods later" if later else "")
+    return judged(
+        Search(problem, where, unknowns), found, f"; the motion from x0, v0, {later} periods later" if later else ""
+    )
 
 
 def _shortest(problem: Problem, where: Section, unknowns: Unknowns, found: Found) -> Found:

@@ -1,11 +1,13 @@
 """Judgement of a motion that seems to close: it is run once more, and measured."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...arguments.named_values import Vector
 from .cycle import Cycle
 from .multipliers import Multipliers, multipliers_of
-from .newton import Found, growth, noise, size
+from .newton import Found, Search, growth, noise, size
 from .periodic_problem import Problem
 from .returns import NoReturnError, Return, Section, returned, run
 
@@ -15,8 +17,12 @@ _UNSTABLE = 1e6
 """Growth of deviations in one period above which a single run decides little."""
 
 
-def judged(problem: Problem, section: Section, found: Found, note: str = "") -> Cycle:
+def judged(search: Search, found: Found, note: str = "") -> Cycle:
     """Return the result of a search, after a run at another tolerance and, if it must not matter, time."""
+    return replace(_judged(search.problem, search.section, found, note), search=search)
+
+
+def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycle:
     failure, last = found.failure, found.last
     nothing = Multipliers(np.zeros(0, dtype=complex), np.zeros(0))
     if failure:

@@ -29,6 +29,15 @@ class Unknowns:
 
 
 @dataclass(frozen=True)
+class Search:
+    """A cycle as a problem: the equations that it solves."""
+
+    problem: Problem
+    section: Section
+    unknowns: Unknowns
+
+
+@dataclass(frozen=True)
 class Found:
     """The last motion of a search, and "" or why it failed."""
 
@@ -38,10 +47,10 @@ class Found:
 
 def converged(problem: Problem, section: Section, unknowns: Unknowns, first: Return) -> Found:
     """Return the motion that closes near the first one."""
-    here, q0, extent = first, first.q, _extent(problem, first, first.scale)
+    here, q0, extent = first, first.q, extent_of(problem, first, first.scale)
     with np.errstate(all="ignore"):
         while True:
-            if failure := _still(problem, here, first, extent):
+            if failure := still(problem, here, first, extent):
                 return Found(here, failure)
             J, right = equations(problem, section, unknowns, here, q0)
             ends = size(problem, here) <= noise(problem, here)
@@ -98,20 +107,31 @@ def equations(
     if section.event is not None:
         closing = closing + np.outer(here.end_flow, here.dt)
     columns = [closing / scale[:, None] * unit]
-    if section.event is None and unknowns.period:
+    timed = section.event is None and unknowns.period
+    if timed:
         columns.append((here.end_flow * here.period / scale)[:, None])
     J, right = np.hstack(columns)[problem.own], -here.residual[problem.own]
-    kept = [*unknowns.kept, *problem.free_advance]
-    if section.event is None and unknowns.period and section.place is not None:
-        kept.append(section.place)
-    rows = [Z[k] / scale[k] * unit for k in kept]
-    values = [(q0[k] - here.q[k]) / scale[k] for k in kept]
-    if section.event is None and unknowns.period and section.place is None and not unknowns.kept:
-        rows.append(_normal(problem, here) @ (Z / scale[:, None] * unit))
-        values.append(0.0)
-    lower = np.zeros((len(rows), J.shape[1]))
-    lower[:, : len(unit)] = np.array(rows).reshape(-1, len(unit))
+    kept = held(problem, section, unknowns)
+    lower = phases(problem, section, unknowns, here, Z * unit)
+    values = np.zeros(len(lower))
+    values[: len(kept)] = [(q0[k] - here.q[k]) / scale[k] for k in kept]
+    lower = np.hstack([lower, np.zeros((len(lower), int(timed)))])
     return np.vstack([J, lower]), np.concatenate([right, values])
+
+
+def held(problem: Problem, section: Section, unknowns: Unknowns) -> list[int]:
+    """Return the places in q that keep their values."""
+    timed = section.event is None and unknowns.period
+    at_section = [section.place] if timed and section.place is not None else []
+    return [*unknowns.kept, *problem.free_advance, *at_section]
+
+
+def phases(problem: Problem, section: Section, unknowns: Unknowns, here: Return, changes: Vector) -> Vector:
+    """Return what changes (2 n, k) of the start do to the places that are held, and along the motion."""
+    rows = [changes[k] / here.scale[k] for k in held(problem, section, unknowns)]
+    if section.event is None and unknowns.period and section.place is None and not unknowns.kept:
+        rows.append(_normal(problem, here) @ (changes / here.scale[:, None]))
+    return np.array(rows).reshape(-1, changes.shape[1])
 
 
 def _normal(problem: Problem, here: Return) -> Vector:
@@ -131,7 +151,7 @@ def _shorter(
     before = _correction(problem, here, here, J)
     for _ in range(_HALVINGS):
         try:
-            q = _on_section(problem, section, problem.projected(here.q + part * dq, problem.prepared), here)
+            q = on_section(problem, section, problem.projected(here.q + part * dq, problem.prepared), here.period)
             there = returned(problem, section, q, here.period + part * dT)
         except NoReturnError as error:
             failure = str(error)
@@ -146,16 +166,16 @@ def _shorter(
     return None, failure
 
 
-def _on_section(problem: Problem, section: Section, q: Vector, here: Return) -> Vector:
+def on_section(problem: Problem, section: Section, q: Vector, period: float) -> Vector:
     """Return a start next to an event moved along the motion to it, so that it does not happen again at once."""
     if section.event is None:
         return q
-    ahead = 1e-6 * here.period
+    ahead = 1e-6 * period
     for _ in range(2):
         flow = problem.flow(q, problem.t, problem.prepared)
         now, then = (problem.event(one, section.event) for one in (q, q + ahead * flow))
         after = -now * ahead / (then - now)
-        if not abs(after) < _NEXT_TO * here.period:
+        if not abs(after) < _NEXT_TO * period:
             return q
         q = q + after * flow
     return q
@@ -169,18 +189,18 @@ def _correction(problem: Problem, there: Return, here: Return, J: Vector) -> flo
     return float(np.linalg.norm(_solved(problem, here, J, right)))
 
 
-def _extent(problem: Problem, one: Return, scale: Vector) -> float:
+def extent_of(problem: Problem, one: Return, scale: Vector) -> float:
     return float(np.abs((one.rows - one.rows[0]) / scale)[:, problem.own].max())
 
 
-def _still(problem: Problem, here: Return, first: Return, extent: float) -> str:
+def still(problem: Problem, here: Return, first: Return, extent: float) -> str:
     """Return that there is no motion, or ""."""
     n = problem.c.n
     moved = np.ptp(here.rows, axis=0)[problem.own]
     if (moved <= 1e-9 * np.abs(here.rows).max(axis=0)[problem.own]).all():
         steady = f"; {', '.join(problem.c.coordinates[k % n] for k in problem.free_advance)} advances steadily"
         return f"no cycle: nothing moves, this is an equilibrium{steady if problem.free_advance else ''}"
-    if _extent(problem, here, first.scale) < _STILL * extent:
+    if extent_of(problem, here, first.scale) < _STILL * extent:
         return "no cycle: the search ends at an equilibrium. Begin farther from it"
     if here.period < _STILL * first.period:
         return "no cycle: the period shrinks to zero. Begin elsewhere, or give a section"

@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 
 from ...arguments.differentiation import rates_of
-from ...arguments.named_values import Vector
+from ...arguments.named_values import Vector, spelled
 from ...compiled.compiled_system import CompiledSystem
 from ...compiled.projection import Projection
 from ...results.solution import Solution
 from ...runtime import CompiledModel, Prepared
 from ..state.operating_point import OperatingPoint
+from .stated_period import StatedPeriod
 from .symmetry import Symmetry
 
 
@@ -30,6 +31,8 @@ class Problem:
 
     parameters, inputs : of users; prepared : their constants; clock : whether the equations depend on time
     options : of `simulate`; atol : (n,)
+    stated_period : as an expression of parameters, or None; by : name of a parameter or input by which motions are
+        differentiated, too, or ""
     """
 
     system: CompiledSystem
@@ -43,6 +46,8 @@ class Problem:
     rtol: float
     count: Count
     free_advance: tuple[int, ...] = field(default=())
+    stated_period: StatedPeriod | None = None
+    by: str = ""
 
     @property
     def c(self) -> CompiledModel:
@@ -55,6 +60,11 @@ class Problem:
         return *self.c.coordinates, *rates_of(self.c.coordinates[: self.c.n_coordinates])
 
     @property
+    def variables(self) -> tuple[str, ...]:
+        """Names of all by which runs are differentiated."""
+        return *self.names, *([self.by] if self.by else [])
+
+    @property
     def places(self) -> list[int]:
         """The place in q of each name."""
         n, every = self.c.n_coordinates, self.c.n
@@ -65,6 +75,26 @@ class Problem:
         """The places in q that are no integrals and do not advance freely: those that close."""
         n, every = self.c.n_coordinates, self.c.n
         return [k for k in (*range(n), *range(every, 2 * every)) if k not in self.free_advance]
+
+    @property
+    def column(self) -> int:
+        """The place of `by` among the arguments of derivatives: x, v, inputs, parameters."""
+        return 2 * self.c.n + (*self.c.inputs, *self.c.parameters).index(self.by)
+
+    @property
+    def period_slope(self) -> float:
+        """The derivative of a stated period by `by`."""
+        return self.stated_period.slope(self.c, self.prepared, self.by) if self.stated_period else 0.0
+
+    def with_value(self, name: str, value: float) -> "Problem":
+        """Return the problem with another value of a parameter or input."""
+        parameters, inputs = self.parameters, self.inputs
+        if name in self.c.inputs:
+            inputs = _named(inputs, self.c.inputs) | {name: value}
+        else:
+            parameters = _named(parameters, self.c.parameters) | {name: value}
+        prepared = self.system.prepare_both(parameters, inputs)[0]
+        return replace(self, parameters=parameters, inputs=inputs, prepared=prepared)
 
     def rows(self, solution: Solution) -> Vector:
         """Return q (rows, 2 n) of a solution."""
@@ -133,3 +163,12 @@ class Problem:
             least = np.minimum(scale[:n], scale[n:])
             options["atol"] = dict(zip(self.c.coordinates[: self.c.n], (rtol * least).tolist(), strict=True))
         return replace(self, options=options, rtol=rtol, t=self.t if t is None else t)
+
+
+def _named(values: Any, names: tuple[str, ...]) -> dict[str, Any]:
+    """Return the values that users state, by name."""
+    if values is None:
+        return {}
+    if isinstance(values, Mapping):
+        return {spelled(name): value for name, value in values.items()}
+    return dict(zip(names, values, strict=True))

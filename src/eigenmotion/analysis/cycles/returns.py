@@ -10,7 +10,8 @@ from ...codegen.model.normalise import ModelError
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
 from ...simulation.simulate import simulate
-from ..state.tangent_space import Tangent, tangent
+from ..state.operating_point import OperatingPoint
+from ..state.tangent_space import Tangent, shift, tangent
 from .periodic_problem import Problem
 
 _AT_ONCE = 1e-8
@@ -35,13 +36,26 @@ class Section:
 
 
 @dataclass(frozen=True)
+class Shift:
+    """Derivatives by a parameter, with the start moved along the constraints.
+
+    start, end : (2 n,) of the start and the end, the latter at the end of the period; period : of the period
+    """
+
+    start: Vector
+    end: Vector
+    period: float
+
+
+@dataclass(frozen=True)
 class Return:
     """A motion from q (2 n,) at t until t + period.
 
-    end : (2 n,); rows : (rows, 2 n) along the motion
+    end : (2 n,); rows : (rows, 2 n) along the motion, at times (rows,)
     basis : the tangent space of the constraints at q; S : (2 n, k) derivatives of the end in its directions, at fixed
     time; dt : (k,) derivatives of the period, 0 if it is given
     flow, end_flow : dq/dt at both ends; order : numbers of the events within, in order
+    shift : derivatives by the parameter `by` of the problem, or None
     drift : (2 n,) the largest change of each column of the derivatives, in units of the scales: 0 if nothing depends
         on the number
     """
@@ -59,6 +73,8 @@ class Return:
     order: tuple[int, ...]
     drift: Vector
     gap: Vector
+    times: Vector
+    shift: Shift | None = None
 
     @property
     def residual(self) -> Vector:
@@ -107,7 +123,7 @@ def returned(problem: Problem, section: Section, q: Vector, period: float) -> Re
         A run fails, has no derivatives, or does not reach the section.
     """
     if section.event is None:
-        solution = run(problem, q, problem.t + period, sensitivities=problem.names)
+        solution = run(problem, q, problem.t + period, sensitivities=problem.variables)
         return _measured(problem, solution, q, (problem.t + period, len(solution.t) - 1), None)
     return _until_event(problem, section, q, period)
 
@@ -116,7 +132,7 @@ def _until_event(problem: Problem, section: Section, q: Vector, period: float) -
     event, ahead = section.event, 1.02 * period
     assert event is not None
     for _ in range(12):
-        solution = run(problem, q, problem.t + ahead, sensitivities=problem.names)
+        solution = run(problem, q, problem.t + ahead, sensitivities=problem.variables)
         times = firings(problem, solution, event, period)
         if len(times) >= section.times:
             break
@@ -131,7 +147,7 @@ def _until_event(problem: Problem, section: Section, q: Vector, period: float) -
         row = int(np.flatnonzero(solution.t == at)[-1])
         return _measured(problem, solution, q, (at, row), (event, which))
     steps = np.append(np.linspace(problem.t, at, 50)[:-1], at)
-    rows = run(problem, q, problem.t + ahead, sensitivities=problem.names, t_eval=steps)
+    rows = run(problem, q, problem.t + ahead, sensitivities=problem.variables, t_eval=steps)
     return _measured(problem, rows, q, (at, len(steps) - 1), (event, which))
 
 
@@ -147,16 +163,37 @@ def _measured(
         every = _derivatives(problem, solution, row)
         dt = np.zeros(basis.Z.shape[1])
         if event is not None:
-            shifts = [solution.sensitivity[name].dt_events[event[0]][event[1]] for name in problem.names]
-            dt = np.array(shifts) @ basis.Z[problem.places]
+            dt = _later(solution, event, problem.names) @ basis.Z[problem.places]
+        end_flow = problem.flow(rows[-1], at, end)
+        moved = _shift(problem, solution, problem.point(q, problem.t, start), (every[-1], row, end_flow), event)
         made = Return(
             q, period, rows[-1], rows, scale, basis, every[-1] @ basis.Z, dt, problem.flow(q, problem.t, start),
-            problem.flow(rows[-1], at, end), _order(problem, solution, at), _drift(every, scale),
-            rows[-1] - problem.symmetry(q),
+            end_flow, _order(problem, solution, at), _drift(every, scale), rows[-1] - problem.symmetry(q),
+            solution.t[: row + 1], moved,
         )  # fmt: skip
     if not all(np.isfinite(part).all() for part in (made.end, made.S, made.dt, made.end_flow)):
         raise NoReturnError("the run, or its derivatives, are not finite")
     return made
+
+
+def _later(solution: Solution, event: tuple[int, int], names: tuple[str, ...]) -> Vector:
+    """Return the derivatives of the time of an event."""
+    return np.array([solution.sensitivity[name].dt_events[event[0]][event[1]] for name in names])
+
+
+def _shift(problem: Problem, solution: Solution, at: OperatingPoint, last: tuple[Vector, int, Vector],
+           event: tuple[int, int] | None) -> Shift | None:  # fmt: skip
+    """Return derivatives by the parameter; `last` are the derivatives of the end, its row, and its dq/dt."""
+    if not problem.by:
+        return None
+    (S, row, end_flow), n, every = last, problem.c.n_coordinates, problem.c.n
+    start, period = shift(at, problem.column), problem.period_slope
+    if event is not None:
+        period = float(_later(solution, event, (problem.by,))[0])
+        period += float(_later(solution, event, problem.names) @ start[problem.places])
+    one, own = solution.sensitivity[problem.by], np.zeros(2 * every)
+    own[:n], own[every : every + n], own[every + n :] = one.dx[:, row], one.dv[:, row], one.dz[:, row]
+    return Shift(start, own + S @ start + end_flow * period, period)
 
 
 def _derivatives(problem: Problem, solution: Solution, row: int) -> Vector:

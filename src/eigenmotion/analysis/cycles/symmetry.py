@@ -1,5 +1,6 @@
 """Symmetry of a cycle: where the motion is after a period, as a function of where it starts."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -15,12 +16,13 @@ from ...runtime import CompiledModel, Prepared
 class Symmetry:
     """The map q -> G q + h of states q (2 n,) of compiled functions that a cycle closes up to.
 
-    stated : whether the user stated one
+    stated : whether the user stated one; names : of parameters that it depends on
     """
 
     G: Vector
     h: Vector
     stated: bool
+    names: frozenset[str] = frozenset()
 
     def __call__(self, q: Vector) -> Vector:
         return np.asarray(self.G @ q + self.h, dtype=np.float64)
@@ -59,7 +61,8 @@ def symmetry_of(c: CompiledModel, prepared: Prepared, argument: Any) -> Symmetry
     G, h = np.zeros((2 * every, 2 * every)), np.zeros(2 * every)
     G[:every, :every], G[every:, every:] = linear, linear
     h[:n], h[every + n :] = offset[:n], offset[n:]
-    return Symmetry(G, h, True)
+    words = re.findall(r"\w+", " ".join(map(str, argument.values())))
+    return Symmetry(G, h, True, frozenset(words) & set(c.parameters))
 
 
 def _linear(c: CompiledModel, prepared: Prepared, name: str, value: Any) -> tuple[Vector, float]:

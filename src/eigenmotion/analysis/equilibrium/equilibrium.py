@@ -117,7 +117,7 @@ def find_equilibrium(
     """
     if not is_system(system):
         raise no_system("find_equilibrium", system)
-    balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
+    balance = balance_of(system, x0, free, v0, t, inputs, parameters, constant)
     with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
         return _equilibrium(*(solve_with_modes(balance) if system.compiled.switches else _solve(balance)))
 
@@ -133,8 +133,9 @@ def _solve(balance: Balance) -> tuple[Balance, Vector]:
     return balance, solution
 
 
-def _balance(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
-             ) -> Balance:  # fmt: skip
+def balance_of(system: CompiledSystem, x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
+               ) -> Balance:  # fmt: skip
+    """Return the equations of `find_equilibrium`."""
     c = system.compiled
     n, (x0, z0) = system.n, split_states(c, x0)
     x = whole_x(c, x0)

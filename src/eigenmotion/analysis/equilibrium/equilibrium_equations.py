@@ -102,7 +102,7 @@ class Balance:
             return self.equations(q)[1][:, list(self.free)]
 
         self._check_finite(start)
-        found = least_squares(value, start, slope, x_scale=self._scale(start), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        found = least_squares(value, start, slope, x_scale=self.scale(start), xtol=1e-15, ftol=1e-15, gtol=1e-15)
         return self._cleaned(self._polished(np.asarray(found.x)), start)
 
     def _check_finite(self, start: Vector) -> None:
@@ -115,7 +115,7 @@ class Balance:
             f"begins; the largest number there is {largest} = {np.abs(self.given).max():.3g}. Begin elsewhere"
         )
 
-    def _scale(self, start: Vector) -> Vector:
+    def scale(self, start: Vector) -> Vector:
         """Return the units of the unknowns; those of coordinates and rates follow from inertia."""
         at, n = self.point(start), self.system.compiled.n
         slope = self.equations(start)[1]

@@ -70,3 +70,15 @@ def null_space(
     N[free, range(len(free))] = 1.0
     N[fixed], X[fixed] = np.split(dependent, [len(free)], axis=1)
     return free.tolist(), N, X
+
+
+def shift(at: OperatingPoint, column: int) -> Vector:
+    """Return (2 n,) changes of dependent coordinates and velocities with one argument of the constraints.
+
+    column : its place among the arguments: x, v, inputs, parameters. Those of `tangent(at).free` do not change.
+    """
+    n, h = at.model.n, at.model.h
+    rows, unit = at.constraints, 1.0 / at.inertia
+    x = null_space(rows[:h, :n], unit, -rows[:h, [column]])[2]
+    v = null_space(rows[h:, n : 2 * n], unit, -rows[h:, :n] @ x - rows[h:, [column]])[2]
+    return np.concatenate([x, v])[:, 0]

@@ -1,0 +1,1 @@
+"""Branches of equilibria and cycles along a parameter."""

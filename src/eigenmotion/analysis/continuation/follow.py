@@ -1,0 +1,197 @@
+"""Following of equilibria and cycles along a parameter."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...arguments.named_values import Vector, spelled, unknown
+from ...arguments.tables import refuse_tables
+from ...codegen.model.normalise import ModelError, number, shown
+from ...compiled.compiled_system import CompiledSystem
+from ..cycles.cycle import Cycle
+from ..cycles.returns import Return
+from ..equilibrium.equilibrium import Equilibrium, balance_of
+from . import cycle_curve, equilibrium_curve
+from .branch import Branch, SpecialPoint
+from .path import Node, Path, followed
+
+_BETWEEN = np.linspace(0.0, 1.0, 9)
+"""Places in a step of a run at which extents are measured."""
+
+
+def follow(
+    start: Cycle | Equilibrium,
+    name: Any,
+    *,
+    to: float,
+    back: float | None = None,
+    free: Sequence[Any] | None = None,
+    constant: Sequence[Any] | None = None,
+    max_steps: int = 500,
+) -> Branch:
+    """Return the branch of equilibria or cycles through one of them along a parameter, by steps of arclength.
+
+    The branch may turn back, and ends where the parameter is `to` or `back`, or where it is closed. Folds, Hopf
+    bifurcations, period doublings, tori and branch points on it are located.
+
+    Parameters
+    ----------
+    start
+        A result of `find_equilibrium` or `find_cycle`.
+    name
+        The parameter, or an input that is constant.
+    to
+        The value at which the branch ends.
+    back
+        The value on the other side of the start at which it ends, too; None: as far from the start as `to`.
+    free, constant
+        For equilibria, as in `find_equilibrium`: the unknowns beside the parameter, and which rates are constant.
+    max_steps
+        Number of steps after which the branch ends.
+
+    Returns
+    -------
+    Branch
+        Also if it ends before: see `success` and `message`.
+
+    Raises
+    ------
+    ModelError
+        The start was not found; unknown names; `to` is the value at the start; the start is one of a family; contacts
+        or frictions of an equilibrium; a stated symmetry depends on the parameter.
+
+    Notes
+    -----
+    Newton's method and tangents use exact derivatives, of runs by `sensitivities`. Bifurcations are roots of functions
+    that are regular there: the parameter's part of the tangent, and products over eigenvalues or multipliers.
+    Y. A. Kuznetsov, Elements of Applied Bifurcation Theory, chapter 10.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/compass_gait.py")
+    >>> gait = em.find_cycle(system, section="heel strike")
+    >>> print(em.follow(gait, "gamma", to=0.012))
+    compass_gait: cycles along gamma from 0.009 to 0.012: no bifurcations
+    """
+    if not isinstance(start, Cycle | Equilibrium):
+        raise ModelError(f"follow: the start is {shown(start)}. Give a result of find_equilibrium or find_cycle")
+    system, by, goal = start.system, spelled(name), number(to, "to")
+    known = (*system.inputs, *system.parameters)
+    if by not in known:
+        raise ModelError(f"{system.name}: {unknown('name to follow', [by], known)}")
+    refuse_tables(system.compiled, (by,), "follow")
+    if not start.success:
+        raise ModelError(f"{system.name}: the start was not found: {start.message}")
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
+        if isinstance(start, Cycle):
+            return _cycles(start, by, (goal, back), max_steps)
+        return _equilibria(start, by, (goal, back), free, constant, max_steps)
+
+
+def _interval(system: CompiledSystem, by: str, value: float, ends: tuple[float, float | None]) -> tuple[float, float]:
+    """Return both ends of the interval: the goal, and the other one."""
+    to, back = ends[0], 2.0 * value - ends[0] if ends[1] is None else number(ends[1], "back")
+    if to == value or not (back - value) * (to - value) < 0.0:
+        raise ModelError(f"{system.name}: {by} is {value:g} at the start. Give another value of `to`, and `back` on "
+                         "the other side")  # fmt: skip
+    return to, back
+
+
+def _equilibria(start: Equilibrium, by: str, ends: tuple[float, float | None], free: Any, constant: Any, max_steps: int
+                ) -> Branch:  # fmt: skip
+    system, n = start.system, start.system.n
+    if system.compiled.switches:
+        raise ModelError(f"{system.name}: equilibria with contacts or friction are not followed: their modes change. "
+                         "Find them at values of the parameter")  # fmt: skip
+    value = start.inputs[by] if by in start.inputs else start.parameters[by]
+    to, back = _interval(system, by, value, ends)
+    x0 = dict(zip(system.coordinates, start.x.tolist(), strict=True)) | start.states
+    v0 = dict(zip(system.coordinates, start.v.tolist(), strict=True))
+    chosen = [*system.coordinates, *system.states] if free is None else list(free)
+    if by in map(spelled, chosen):
+        raise ModelError(f"{system.name}: {by} is followed; leave it out of free")
+    balance = balance_of(system, x0, [*chosen, by], v0, start.t, start.inputs, start.parameters, constant)
+    curve = equilibrium_curve.curve_of(balance, balance.start, abs(to - value))
+    path = followed(curve, balance.start, to, back, False, max_steps)
+    states = [balance.point(node.place.sample.w) for node in path.nodes]
+    rows = np.array([[*at.x[:n], *at.v[n:], *at.v[:n]] for at in states])
+    here = rows[:, : n + len(system.states)]
+    return _branch(system, by, path, rows, np.zeros(len(rows)), (here, here), False)
+
+
+def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: int) -> Branch:
+    system, search = start.system, start.search
+    assert search is not None
+    if by in search.problem.symmetry.names:
+        raise ModelError(f"{system.name}: the symmetry depends on {by}, so cycles along it are not followed")
+    signal = search.problem.point(search.problem.projected(_start(start), search.problem.prepared), start.t,
+                                  search.problem.prepared)  # fmt: skip
+    value = float(signal.u[system.compiled.inputs.index(by)]) if by in system.inputs else start.parameters[by]
+    to, back = _interval(system, by, value, ends)
+    search.problem.count.most = 10**9
+    curve = cycle_curve.curve_of(search, _start(start), start.period, by, abs(to - value))
+    first = curve.at(np.concatenate([_start(start), [start.period, value]]))
+    path = followed(curve, first.w, to, back, True, max_steps)
+    motions = [node.place.sample.detail for node in path.nodes]
+    rows = np.array([np.concatenate(search.problem.start(one.q)) for one in motions])
+    periods = np.array([one.period for one in motions])
+    ends_of = [_ends(one, system.n, search.problem.c.n) for one in motions]
+    highest, lowest = (np.array([one[k] for one in ends_of]) for k in (0, 1))
+    return _branch(system, by, path, rows, periods, (highest, lowest), True)
+
+
+def _start(cycle: Cycle) -> Vector:
+    """Return q (2 n,) of the start of a cycle."""
+    c = cycle.system.compiled
+    n, every, q = c.n_coordinates, c.n, np.zeros(2 * c.n)
+    values = np.array(list(cycle.x0.values()))
+    q[:n], q[every + n :] = values[:n], values[n:]
+    q[every : every + n] = list(cycle.v0.values())
+    return q
+
+
+def _ends(one: Return, n: int, every: int) -> tuple[Vector, Vector]:
+    """Return the largest and the least values of coordinates and states along a motion, between rows by Hermite."""
+    s, r = _BETWEEN[:, None, None], 1.0 - _BETWEEN[:, None, None]
+    x, v, h = one.rows[:, :n], one.rows[:, every : every + n], np.diff(one.times)[:, None]
+    inner = x[:-1] * (1 + 2 * s) * r**2 + x[1:] * (3 - 2 * s) * s**2 + h * s * r * (v[:-1] * r - v[1:] * s)
+    states = one.rows[:, every + n :]
+    every_x = inner.reshape(-1, n)
+    return (np.concatenate([every_x.max(axis=0), states.max(axis=0)]),
+            np.concatenate([every_x.min(axis=0), states.min(axis=0)]))  # fmt: skip
+
+
+def _branch(system: CompiledSystem, by: str, path: Path, rows: Vector, periods: Vector, ends: tuple[Vector, Vector],
+            of_cycles: bool) -> Branch:  # fmt: skip
+    names, n = (*system.coordinates, *system.states), system.n
+    split = len(names)
+    special = tuple(
+        SpecialPoint(node.kind, node.place.sample.parameter, k, _named(names, rows[k, :split]),
+                     _named(names[:n], rows[k, split:]), float(periods[k]), node.spectrum.values)
+        for k, node in enumerate(path.nodes) if node.kind
+    )  # fmt: skip
+    return Branch(
+        system, by, of_cycles, path.complete, path.message,
+        np.array([node.place.sample.parameter for node in path.nodes]), _columns(names, rows[:, :split]),
+        _columns(names[:n], rows[:, split:]), periods, _values(path.nodes),
+        tuple(node.spectrum.stable for node in path.nodes), _columns(names, ends[0]), _columns(names, ends[1]), special,
+    )  # fmt: skip
+
+
+def _values(nodes: list[Node]) -> Any:
+    """Return (rows, k) values; where there are fewer than elsewhere, the others are not a number."""
+    most = max(len(node.spectrum.values) for node in nodes)
+    values = np.full((len(nodes), most), np.nan, dtype=complex)
+    for row, node in enumerate(nodes):
+        values[row, : len(node.spectrum.values)] = node.spectrum.values
+    return values
+
+
+def _named(names: tuple[str, ...], values: Vector) -> dict[str, float]:
+    return dict(zip(names, values.tolist(), strict=True))
+
+
+def _columns(names: tuple[str, ...], rows: Vector) -> dict[str, Vector]:
+    return {name: rows[:, k] for k, name in enumerate(names)}

@@ -1,0 +1,85 @@
+"""Indicators of bifurcations: functions along a branch that change sign where one is."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .curve import Place, Spectrum
+
+FOLD, BRANCHING, HOPF, DOUBLING, TORUS = "fold", "branch point", "Hopf", "doubling", "torus"
+_FLAT = 1e-10
+"""Parameter's part of a tangent below which the sign is undecided."""
+
+
+@dataclass(frozen=True)
+class Indicator:
+    """The value of a function whose sign changes; sign : -1, 1, or 0 if it is undecided."""
+
+    value: float
+    sign: int
+
+
+def indicators(of_cycle: bool) -> dict[str, Callable[[Place, Spectrum], Indicator]]:
+    """Return the functions for cycles, or for equilibria."""
+    shared = {FOLD: _turning}
+    if of_cycle:
+        return shared | {BRANCHING: _at(1.0), DOUBLING: _at(-1.0), TORUS: _pairs(_product)}
+    return shared | {BRANCHING: _at(0.0), HOPF: _pairs(_sum)}
+
+
+def is_oscillation(kind: str, spectrum: Spectrum) -> bool:
+    """Return whether the pair that is critical at a Hopf bifurcation or at a torus is complex."""
+    values = spectrum.values
+    distance = np.abs(values.real) if kind == HOPF else np.abs(np.abs(values) - 1.0)
+    turning = np.abs(values.imag) > 1e-6 * np.abs(values)
+    nearest = np.argsort(distance)[:2]
+    return len(nearest) == 2 and bool(turning[nearest].all())
+
+
+def _turning(here: Place, _: Spectrum) -> Indicator:
+    value = float(here.tangent[-1])
+    return Indicator(value, 0 if abs(value) <= _FLAT else int(np.sign(value)))
+
+
+def _at(critical: float) -> Callable[[Place, Spectrum], Indicator]:
+    """Return the product of the distances from a real number."""
+
+    def product(_: Place, spectrum: Spectrum) -> Indicator:
+        distances = spectrum.values - critical
+        return _product_of(distances, 1.0 + np.abs(spectrum.values), spectrum.errors)
+
+    return product
+
+
+Pairing = Callable[[NDArray[np.complex128], NDArray[np.complex128]], tuple[NDArray[np.complex128], NDArray[np.float64]]]
+
+
+def _pairs(pairing: Pairing) -> Callable[[Place, Spectrum], Indicator]:
+    """Return the product over all pairs of different values."""
+
+    def product(_: Place, spectrum: Spectrum) -> Indicator:
+        first, second = np.triu_indices(len(spectrum.values), 1)
+        distances, sizes = pairing(spectrum.values[first], spectrum.values[second])
+        return _product_of(distances, sizes, spectrum.errors[first] + spectrum.errors[second])
+
+    return product
+
+
+def _sum(first: NDArray[np.complex128], second: NDArray[np.complex128]
+         ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:  # fmt: skip
+    return first + second, np.maximum(np.abs(first) + np.abs(second), 1e-300)
+
+
+def _product(first: NDArray[np.complex128], second: NDArray[np.complex128]
+             ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:  # fmt: skip
+    return first * second - 1.0, 1.0 + np.abs(first * second)
+
+
+def _product_of(distances: NDArray[np.complex128], sizes: NDArray[np.float64], errors: NDArray[np.float64]
+                ) -> Indicator:  # fmt: skip
+    if not len(distances):
+        return Indicator(1.0, 1)
+    value = float(np.prod(distances / sizes).real)
+    return Indicator(value, 0 if (np.abs(distances) <= errors).any() else int(np.sign(value)))

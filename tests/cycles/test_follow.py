@@ -1,0 +1,190 @@
+"""Branches of equilibria and cycles against closed forms and published bifurcations."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+from sympy import cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion import Model, ModelError, System
+
+from ..support.generation import system_for, system_of
+from .test_find_cycle import duffing, van_der_pol, walker
+
+x, y = dynamicsymbols("x y")
+a, b, c, d, k, P, W = symbols("a b c d k P W")
+
+
+def kinds(branch: em.Branch) -> list[str]:
+    return [one.kind for one in branch.special]
+
+
+def test_a_bead_on_a_hoop():
+    """Pitchfork at Omega^2 = g / R; the other branch is cos(theta) = g / (R Omega^2)."""
+    system = system_of("rotating_hoop", "lagrange")
+    critical = np.sqrt(9.81 / 0.5)
+    low = em.follow(em.find_equilibrium(system, [0.0], parameters={"Omega": 3}), "Omega", to=6)
+    assert low.success
+    assert kinds(low) == ["branch point"]
+    assert low.special[0].parameter == pytest.approx(critical, rel=1e-9)
+    up = em.find_equilibrium(system, [1.0], parameters={"Omega": 6})
+    bent = em.follow(up, "Omega", to=4.5)
+    assert np.cos(bent.x0["theta"]) == pytest.approx(9.81 / (0.5 * bent.parameter**2), rel=1e-10)
+
+
+def test_a_snap_through_truss():
+    """Von Mises' truss, force against height: F = 2 k h (L / sqrt(h^2 + a^2) - 1), folds at its extrema."""
+    F = symbols("F")
+    length = (x**2 + 1) ** 0.5
+    truss = Model(name="truss", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2,
+                  potential_energy=k * (length - 1.2) ** 2, forces=[-F - d * x.diff()],
+                  parameters={k: 1.0, d: 0.3, F: 0.0})  # fmt: skip
+    system = system_for(truss, "lagrange")
+    start = em.find_equilibrium(system, {"x": np.sqrt(1.2**2 - 1)})
+    branch = em.follow(start, "F", to=0.2)
+    height = np.sqrt(1.2 ** (2 / 3) - 1)
+    force = 2 * height * (1.2 / np.sqrt(height**2 + 1) - 1)
+    assert kinds(branch) == ["fold", "fold"]
+    assert [one.parameter for one in branch.special] == pytest.approx([force, -force], rel=1e-9)
+    assert [one.x0["x"] for one in branch.special] == pytest.approx([height, -height], rel=1e-6)
+    assert branch.stable[0] is True
+    assert branch.stable[branch.special[0].row + 1] is False
+    assert branch.stable[-1] is True
+
+
+@cache
+def ziegler() -> System:
+    """Two links with springs and dampers at both joints, masses 2 m and m at joints and tip; P follows the tip."""
+    x1, x2 = dynamicsymbols("x1 x2")
+    r1 = (sin(x1), cos(x1))
+    r2 = (r1[0] + sin(x2), r1[1] + cos(x2))
+    v1, v2 = ([one.diff(em.t) for one in r] for r in (r1, r2))
+    kinetic = (2 * (v1[0] ** 2 + v1[1] ** 2) + v2[0] ** 2 + v2[1] ** 2) / 2
+    push = (-P * sin(x2), -P * cos(x2))
+    forces = [sum(p * r.diff(q) for p, r in zip(push, r2, strict=True)) for q in (x1, x2)]
+    forces[0] -= d * x1.diff() + c * (x1.diff() - x2.diff())
+    forces[1] -= c * (x2.diff() - x1.diff())
+    return system_for(
+        Model(name="ziegler", coordinates=[x1, x2], kinetic_energy=kinetic,
+              potential_energy=x1**2 / 2 + (x1 - x2) ** 2 / 2, forces=forces, parameters={P: 0.0, d: 0.1, c: 0.1}),
+        "lagrange")  # fmt: skip
+
+
+def flutter_load(d: float, c: float) -> float:
+    """Routh and Hurwitz: of M s^2 + C s + K(P), (a3 a2 - a4 a1) a1 = a3^2 a0 of the characteristic polynomial."""
+
+    def hurwitz(load: float) -> float:
+        M, C, K = (
+            np.array([[3, 1], [1, 1]]),
+            np.array([[d + c, -c], [-c, c]]),
+            np.array([[2 - load, load - 1], [-1, 1]]),
+        )
+        entry = [[[M[i, j], C[i, j], K[i, j]] for j in range(2)] for i in range(2)]
+        a4, a3, a2, a1, a0 = np.polysub(np.polymul(entry[0][0], entry[1][1]), np.polymul(entry[0][1], entry[1][0]))
+        return float((a3 * a2 - a4 * a1) * a1 - a3**2 * a0)
+
+    return float(brentq(hurwitz, 0.5, 2.5, xtol=1e-14))
+
+
+@pytest.mark.parametrize(("d", "c"), [(0.1, 0.1), (0.01, 0.01), (0.3, 0.1)])
+def test_zieglers_column_flutters(d, c):
+    """Follower load of Ziegler (1952): with damping d, c of 1 : 1 the limit of small damping is 41/28 k / l."""
+    start = em.find_equilibrium(ziegler(), [0.0, 0.0], parameters={"d": d, "c": c})
+    branch = em.follow(start, "P", to=3.0)
+    assert kinds(branch)[0] == "Hopf"
+    assert branch.special[0].parameter == pytest.approx(flutter_load(d, c), rel=1e-9)
+    if d == c:
+        assert branch.special[0].parameter == pytest.approx(41 / 28 + d * d / 2, rel=1e-9)
+
+
+def test_a_rotor_with_internal_damping_whirls():
+    """Jeffcott's rotor in fixed axes: stable up to W = sqrt(k / m) (1 + external / internal)."""
+    outer, inner = symbols("outer inner")
+    rotor = Model(name="rotor", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                  potential_energy=k * (x**2 + y**2) / 2,
+                  forces=[-(outer + inner) * x.diff() - inner * W * y, -(outer + inner) * y.diff() + inner * W * x],
+                  parameters={k: 4.0, outer: 0.3, inner: 0.2, W: 1.0})  # fmt: skip
+    start = em.find_equilibrium(system_for(rotor, "lagrange"), [0.0, 0.0])
+    branch = em.follow(start, "W", to=8.0)
+    assert kinds(branch) == ["Hopf"]
+    assert branch.special[0].parameter == pytest.approx(2.0 * (1 + 0.3 / 0.2), rel=1e-10)
+    assert sorted(branch.special[0].values.imag)[-1] == pytest.approx(2.0, rel=1e-8)
+
+
+def fold_of_harmonics(w: float, first: tuple[float, float], harmonics: int = 15) -> float:
+    """The frequency w of a fold of x'' + 0.2 x' + x + x^3 = 0.3 cos(w t), by Newton's method for Fourier sums.
+
+    Unknowns are cosines and sines of odd harmonics, the null vector of their equations, and w.
+    """
+    phase = 2 * np.pi * np.arange(8 * harmonics) / (8 * harmonics)
+    odd = np.arange(1, 2 * harmonics, 2)
+    waves, k = np.vstack([np.cos(np.outer(odd, phase)), np.sin(np.outer(odd, phase))]), 2 * harmonics
+    turn = np.kron([[0, 1], [-1, 0]], np.diag(odd))  # of d/dphase
+    u, onto = np.zeros(k), waves / (4 * harmonics)
+    u[0], u[harmonics] = first
+
+    def linear(w: float) -> np.ndarray:
+        return w**2 * turn @ turn + 0.2 * w * turn + np.eye(k)
+
+    J = linear(w) + 3 * onto * (u @ waves) ** 2 @ waves.T
+    null = np.linalg.svd(J)[2][-1]
+    norm = null.copy()
+    for _ in range(30):
+        here, by_w = u @ waves, 2 * w * turn @ turn + 0.2 * turn
+        J = linear(w) + 3 * onto * here**2 @ waves.T
+        F = linear(w) @ u + onto @ here**3 - 0.3 * np.eye(k)[0]
+        bend = 6 * onto * (here * (null @ waves)) @ waves.T
+        whole = np.block([[J, np.zeros((k, k)), (by_w @ u)[:, None]], [bend, J, (by_w @ null)[:, None]],
+                          [np.zeros((1, k)), norm[None], np.zeros((1, 1))]])  # fmt: skip
+        step = np.linalg.solve(whole, np.concatenate([F, J @ null, [norm @ null - 1]]))
+        u, null, w = u - step[:k], null - step[k : 2 * k], w - step[-1]
+    assert np.abs(step).max() < 1e-12
+    return float(w)
+
+
+def test_folds_of_a_resonance():
+    """Forced Duffing: folds in frequency as harmonic balance finds them; the product of multipliers all along."""
+    start = em.find_cycle(duffing(), x0={"x": 0.3}, period="2*pi/w", parameters={"w": 0.8})
+    branch = em.follow(start, "w", to=2.5)
+    assert branch.success
+    assert kinds(branch) == ["fold", "fold"]
+    assert np.prod(branch.values, axis=1) == pytest.approx(np.exp(-0.2 * branch.period), rel=1e-9)
+    for fold in branch.special:
+        cycle = em.find_cycle(duffing(), x0=fold.x0, v0=fold.v0, period=fold.period, parameters={"w": fold.parameter})
+        assert cycle.multipliers[0] == pytest.approx(1.0, abs=1e-4)
+        first = fold.x0["x"], fold.v0["x"] / fold.parameter
+        assert fold.parameter == pytest.approx(fold_of_harmonics(fold.parameter + 1e-3, first), rel=1e-9)
+
+
+def test_van_der_pol_along_mu():
+    branch = em.follow(em.find_cycle(van_der_pol(), x0={"x": 2.0}, v0={"x": 0.0}), "mu", to=2.0)
+    assert branch.success
+    run = solve_ivp(lambda _, s: [s[1], 2 * (1 - s[0] ** 2) * s[1] - s[0]], (0, 60), [2.0, 0.0], method="DOP853",
+                    rtol=1e-13, atol=1e-13, events=lambda _, s: s[1])  # fmt: skip
+    period = run.t_events[0][-1] - run.t_events[0][-3]
+    assert branch.period[-1] == pytest.approx(period, rel=1e-9)
+    assert branch.highest["x"][-1] == pytest.approx(np.abs(run.y_events[0][-1][0]), rel=1e-4)
+
+
+def test_the_simplest_walker_doubles_its_period():
+    start = walker(0.2, -0.2)
+    branch = em.follow(start, "gamma", to=0.019)
+    assert branch.success
+
+
+def test_wrong_arguments():
+    start = em.find_equilibrium(ziegler(), [0.0, 0.0])
+    with pytest.raises(ModelError, match="unknown name to follow"):
+        em.follow(start, "Q", to=1.0)
+    with pytest.raises(ModelError, match="Give another value"):
+        em.follow(start, "P", to=0.0)
+    with pytest.raises(ModelError, match="`back` on the other side"):
+        em.follow(start, "P", to=1.0, back=0.5)
+    with pytest.raises(ModelError, match="leave it out of free"):
+        em.follow(start, "P", to=1.0, free=["x1", "P"])
+    with pytest.raises(ModelError, match="Give a result of"):
+        em.follow({"x1": 0.0}, "P", to=1.0)
