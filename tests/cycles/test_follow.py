@@ -170,10 +170,55 @@ def test_van_der_pol_along_mu():
     assert branch.highest["x"][-1] == pytest.approx(np.abs(run.y_events[0][-1][0]), rel=1e-4)
 
 
+def steps(start: np.ndarray, gamma: float, count: int) -> np.ndarray:
+    """Garcia's walker right after a strike, (theta, theta'), some steps later: by SciPy, with equations of its own."""
+
+    def rates(_: float, s: np.ndarray) -> list[float]:
+        swing = np.sin(s[0] - gamma) + s[2] ** 2 * np.sin(s[1]) - np.cos(s[0] - gamma) * np.sin(s[1])
+        return [s[2], s[3], np.sin(s[0] - gamma), swing]
+
+    def strike(t: float, s: np.ndarray) -> float:
+        return s[1] - 2 * s[0] if t > 0.05 else 1.0
+
+    strike.terminal, strike.direction = True, 1
+    theta, rate = start
+    for _ in range(count):
+        begin = [theta, 2 * theta, rate, (1 - np.cos(2 * theta)) * rate]
+        run = solve_ivp(rates, (0, 10), begin, method="DOP853", rtol=1e-12, atol=1e-13, events=strike)
+        before = run.y_events[0][-1]
+        theta, rate = -before[0], np.cos(2 * before[0]) * before[2]
+    return np.array([theta, rate])
+
+
 def test_the_simplest_walker_doubles_its_period():
-    start = walker(0.2, -0.2)
-    branch = em.follow(start, "gamma", to=0.019)
-    assert branch.success
+    """Gaits of 1, 2 and 4 steps, each until the next has twice as many: another program's map closes, with -1.
+
+    Published: one step is stable up to 0.015 (Garcia et al. 1998); chaos begins at 0.01839 (Kurz and Stergiou,
+    J. NeuroEngineering Rehabil. 4:30, 2007).
+    """
+    branch, count = em.follow(walker(0.2, -0.2), "gamma", to=0.0185), 1
+    for slope in (0.015088438, 0.017669375, 0.018160120):
+        assert branch.success
+        assert kinds(branch) == ["doubling"]
+        at, gamma = branch.special[0], branch.special[0].parameter
+        assert gamma == pytest.approx(slope, abs=1e-9)
+        start = np.array([at.x0["theta"], at.v0["theta"]])
+        assert steps(start, gamma, count) == pytest.approx(start, abs=1e-9)
+        sides = [[steps(start + side * h, gamma, count) for side in (1, -1, 2, -2)] for h in 1e-5 * np.eye(2)]
+        map_of = np.array([(8 * (a - b) - (c - d)) / 12e-5 for a, b, c, d in sides]).T
+        assert min(np.linalg.eigvals(map_of).real) == pytest.approx(-1.0, abs=2e-5)
+        branch, count = em.follow(at, to=0.0185), 2 * count
+
+
+def test_the_other_branch_of_a_hoop():
+    rests = em.find_equilibrium(system_of("rotating_hoop", "lagrange"), [0.0], parameters={"Omega": 3})
+    low = em.follow(rests, "Omega", to=6)
+    bent = em.follow(low.special[0], to=6)
+    assert bent.success
+    assert np.cos(bent.x0["theta"]) == pytest.approx(9.81 / (0.5 * bent.parameter**2), rel=1e-10)
+    assert np.abs(bent.x0["theta"][-1]) > 0.9
+    with pytest.raises(ModelError, match="along Omega"):
+        em.follow(low.special[0], "g", to=6)
 
 
 def test_wrong_arguments():

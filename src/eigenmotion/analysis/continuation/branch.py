@@ -1,7 +1,7 @@
 """Branch: equilibria or cycles along a parameter, with the bifurcations on it."""
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,19 @@ from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...presentation.notebook import table
+from .curve import Place
+from .cycle_curve import CycleCurve
+from .equilibrium_curve import EquilibriumCurve
 from .picture import Line, drawn
+
+
+class Origin(NamedTuple):
+    """The branch of a point: its system, curve, parameter, and the point."""
+
+    system: CompiledSystem
+    curve: CycleCurve | EquilibriumCurve
+    name: str
+    place: Place
 
 
 @dataclass(frozen=True)
@@ -25,6 +37,7 @@ class SpecialPoint:
     row : the index in the arrays of the branch
     x0, v0 : name -> value, the start for `simulate` or `find_cycle`; period : [s] of a cycle, 0 of an equilibrium
     values : (k,) complex multipliers of a cycle, eigenvalues of an equilibrium
+    origin : the branch's equations there, for `follow`
 
     Examples
     --------
@@ -42,6 +55,7 @@ class SpecialPoint:
     v0: dict[str, float]
     period: float
     values: NDArray[np.complex128]
+    origin: Origin = field(repr=False, compare=False)
 
     def __str__(self) -> str:
         return f"{self.kind} at {self.parameter:.9g}"

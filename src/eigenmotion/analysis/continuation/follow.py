@@ -13,16 +13,20 @@ from ..cycles.cycle import Cycle
 from ..cycles.returns import Return
 from ..equilibrium.equilibrium import Equilibrium, balance_of
 from . import cycle_curve, equilibrium_curve
-from .branch import Branch, SpecialPoint
-from .path import Node, Path, followed
+from .branch import Branch, Origin, SpecialPoint
+from .cycle_curve import CycleCurve
+from .equilibrium_curve import EquilibriumCurve
+from .indicators import BRANCHING, DOUBLING
+from .path import Node, Path, begun, followed
+from .switching import crossing, doubled
 
 _BETWEEN = np.linspace(0.0, 1.0, 9)
 """Places in a step of a run at which extents are measured."""
 
 
 def follow(
-    start: Cycle | Equilibrium,
-    name: Any,
+    start: Cycle | Equilibrium | SpecialPoint,
+    name: Any = None,
     *,
     to: float,
     back: float | None = None,
@@ -38,9 +42,10 @@ def follow(
     Parameters
     ----------
     start
-        A result of `find_equilibrium` or `find_cycle`.
+        A result of `find_equilibrium` or `find_cycle`. Or one of `Branch.special`, to follow the branch that leaves
+        there: at a doubling, cycles of twice the period; at a branch point, the other branch.
     name
-        The parameter, or an input that is constant.
+        The parameter, or an input that is constant; None: that of the branch of a special point.
     to
         The value at which the branch ends.
     back
@@ -75,6 +80,8 @@ def follow(
     >>> print(em.follow(gait, "gamma", to=0.012))
     compass_gait: cycles along gamma from 0.009 to 0.012: no bifurcations
     """
+    if isinstance(start, SpecialPoint):
+        return _leaving(start, name, (number(to, "to"), back), max_steps)
     if not isinstance(start, Cycle | Equilibrium):
         raise ModelError(f"follow: the start is {shown(start)}. Give a result of find_equilibrium or find_cycle")
     system, by, goal = start.system, spelled(name), number(to, "to")
@@ -101,7 +108,7 @@ def _interval(system: CompiledSystem, by: str, value: float, ends: tuple[float, 
 
 def _equilibria(start: Equilibrium, by: str, ends: tuple[float, float | None], free: Any, constant: Any, max_steps: int
                 ) -> Branch:  # fmt: skip
-    system, n = start.system, start.system.n
+    system = start.system
     if system.compiled.switches:
         raise ModelError(f"{system.name}: equilibria with contacts or friction are not followed: their modes change. "
                          "Find them at values of the parameter")  # fmt: skip
@@ -114,11 +121,16 @@ def _equilibria(start: Equilibrium, by: str, ends: tuple[float, float | None], f
         raise ModelError(f"{system.name}: {by} is followed; leave it out of free")
     balance = balance_of(system, x0, [*chosen, by], v0, start.t, start.inputs, start.parameters, constant)
     curve = equilibrium_curve.curve_of(balance, balance.start, abs(to - value))
-    path = followed(curve, balance.start, to, back, False, max_steps)
-    states = [balance.point(node.place.sample.w) for node in path.nodes]
-    rows = np.array([[*at.x[:n], *at.v[n:], *at.v[:n]] for at in states])
+    path = followed(curve, (begun(curve, balance.start, to),), (to, back), False, max_steps)
+    return _of_equilibria(system, by, curve, path)
+
+
+def _of_equilibria(system: CompiledSystem, by: str, curve: EquilibriumCurve, path: Path) -> Branch:
+    n = system.n
+    states = [curve.balance.point(node.place.sample.w) for node in path.nodes]
+    rows = np.array([[*at.x[:n], *at.v[at.model.n_coordinates :], *at.v[:n]] for at in states])
     here = rows[:, : n + len(system.states)]
-    return _branch(system, by, path, rows, np.zeros(len(rows)), (here, here), False)
+    return _branch(system, (by, curve), path, rows, np.zeros(len(rows)), (here, here))
 
 
 def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: int) -> Branch:
@@ -133,13 +145,39 @@ def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: 
     search.problem.count.most = 10**9
     curve = cycle_curve.curve_of(search, _start(start), start.period, by, abs(to - value))
     first = curve.at(np.concatenate([_start(start), [start.period, value]]))
-    path = followed(curve, first.w, to, back, True, max_steps)
-    motions = [node.place.sample.detail for node in path.nodes]
-    rows = np.array([np.concatenate(search.problem.start(one.q)) for one in motions])
+    path = followed(curve, (begun(curve, first.w, to),), (to, back), True, max_steps)
+    return _of_cycles(system, by, curve, path)
+
+
+def _of_cycles(system: CompiledSystem, by: str, curve: CycleCurve, path: Path) -> Branch:
+    problem, motions = curve.search.problem, [node.place.sample.detail for node in path.nodes]
+    rows = np.array([np.concatenate(problem.start(one.q)) for one in motions])
     periods = np.array([one.period for one in motions])
-    ends_of = [_ends(one, system.n, search.problem.c.n) for one in motions]
+    ends_of = [_ends(one, system.n, problem.c.n) for one in motions]
     highest, lowest = (np.array([one[k] for one in ends_of]) for k in (0, 1))
-    return _branch(system, by, path, rows, periods, (highest, lowest), True)
+    return _branch(system, (by, curve), path, rows, periods, (highest, lowest))
+
+
+def _leaving(point: SpecialPoint, name: Any, ends: tuple[float, float | None], max_steps: int) -> Branch:
+    """Return the branch that leaves another one at a special point."""
+    system, curve, by, at = point.origin
+    if name is not None and spelled(name) != by:
+        raise ModelError(f"{system.name}: the branch of the {point.kind} is along {by}, not {spelled(name)}")
+    if point.kind not in {DOUBLING, BRANCHING}:
+        raise ModelError(
+            f"{system.name}: no branch leaves at a {point.kind} that is followed. Start from another point"
+        )
+    interval = _interval(system, by, point.parameter, ends)
+    with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
+        along = at.tangent * at.sample.unit
+        if isinstance(curve, CycleCurve):
+            if point.kind == DOUBLING:
+                curve, at = doubled(curve, at)
+                along = at.tangent * at.sample.unit
+            path = followed(curve, crossing(curve, at, along), interval, True, max_steps)
+            return _of_cycles(system, by, curve, path)
+        path = followed(curve, crossing(curve, at, along), interval, False, max_steps)
+        return _of_equilibria(system, by, curve, path)
 
 
 def _start(cycle: Cycle) -> Vector:
@@ -163,17 +201,18 @@ def _ends(one: Return, n: int, every: int) -> tuple[Vector, Vector]:
             np.concatenate([every_x.min(axis=0), states.min(axis=0)]))  # fmt: skip
 
 
-def _branch(system: CompiledSystem, by: str, path: Path, rows: Vector, periods: Vector, ends: tuple[Vector, Vector],
-            of_cycles: bool) -> Branch:  # fmt: skip
-    names, n = (*system.coordinates, *system.states), system.n
+def _branch(system: CompiledSystem, along: tuple[str, CycleCurve | EquilibriumCurve], path: Path, rows: Vector,
+            periods: Vector, ends: tuple[Vector, Vector]) -> Branch:  # fmt: skip
+    names, n, (by, curve) = (*system.coordinates, *system.states), system.n, along
     split = len(names)
     special = tuple(
         SpecialPoint(node.kind, node.place.sample.parameter, k, _named(names, rows[k, :split]),
-                     _named(names[:n], rows[k, split:]), float(periods[k]), node.spectrum.values)
+                     _named(names[:n], rows[k, split:]), float(periods[k]), node.spectrum.values,
+                     Origin(system, curve, by, node.place))
         for k, node in enumerate(path.nodes) if node.kind
     )  # fmt: skip
     return Branch(
-        system, by, of_cycles, path.complete, path.message,
+        system, by, isinstance(curve, CycleCurve), path.complete, path.message,
         np.array([node.place.sample.parameter for node in path.nodes]), _columns(names, rows[:, :split]),
         _columns(names[:n], rows[:, split:]), periods, _values(path.nodes),
         tuple(node.spectrum.stable for node in path.nodes), _columns(names, ends[0]), _columns(names, ends[1]), special,

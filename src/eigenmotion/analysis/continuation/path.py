@@ -42,8 +42,8 @@ class Path:
     signs: dict[str, int] = field(default_factory=dict)
 
 
-def followed(curve: Curve, start: Vector, to: float, back: float, of_cycle: bool, max_steps: int) -> Path:
-    """Return the path from a point until the parameter is `to`, or `back` on the other side.
+def begun(curve: Curve, start: Vector, to: float) -> Place:
+    """Return the first point of a path, with its tangent towards a value of the parameter.
 
     Raises
     ------
@@ -59,16 +59,27 @@ def followed(curve: Curve, start: Vector, to: float, back: float, of_cycle: bool
     if first.smallest < _FAMILY:
         raise ModelError("the start is one of a family, or at a branch point, so there are several branches. Name what "
                          "is free, or start at another value")  # fmt: skip
-    path, functions = Path([Node(first, curve.spectrum(sample))]), indicators(of_cycle)
-    here, h = first, _FIRST
+    return first
+
+
+def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], of_cycle: bool, max_steps: int) -> Path:
+    """Return the path from a point until the parameter is at one of the ends, of which the first is the goal.
+
+    begin : the first point, or a branch point and the first one beside it
+    """
+    path, functions = Path(), indicators(of_cycle)
+    for one in begin:
+        path.nodes.append(Node(one, curve.spectrum(one.sample)))
+        path.signs = {kind: function(one, path.nodes[-1].spectrum).sign for kind, function in functions.items()}
+    here, h = begin[-1], _FIRST
     for _ in range(max_steps):
         there, h = _stepped(curve, path, here, h)
         if there is None:
             return path
-        there, ends = _within(curve, (first, here, there), to, back)
+        there, over = _within(curve, (begin[0], here, there), *ends)
         _add(curve, path, Node(there, curve.spectrum(there.sample)), functions)
-        if ends:
-            path.complete, path.message = ends == _COMPLETE, ends
+        if over:
+            path.complete, path.message = over == _COMPLETE, over
             return path
         here = there
     path.message = f"{max_steps} steps were not enough, at {here.sample.parameter:.9g}; give max_steps"
