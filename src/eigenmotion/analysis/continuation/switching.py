@@ -9,7 +9,7 @@ from ..cycles.symmetry import Symmetry
 from .curve import Curve, NoPointError, Place, corrected, place
 from .cycle_curve import CycleCurve
 
-_AWAY = (0.01, 1e-3, 1e-4)
+_AWAY = (0.01, 1e-3, 1e-4, 1e-5)
 """First steps away from the branch, in units."""
 
 
