@@ -82,6 +82,7 @@ class Kernel:
     called : names of the functions called by it and by the kernels written together with it
     reads : the INPUTS that it reads
     exported : whether other units call it
+    assigned : the places that it assigns, such as [0], without the arrays
     """
 
     head: str
@@ -93,6 +94,7 @@ class Kernel:
     called: frozenset[str]
     reads: frozenset[str]
     exported: bool
+    assigned: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,6 +276,7 @@ def _kernel(scope: _Scope, passed: int, cost: Cost, long: bool) -> Kernel:
         statements=called, parts=parts, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
         reads=frozenset(read), exported=exported,
+        assigned=tuple(place for entry in draft.entries for place in entry.places),
     )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from ..kernel.kernel import Kernel
 from ..schedule.operations import Cost
+from .structure import Structure
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +110,7 @@ class Kernels:
     required : inverse dynamics; None if it follows from M and bias
     input_columns : derivatives of forces with respect to inputs; None if there are no inputs
     mixed_inputs : (inputs, inputs) 1 where the column of one input depends on another, or on itself
-    partials : None if derivatives are not generated
+    partials, structure : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
     own_masses : entries of M besides those that C adds in loops; None if there are none
     frames : the numbers that place bodies on their parents; None if there are no bodies
@@ -134,6 +135,7 @@ class Kernels:
     quasi: Kernel
     drawing: Kernel
     partials: PartialKernels | None
+    structure: Structure | None
     impacts: Kernel
     resets: Kernel
     levels: Kernel

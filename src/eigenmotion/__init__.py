@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from .building.errors import CompilerNotFoundError as CompilerNotFoundError
     from .building.model_file import load_model as load_model
     from .building.verification import ProofError as ProofError
+    from .casadi.export import export_casadi as export_casadi
     from .codegen.mechanics import from_mechanics as from_mechanics
     from .codegen.model import Contact as Contact
     from .codegen.model import Event as Event
@@ -99,6 +100,7 @@ _HOME = {
     "fit_forces": ".analysis.identification.fit_forces",
     "follow": ".analysis.continuation.follow",
     "from_mechanics": ".codegen.mechanics",
+    "export_casadi": ".casadi.export",
     "export_fmu": ".fmu.export",
     "identifiable": ".analysis.identification.identifiable",
     "load_mjcf": ".robots.load",
