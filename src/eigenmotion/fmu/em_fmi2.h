@@ -1,5 +1,5 @@
-/* em_fmi2.h: types and enumerations of the Functional Mock-up Interface 2.0 for co-simulation, as far as em_fmu.h uses
- * them, after the standard (fmi-standard.org). */
+/* em_fmi2.h: types and enumerations of the Functional Mock-up Interface 2.0, as far as em_fmu2.h and
+ * em_exchange2.h use them, after the standard (fmi-standard.org). */
 #ifndef EM_FMI2_H
 #define EM_FMI2_H
 
@@ -29,5 +29,11 @@ typedef struct {
     void (*stepFinished)(fmi2ComponentEnvironment, fmi2Status);
     fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
+
+typedef struct {
+    fmi2Boolean newDiscreteStatesNeeded, terminateSimulation, nominalsOfContinuousStatesChanged;
+    fmi2Boolean valuesOfContinuousStatesChanged, nextEventTimeDefined;
+    fmi2Real nextEventTime;
+} fmi2EventInfo;
 
 #endif

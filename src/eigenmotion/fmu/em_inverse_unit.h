@@ -449,4 +449,6 @@ static int em_unit_restore(em_unit *unit, const void *saved) {
     return 0;
 }
 
+#include "em_no_flow.h"
+
 #endif

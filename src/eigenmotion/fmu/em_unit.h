@@ -1,10 +1,13 @@
-/* em_unit.h: a mechanism whose parameters, start and inputs are set one by one, and which then steps: the content of an FMU.
+/* em_unit.h: a mechanism whose parameters, start and inputs are set one by one, and which then moves: the content of an FMU.
  *
- * Its numbers have references, one after the other: parameters, x, v, inputs; then the model's outputs. */
+ * It steps (em_control.h), or flows: then an importing tool integrates its states (em_flow.h).
+ * Its numbers have references, one after the other: parameters, x, v, inputs; then the model's outputs, the rates of v,
+ * and the event functions. */
 #ifndef EM_UNIT_H
 #define EM_UNIT_H
 
 #include "em_control.h"
+#include "em_flow.h"
 #include "em_unit_words.h"
 #include "loop/em_start_check.h"
 
@@ -18,10 +21,12 @@ typedef struct em_unit_options {
 typedef struct em_unit {
     const em_model *model;
     em_unit_options options;
+    int flows;               /* whether its states are integrated by others */
     int steps;               /* whether initialisation is over: parameters and start stand */
     double t_start, rtol;
     double *given;           /* (n_given) parameters, x and v at the start, inputs */
-    em_stepper *stepper;     /* or NULL: to be opened with what is given */
+    em_stepper *stepper;     /* or NULL: to be opened with what is given; or it flows */
+    em_flow *flow;           /* or NULL: to be opened with what is given; or it steps */
     char words[EM_WORDS];    /* what went wrong last */
 } em_unit;
 
@@ -36,7 +41,25 @@ static void em_unit_copy(double *to, const double *from, int count) {
 
 static void em_unit_close(em_unit *unit) {
     em_stepper_close(unit->stepper);
+    em_flow_close(unit->flow);
     unit->stepper = NULL;
+    unit->flow = NULL;
+}
+
+static int em_unit_is_open(const em_unit *unit) { return unit->stepper != NULL || unit->flow != NULL; }
+
+/* Where the motion is: time, state and constants. */
+typedef struct em_place {
+    double t;
+    const double *x, *v, *c;
+} em_place;
+
+/* Of one that is open. */
+static em_place em_unit_place(const em_unit *unit) {
+    const em_stepper *const s = unit->stepper;
+    const em_flow *const flow = unit->flow;
+    if (s != NULL) return (em_place){s->t, s->x, s->v, s->run.prepared};
+    return (em_place){*flow->t, flow->x, flow->v, flow->c};
 }
 
 /* Before initialisation: the time, and the tolerance or 0. */
@@ -46,7 +69,7 @@ static void em_unit_begin(em_unit *unit, double t, double rtol) {
     if (rtol > 0.0) unit->rtol = rtol;
 }
 
-static double em_unit_time(const em_unit *unit) { return unit->stepper != NULL ? unit->stepper->t : unit->t_start; }
+static double em_unit_time(const em_unit *unit) { return em_unit_is_open(unit) ? em_unit_place(unit).t : unit->t_start; }
 
 /* The model's own values. */
 static void em_unit_reset(em_unit *unit) {
@@ -85,31 +108,53 @@ static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
     return em_words_of_fault(unit->model, fault, t, unit->words);
 }
 
-/* The run of a stepper, in memory for c, y and atol. 0, or -1 and words. */
-static int em_unit_start(em_unit *unit, double *c, double *y, double *atol) {
-    const em_model *m = unit->model;
+/* The stepper at a start, with c, y and atol. 0, or -1 and words. */
+static int em_unit_open_stepper(em_unit *unit, const double *c, const double *y, const double *atol) {
     const em_unit_options *o = &unit->options;
-    em_fault fault;
-    for (int k = 0; k < m->n; ++k) atol[k] = o->atol * (unit->rtol / o->rtol);
-    if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault, unit->t_start);
-    if (em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y, NULL, NULL)) {
-        fault = (em_fault){EM_START_REFUSED, -1, -1, 0.0};
-        return em_unit_fail(unit, &fault, unit->t_start);
-    }
     const em_run task = {.t_start = unit->t_start, .y_start = y, .prepared = c, .method = o->method, .rtol = unit->rtol,
                          .atol = atol, .first_step = o->step, .max_step = INFINITY, .max_steps = 1000000000,
-                         .stabilise = 1, .model = m};
-    unit->stepper = em_stepper_open(m, &task, em_unit_u(unit));
-    if (unit->stepper == NULL) fault = (em_fault){EM_OUT_OF_MEMORY, -1, -1, 0.0};
-    else fault = unit->stepper->run.fault;
+                         .stabilise = 1, .model = unit->model};
+    em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    unit->stepper = em_stepper_open(unit->model, &task, em_unit_u(unit));
+    if (unit->stepper != NULL) fault = unit->stepper->run.fault;
     if (fault.status == EM_FINISHED) return 0;
     em_unit_close(unit);
     return em_unit_fail(unit, &fault, unit->t_start);
 }
 
-/* Opens the stepper unless it is open. 0, or -1 and words: no motion starts there. */
+/* The flow at a start, with c and atol. 0, or -1 and words. */
+static int em_unit_open_flow(em_unit *unit, const double *c, const double *atol) {
+    const em_model *m = unit->model;
+    em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    em_flow *const flow = unit->flow = em_flow_create(m);
+    if (flow == NULL) return em_unit_fail(unit, &fault, unit->t_start);
+    *flow->t = unit->t_start;
+    flow->rtol = unit->rtol;
+    em_unit_copy(flow->x, em_unit_x(unit), m->n);
+    em_unit_copy(flow->v, em_unit_v(unit), m->n);
+    em_unit_copy(flow->atol, atol, m->n);
+    em_unit_copy(flow->c, c, m->n_prepared);
+    if (!em_flow_check_tables(flow, em_unit_u(unit), &fault) && !em_flow_begin(flow, em_unit_u(unit), &fault)) return 0;
+    em_unit_close(unit);
+    return em_unit_fail(unit, &fault, unit->t_start);
+}
+
+/* Opens it with memory for c, y and atol. 0, or -1 and words. */
+static int em_unit_start(em_unit *unit, double *c, double *y, double *atol) {
+    const em_model *m = unit->model;
+    em_fault fault;
+    for (int k = 0; k < m->n; ++k) atol[k] = unit->options.atol * (unit->rtol / unit->options.rtol);
+    if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault, unit->t_start);
+    if (em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y, NULL, NULL)) {
+        fault = (em_fault){EM_START_REFUSED, -1, -1, 0.0};
+        return em_unit_fail(unit, &fault, unit->t_start);
+    }
+    return unit->flows ? em_unit_open_flow(unit, c, atol) : em_unit_open_stepper(unit, c, y, atol);
+}
+
+/* Opens it unless it is open. 0, or -1 and words: no motion starts there. */
 static int em_unit_open(em_unit *unit) {
-    if (unit->stepper != NULL) return 0;
+    if (em_unit_is_open(unit)) return 0;
     const em_model *m = unit->model;
     const size_t c = (size_t)m->n_prepared, y = (size_t)m->n_state;
     double *const memory = calloc(c + y + (size_t)m->n, sizeof *memory);
@@ -148,13 +193,30 @@ static int em_unit_set(em_unit *unit, unsigned reference, double value) {
     return 0;
 }
 
-/* out (n_outputs) <- the model's outputs. 0, or -1 and words. */
-static int em_unit_outputs(em_unit *unit, double *out) {
+/* Numbers that follow from the state: outputs, rates of v, event functions. */
+enum { EM_OUTPUTS, EM_RATES, EM_EVENTS, EM_GROUPS };
+
+/* first (EM_GROUPS + 1) <- the reference at which each group begins */
+static void em_unit_groups(const em_model *m, size_t *first) {
+    first[EM_OUTPUTS] = em_unit_given(m);
+    first[EM_RATES] = first[EM_OUTPUTS] + (size_t)m->n_outputs;
+    first[EM_EVENTS] = first[EM_RATES] + (size_t)m->n;
+    first[EM_GROUPS] = first[EM_EVENTS] + (size_t)m->n_events;
+}
+
+/* out <- the numbers of a group. 0, or -1 and words. */
+static int em_unit_calculate(em_unit *unit, int group, double *out) {
+    const em_model *const m = unit->model;
+    const double *const u = em_unit_u(unit);
     em_fault fault;
+    int failed = 0;
     if (em_unit_open(unit)) return -1;
-    const em_stepper *s = unit->stepper;
-    if (!s->model->output(s->t, s->x, s->v, s->run.prepared, em_unit_u(unit), 0, out, &fault)) return 0;
-    return em_unit_fail(unit, &fault, s->t);
+    const em_place at = em_unit_place(unit);
+    double lambda[m->m + 1];
+    if (group == EM_OUTPUTS) failed = m->output(at.t, at.x, at.v, at.c, u, 0, out, &fault);
+    else if (group == EM_RATES) failed = m->acceleration(at.t, at.x, at.v, at.c, u, 0, out, lambda, &fault);
+    else m->event(at.t, at.x, at.v, at.c, u, out);
+    return failed ? em_unit_fail(unit, &fault, at.t) : 0;
 }
 
 /* The place of a number given among the arguments of derivatives: x, v, inputs, parameters, time. */
@@ -167,8 +229,12 @@ static size_t em_unit_argument(const em_model *m, unsigned reference) {
 /* The change of one number along `d` (n_arguments), of which a and lambda change by `da` (n + m); D: em_model.output_partials */
 static double em_unit_change(const em_unit *unit, unsigned reference, const double *d, const double *da, const double *D) {
     const em_model *m = unit->model;
-    const size_t given = em_unit_given(m), reactions = (size_t)(m->n + m->m), width = reactions + (size_t)m->n_arguments;
+    const size_t reactions = (size_t)(m->n + m->m), width = reactions + (size_t)m->n_arguments;
+    size_t first[EM_GROUPS + 1];
+    em_unit_groups(m, first);
+    const size_t given = first[EM_OUTPUTS];
     if (reference < given) return d[em_unit_argument(m, reference)];
+    if (reference >= first[EM_RATES]) return da[reference - first[EM_RATES]];
     double sum = 0.0;
     for (size_t k = 0; k < width; ++k) sum += D[(reference - given) * width + k] * (k < reactions ? da[k] : d[k - reactions]);
     return sum;
@@ -179,14 +245,14 @@ static double em_unit_change(const em_unit *unit, unsigned reference, const doub
 static int em_unit_changes(const em_unit *unit, const unsigned *unknown, size_t unknowns, const double *d, double *work,
                            double *changes, em_fault *fault) {
     const em_model *const m = unit->model;
-    const em_stepper *const s = unit->stepper;
+    const em_place at = em_unit_place(unit);
     const int reactions = m->n + m->m, arguments = m->n_arguments;
     double *const a = work, *const along = a + reactions, *const slopes = along + reactions;
     double *const D = slopes + reactions * arguments;
-    if (m->motion_derivatives(s->t, s->x, s->v, s->run.prepared, em_unit_u(unit), 0, a, a + m->n, slopes,
+    if (m->motion_derivatives(at.t, at.x, at.v, at.c, em_unit_u(unit), 0, a, a + m->n, slopes,
                               slopes + m->n * arguments, fault))
         return -1;
-    if (m->n_outputs > 0) m->output_partials(s->t, s->x, s->v, a, a + m->n, s->run.prepared, em_unit_u(unit), D);
+    if (m->n_outputs > 0) m->output_partials(at.t, at.x, at.v, a, a + m->n, at.c, em_unit_u(unit), D);
     for (int row = 0; row < reactions; ++row) {
         along[row] = 0.0;
         for (int k = 0; k < arguments; ++k) along[row] += slopes[row * arguments + k] * d[k];
@@ -211,49 +277,60 @@ static int em_unit_check(em_unit *unit, const unsigned *references, size_t count
     return 0;
 }
 
-/* changes (unknowns) of outputs, coordinates and rates along dknown (count) of numbers given. 0, or -1 and words. */
+/* changes (unknowns) of outputs, coordinates, rates and accelerations along dknown (count) of numbers given. 0, or -1 and words. */
 static int em_unit_along(em_unit *unit, const unsigned *unknown, size_t unknowns, const unsigned *known, size_t count,
                          const double *dknown, double *changes) {
     const em_model *const m = unit->model;
-    const size_t given = em_unit_given(m), all = given + (size_t)m->n_outputs;
+    const size_t given = em_unit_given(m), all = given + (size_t)(m->n_outputs + m->n);
     if (em_unit_check(unit, unknown, unknowns, (size_t)m->n_parameters, all) || em_unit_check(unit, known, count, 0, given) ||
         em_unit_open(unit))
         return -1;
     em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
     double *const work = calloc((size_t)m->n_arguments + em_unit_partials(m), sizeof *work);
-    if (work == NULL) return em_unit_fail(unit, &fault, unit->stepper->t);
+    if (work == NULL) return em_unit_fail(unit, &fault, em_unit_time(unit));
     for (size_t k = 0; k < count; ++k) work[em_unit_argument(m, known[k])] += dknown[k];
     const int failed = em_unit_changes(unit, unknown, unknowns, work, work + m->n_arguments, changes, &fault);
     free(work);
-    return failed ? em_unit_fail(unit, &fault, unit->stepper->t) : 0;
+    return failed ? em_unit_fail(unit, &fault, em_unit_time(unit)) : 0;
 }
 
 /* One of those given, or x or v as they are now. */
 static double em_unit_number(const em_unit *unit, unsigned reference) {
     const unsigned p = (unsigned)unit->model->n_parameters, n = (unsigned)unit->model->n;
-    if (unit->stepper == NULL || reference < p || reference >= p + 2 * n) return unit->given[reference];
-    return reference < p + n ? unit->stepper->x[reference - p] : unit->stepper->v[reference - p - n];
+    if (!em_unit_is_open(unit) || reference < p || reference >= p + 2 * n) return unit->given[reference];
+    const em_place at = em_unit_place(unit);
+    return reference < p + n ? at.x[reference - p] : at.v[reference - p - n];
 }
 
-/* value (count) <- numbers and outputs by their references. 0, or -1 and words. */
-static int em_unit_read(em_unit *unit, const unsigned *reference, size_t count, double *value) {
-    const unsigned given = (unsigned)em_unit_given(unit->model), n = (unsigned)unit->model->n_outputs;
-    double *outputs = NULL;
-    int failed = 0;
-    for (size_t k = 0; k < count && !failed; ++k) {
-        if (reference[k] < given) {
-            value[k] = em_unit_number(unit, reference[k]);
-        } else if (reference[k] < given + n) {
-            if (outputs == NULL) {
-                outputs = calloc(n, sizeof *outputs);
-                failed = outputs == NULL || em_unit_outputs(unit, outputs);
-            }
-            if (!failed) value[k] = outputs[reference[k] - given];
-        } else {
-            failed = em_words_of_no_reference(reference[k], unit->words);
-        }
+/* *value <- a number that follows from the state; calculated, known: memory of all of these, and of which groups are
+ * there. 0, or -1 and words. */
+static int em_unit_find(em_unit *unit, size_t reference, double *calculated, int *known, double *value) {
+    size_t first[EM_GROUPS + 1];
+    em_unit_groups(unit->model, first);
+    for (int group = 0; group < EM_GROUPS; ++group) {
+        if (reference >= first[group + 1]) continue;
+        double *const out = calculated + (first[group] - first[0]);
+        if (!(*known >> group & 1) && em_unit_calculate(unit, group, out)) return -1;
+        *known |= 1 << group;
+        *value = calculated[reference - first[0]];
+        return 0;
     }
-    free(outputs);
+    return em_words_of_no_reference((unsigned)reference, unit->words);
+}
+
+/* value (count) <- numbers by their references. 0, or -1 and words. */
+static int em_unit_read(em_unit *unit, const unsigned *reference, size_t count, double *value) {
+    const em_model *const m = unit->model;
+    const size_t given = em_unit_given(m);
+    double *const calculated = calloc((size_t)(m->n_outputs + m->n + m->n_events) + 1, sizeof *calculated);
+    const em_fault none = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    int known = 0, failed = 0;
+    if (calculated == NULL) return em_unit_fail(unit, &none, em_unit_time(unit));
+    for (size_t k = 0; k < count && !failed; ++k) {
+        if (reference[k] < given) value[k] = em_unit_number(unit, reference[k]);
+        else failed = em_unit_find(unit, reference[k], calculated, &known, &value[k]);
+    }
+    free(calculated);
     return failed ? -1 : 0;
 }
 
@@ -263,6 +340,72 @@ static int em_unit_advance(em_unit *unit, double t) {
     return em_unit_fail(unit, &unit->stepper->run.fault, unit->stepper->t);
 }
 
+/* --- as it flows: its 2 n states are x, v --- */
+
+/* From here on it flows. */
+static void em_unit_let_flow(em_unit *unit) {
+    em_unit_close(unit);
+    unit->flows = 1;
+}
+
+/* The words of a fault as it flows. -1 */
+static int em_unit_stray(em_unit *unit, const em_fault *fault) { return em_unit_fail(unit, fault, em_unit_time(unit)); }
+
+static int em_unit_set_time(em_unit *unit, double t) {
+    if (em_unit_open(unit)) return -1;
+    *unit->flow->t = t;
+    return 0;
+}
+
+/* 0, or -1 and words. */
+static int em_unit_set_states(em_unit *unit, const double *states) {
+    const int n = unit->model->n;
+    em_fault fault = {EM_NON_FINITE_STATE, -1, -1, NAN};
+    if (em_unit_open(unit)) return -1;
+    for (int k = 0; k < 2 * n; ++k)
+        if (!isfinite(states[k])) return fault.first = k % n, em_unit_stray(unit, &fault);
+    em_unit_copy(unit->flow->x, states, 2 * n);
+    return 0;
+}
+
+static int em_unit_states(em_unit *unit, double *states) {
+    if (em_unit_open(unit)) return -1;
+    em_unit_copy(states, unit->flow->x, 2 * unit->model->n);
+    return 0;
+}
+
+/* rates (2 n) <- v and its rates. 0, or -1 and words. */
+static int em_unit_rates(em_unit *unit, double *rates) {
+    const int n = unit->model->n;
+    em_fault fault;
+    if (em_unit_open(unit)) return -1;
+    em_unit_copy(rates, unit->flow->v, n);
+    return em_flow_rates(unit->flow, em_unit_u(unit), rates + n, &fault) ? em_unit_stray(unit, &fault) : 0;
+}
+
+/* g (n_events) <- the event functions. 0, or -1 and words. */
+static int em_unit_indicators(em_unit *unit, double *g) {
+    em_fault fault;
+    if (em_unit_open(unit)) return -1;
+    return em_flow_events(unit->flow, em_unit_u(unit), g, &fault) ? em_unit_stray(unit, &fault) : 0;
+}
+
+/* *event <- whether an event has to be handled after a step. 0, or -1 and words. */
+static int em_unit_accepted(em_unit *unit, int *event) {
+    em_fault fault;
+    if (em_unit_open(unit)) return -1;
+    *event = em_flow_accepted(unit->flow, em_unit_u(unit), &fault);
+    return *event < 0 ? em_unit_stray(unit, &fault) : 0;
+}
+
+/* Handles events; *changed <- whether x, v are others now. 0, or -1 and words. */
+static int em_unit_update(em_unit *unit, int *changed) {
+    em_fault fault;
+    if (em_unit_open(unit)) return -1;
+    *changed = em_flow_update(unit->flow, em_unit_u(unit), &fault);
+    return *changed < 0 ? em_unit_stray(unit, &fault) : 0;
+}
+
 /* --- all of it in one block of memory that can be moved --- */
 
 typedef struct em_unit_state {
@@ -270,18 +413,25 @@ typedef struct em_unit_state {
     double t_start, rtol;
 } em_unit_state;
 
-static size_t em_unit_size(const em_unit *unit) {
+/* Bytes of the motion itself. */
+static size_t em_unit_motion(const em_unit *unit) {
     const em_model *m = unit->model;
-    return sizeof(em_unit_state) + em_unit_given(m) * sizeof(double) + m->saved() + (size_t)m->n_inputs * sizeof(double);
+    if (unit->flows) return em_flow_count(m) * sizeof(double);
+    return m->saved() + (size_t)m->n_inputs * sizeof(double);
+}
+
+static size_t em_unit_size(const em_unit *unit) {
+    return sizeof(em_unit_state) + em_unit_given(unit->model) * sizeof(double) + em_unit_motion(unit);
 }
 
 static void em_unit_save(const em_unit *unit, void *saved) {
     const size_t numbers = em_unit_given(unit->model) * sizeof(double);
-    const em_unit_state state = {unit->steps, unit->stepper != NULL, unit->t_start, unit->rtol};
+    const em_unit_state state = {unit->steps, em_unit_is_open(unit), unit->t_start, unit->rtol};
     char *const place = saved;
     memcpy(place, &state, sizeof state);
     memcpy(place + sizeof state, unit->given, numbers);
-    if (state.open) em_stepper_save(unit->stepper, place + sizeof state + numbers);
+    if (unit->flow != NULL) memcpy(place + sizeof state + numbers, unit->flow->numbers, em_unit_motion(unit));
+    else if (state.open) em_stepper_save(unit->stepper, place + sizeof state + numbers);
 }
 
 /* 0, or -1 and words. */
@@ -297,7 +447,8 @@ static int em_unit_restore(em_unit *unit, const void *saved) {
     unit->rtol = state.rtol;
     if (!state.open) return 0;
     if (em_unit_open(unit)) return -1;
-    em_stepper_restore(unit->stepper, place + sizeof state + numbers);
+    if (unit->flow != NULL) memcpy(unit->flow->numbers, place + sizeof state + numbers, em_unit_motion(unit));
+    else em_stepper_restore(unit->stepper, place + sizeof state + numbers);
     return 0;
 }
 

@@ -1,45 +1,33 @@
-"""Export of a model as a Functional Mock-up Unit (FMI 2.0, co-simulation).
+"""Export of a model as a Functional Mock-up Unit (FMI 2.0 or 3.0; co-simulation and model exchange).
 
-The file contains the generated C with all headers, so that it can be compiled again, the description of its variables,
-and a binary for this platform. Its numbers are set by name. It is a stepper (em_control.h), or inverse dynamics.
+Its numbers are set by name. It is a stepper (em_control.h), a motion that the importing tool integrates, or inverse
+dynamics.
 """
 
-import platform
-import re
-import sys
 from collections.abc import Iterable, Mapping
-from functools import cache
-from io import BytesIO
 from os import PathLike
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
-from xml.sax.saxutils import quoteattr
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
-from ..building.build import cached_sources, system_of
-from ..building.cache import key
+from ..building.build import system_of
 from ..building.request import Request, request
-from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
 from ..codegen.model.normalise import shown
 from ..files import write
 from .inverse_unit import inverse_unit
+from .labels import labelled
 from .motion_unit import motion_unit, stepping_of
-from .unit import Content, Unit
+from .packing import VERSIONS, packed
+from .unit import Content
 
-_HERE = Path(__file__).parent
-_HEADERS = ("em_fmi2.h", "em_unit_words.h", "em_fmu.h")
 _STEPPING = {"method": "dop853", "rtol": 1e-6, "atol": 1e-9, "step": None}
-_WHEN = (1980, 1, 1, 0, 0, 0)  # date of all files in the zip, so that the same model gives the same bytes
 
 
 def export_fmu(
     model: Model | str | PathLike[str],
     path: str | PathLike[str],
     *,
+    fmi: int = 2,
     formulation: str | None = None,
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
@@ -49,12 +37,16 @@ def export_fmu(
     step: float | None = None,
     inverse_dynamics: Mapping[Any, float] | Iterable[Any] | None = None,
     motion: Iterable[Any] | None = None,
+    units: Mapping[Any, str] | None = None,
+    descriptions: Mapping[Any, str] | None = None,
     **keywords: Any,
 ) -> Path:
-    """Write a model as a Functional Mock-up Unit (FMI 2.0, co-simulation), with its C inside; return the path.
+    """Write a model as a Functional Mock-up Unit, with its C inside; return the path.
 
-    Parameters of the model, and coordinates and rates (`der(theta)`) at the start, can be set. Inputs are constant
-    during a communication step. Coordinates, rates and the model's outputs are outputs.
+    Parameters of the model, and coordinates and rates (`der(theta)`) at the start, can be set. Coordinates, rates and
+    the model's outputs are outputs. The unit is for co-simulation, in which it steps by itself and inputs are constant
+    during a communication step, and for model exchange, in which the importing tool integrates its states. Models with
+    contacts, frictions or changes at certain times are for co-simulation only.
 
     Parameters
     ----------
@@ -62,21 +54,30 @@ def export_fmu(
         A Model, or the file that defines one; `keywords` are arguments of the file's function.
     path
         FILE.fmu
+    fmi
+        The version of FMI, 2 or 3.
     method, step
         A compiled method of `simulate`, or one of fixed step of `System.stepper`, and its step [s].
     rtol, atol
-        If the importing tool sets a tolerance, it replaces rtol, and atol is scaled by the same factor.
+        If the importing tool sets a tolerance, it replaces rtol, and atol is scaled by the same factor. In model
+        exchange, constraints are restored where they have drifted by a tenth of these.
     inverse_dynamics
         Names of actuators, as in `System.inverse_dynamics`, for a unit that gives their forces for a motion: positions,
         rates and accelerations of coordinates are inputs. Nothing is integrated.
     motion
         The coordinates of that motion, as many as there are degrees of freedom, or all. Default: all or, with
         constraints, those of the actuators. The others follow from the constraints.
+    units
+        Physical units of variables, name -> unit: a product such as N*m, kg*m^2 or rad/s. Those of rates follow from
+        those of coordinates.
+    descriptions
+        Descriptions of variables, name -> text.
 
     Raises
     ------
     ModelError
-        A mistake in the model or the options, or two variables of the unit would have the same name.
+        A mistake in the model or the options; a unit or a description of no variable; or two variables of the unit
+        would have the same name.
     BuildError
         There is no compiler, or it failed.
 
@@ -89,20 +90,27 @@ def export_fmu(
     """
     requested = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     target = _target(path)
-    if inverse_dynamics is None:
-        if motion is not None:
-            raise ModelError("motion= is for units of inverse dynamics: give inverse_dynamics=, their actuators, too")
-        stepping = stepping_of(method, rtol, atol, step)
-        content = motion_unit(system_of(requested), stepping)
-    else:
-        _check_steps_by_default(method=method, rtol=rtol, atol=atol, step=step)
-        content = inverse_unit(system_of(requested), inverse_dynamics, motion)
-    unit = packed(requested, content)
+    if fmi not in VERSIONS:
+        raise ModelError(f"fmi is {shown(fmi)}: give the version of FMI, 2 or 3")
+    stepping = {"method": method, "rtol": rtol, "atol": atol, "step": step}
+    content = _content(requested, stepping, inverse_dynamics, motion)
+    unit = packed(requested, labelled(content, units, descriptions), fmi)
     try:
         write(target, unit)
     except OSError as error:
         raise ModelError(f"{target}: nothing can be written there ({error.strerror})") from error
     return target
+
+
+def _content(requested: Request, stepping: dict[str, Any], inverse_dynamics: Any, motion: Any) -> Content:
+    """Return the content of a unit that moves, or of one of inverse dynamics."""
+    if inverse_dynamics is not None:
+        _check_steps_by_default(**stepping)
+        return inverse_unit(system_of(requested), inverse_dynamics, motion)
+    if motion is not None:
+        raise ModelError("motion= is for units of inverse dynamics: give inverse_dynamics=, their actuators, too")
+    checked = stepping_of(**stepping)
+    return motion_unit(system_of(requested), checked)
 
 
 def _check_steps_by_default(**stepping: Any) -> None:
@@ -120,90 +128,3 @@ def _target(path: object) -> Path:
     if target.is_dir():
         raise ModelError(f"{target} is a folder: give the name of a file")
     return target
-
-
-def packed(requested: Request, content: Content) -> bytes:
-    """Return the unit's bytes: the same for the same model, options and compiler."""
-    texts = {file.name: file.text for file in cached_sources(requested).files if not file.name.endswith(".pyx")}
-    texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h"))}
-    texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in (*_HEADERS, *content.headers)}
-    texts = {name: _side_by_side(text) for name, text in texts.items()}
-    unit = _unit(system_of(requested).name, texts, content)
-    texts[f"{unit.name}_fmu.c"] = _template("unit.c.jinja", unit)
-    files = {"modelDescription.xml": _template("modelDescription.xml.jinja", unit).encode()}
-    files |= {f"sources/{name}": text.encode() for name, text in sorted(texts.items())}
-    files[f"binaries/{_platform()}/{unit.name}{_suffix()}"] = _binary(unit, texts)
-    archived = BytesIO()
-    with ZipFile(archived, "w") as archive:
-        for name, data in files.items():
-            archive.writestr(ZipInfo(name, _WHEN), data, ZIP_DEFLATED)
-    return archived.getvalue()
-
-
-def _side_by_side(text: str) -> str:
-    """Return C with includes from its own folder, where importing tools expect headers."""
-    return re.sub(r'^#include "\w+/(\w+\.h)"', r'#include "\1"', text, flags=re.MULTILINE)
-
-
-def _unit(name: str, texts: Mapping[str, str], content: Content) -> Unit:
-    for variable in content.variables:
-        _check_xml(name, variable.name)
-    places = {v.name: k for k, v in enumerate(content.variables, 1)}
-    if len(places) < len(content.variables):
-        raise ModelError(f"{name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
-                         "own, outputs too")  # fmt: skip
-    digest = key(*(text for _, text in sorted(texts.items())), content.options, *map(repr, content.constants))
-    return Unit(
-        name=name,
-        guid="{" + "-".join(digest[a:b] for a, b in ((0, 8), (8, 12), (12, 16), (16, 20), (20, 32))) + "}",
-        sources=(f"{name}.c", f"{name}_fmu.c"),
-        content=content,
-        outputs=tuple(places[v.name] for v in content.variables if v.causality == "output"),
-        initial=tuple(places[v.name] for v in content.variables if v.initial in ("approx", "calculated")),
-    )
-
-
-def _check_xml(model: str, name: str) -> None:
-    """Raise ModelError for a name that XML cannot represent: with control characters, tabs or line ends."""
-    if any(ord(one) < 32 or 127 <= ord(one) < 160 or one in "\ufffe\uffff" for one in name):
-        raise ModelError(
-            f"{model}: {name!r} has a character that the description of a unit, which is XML, cannot hold. Rename it."
-        )
-
-
-@cache
-def _templates() -> Environment:
-    environment = Environment(
-        loader=PackageLoader(__package__, "."), undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
-        keep_trailing_newline=True, autoescape=False,
-    )  # fmt: skip
-    environment.filters["attribute"] = quoteattr
-    return environment
-
-
-def _template(name: str, unit: Unit) -> str:
-    return _templates().get_template(name).render(unit=unit)
-
-
-def _binary(unit: Unit, texts: Mapping[str, str]) -> bytes:
-    """Return the compiled unit, for any processor of this architecture, since it may run on other machines."""
-    tools = toolchain()
-    ours = tuple(flag for flag in tools.optimised if flag != "-march=native")
-    flags = (*STANDARD, *ours, *SHARED, *LINK, "-w", *tools.flags)
-    with TemporaryDirectory() as place:
-        work = Path(place)
-        for name, text in texts.items():
-            (work / name).write_text(text, encoding="utf-8")
-        target = f"{unit.name}{_suffix()}"
-        run((*tools.command, *flags, "-I.", *unit.sources, "-lm", "-o", target), work)
-        return (work / target).read_bytes()
-
-
-def _platform() -> str:
-    """Return the folder of the binary, as FMI 2.0 names platforms."""
-    system = {"darwin": "darwin", "win32": "win"}.get(sys.platform, "linux")
-    return f"{system}{'64' if platform.architecture()[0] == '64bit' else '32'}"
-
-
-def _suffix() -> str:
-    return ".dylib" if sys.platform == "darwin" else ".so"

@@ -46,12 +46,13 @@ def inverse_unit(system: "System", actuators: Any, motion: Any) -> Content:
     given = _given(c, of, motion)
     _check_freedoms(system, of, given)
     return Content(
-        headers=("em_branch.h", "em_inverse_unit.h"),
+        headers=("em_branch.h", "em_no_flow.h", "em_inverse_unit.h"),
         variables=tuple(_variables(system, of, given)),
         constants=tuple(_constants(system, of, given)),
         options=f"{{{len(of.names)}, on_coordinates, by_inputs, {'weights' if of.weights else 'NULL'}}}, is_given, "
         "initial_velocities",
         rtol=None,
+        co_simulation_only="inverse dynamics integrates nothing, and has no states",
     )
 
 

@@ -10,9 +10,10 @@ from eigenmotion.casadi.export import export_casadi
 from eigenmotion.fmu.export import export_fmu
 from eigenmotion.progress import clock
 
-from ..options import ABOVE_ZERO, assignments, check_file, check_targets, listed, model, shaping
+from ..options import ABOVE_ZERO, assignments, check_file, check_targets, distinct_assignments, listed, model, shaping
 
 _OF_CASADI = ("parameters", "prefix")
+_SPELLED = {"motion": "path", "units": "unit", "descriptions": "describe"}
 _OF_BOTH = ("model", "fmu", "casadi", "define", "formulation")
 
 
@@ -22,6 +23,12 @@ _OF_BOTH = ("model", "fmu", "casadi", "define", "formulation")
               help="The Functional Mock-up Unit to write.")  # fmt: skip
 @click.option("--casadi", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE.so|FILE.c",
               help="The external functions of CasADi to write: compiled, or one C file.")  # fmt: skip
+@click.option("--fmi", type=click.Choice(["2", "3"]), default="2", show_default=True,
+              help="Version of the Functional Mock-up Interface: 2.0 or 3.0.")  # fmt: skip
+@click.option("--unit", "units", multiple=True, metavar="NAME=UNIT",
+              help="The physical unit of a variable: theta=rad, m=kg, u=N*m; those of rates follow.")  # fmt: skip
+@click.option("--describe", "descriptions", multiple=True, metavar="NAME=TEXT",
+              help="The description of a variable.")  # fmt: skip
 @click.option("--method", type=click.Choice(list(STEPPED)), default="dop853", show_default=True,
               help="Integration method of the unit.")  # fmt: skip
 @click.option("--step", type=ABOVE_ZERO, metavar="H", help="Step size in seconds, for rk4 and midpoint.")
@@ -41,9 +48,9 @@ _OF_BOTH = ("model", "fmu", "casadi", "define", "formulation")
 def command(model: Path, fmu: Path | None, casadi: Path | None, **options: Any) -> None:
     """Export MODEL for other tools: as a Functional Mock-up Unit, or as functions for CasADi.
 
-    A unit (FMI 2.0, co-simulation, with its C sources and a binary) moves by forces; with --inverse it gives the forces
-    of a motion. Functions for CasADi are accelerations, rates of the state, inverse dynamics and outputs, with exact
-    sparse Jacobians.
+    A unit, with its C sources and a binary, is for co-simulation and, without contacts and frictions, for model
+    exchange. It moves by forces; with --inverse it gives the forces of a motion, in co-simulation only. Functions for
+    CasADi are accelerations, rates of the state, inverse dynamics and outputs, with exact sparse Jacobians.
     """
     if (fmu is None) == (casadi is None):
         raise click.UsageError("give --fmu FILE.fmu or --casadi FILE.so")
@@ -61,16 +68,20 @@ def _refuse(kind: str, names: list[str]) -> None:
     context = click.get_current_context()
     for name in names:
         if context.get_parameter_source(name) is not click.core.ParameterSource.DEFAULT:
-            option = "path" if name == "motion" else name.replace("_", "-")
+            option = _SPELLED.get(name, name.replace("_", "-"))
             raise click.UsageError(f"--{option} has no use with {kind}")
 
 
 def _unit(model: Path, fmu: Path, options: dict[str, Any], given: dict[str, str]) -> None:
     check_file(fmu, "--fmu")
     inverse, motion = (listed(options.pop(name)) for name in ("inverse", "motion"))
+    fmi = options.pop("fmi")
+    labels = {
+        name: distinct_assignments(options.pop(name), f"--{_SPELLED[name]}") for name in ("units", "descriptions")
+    }
     with clock():
-        export_fmu(model, fmu, inverse_dynamics=inverse, motion=motion, **options | given)
-    click.echo(f"wrote {fmu} ({fmu.stat().st_size / 1e3:.0f} kB); import it in any tool that speaks FMI 2.0")
+        export_fmu(model, fmu, fmi=int(fmi), inverse_dynamics=inverse, motion=motion, **labels, **options | given)
+    click.echo(f"wrote {fmu} ({fmu.stat().st_size / 1e3:.0f} kB); import it in any tool that speaks FMI {fmi}.0")
 
 
 def _functions(model: Path, casadi: Path, options: dict[str, Any], given: dict[str, str]) -> None:
