@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from .analysis.identification.identifiable import identifiable as identifiable
     from .analysis.identification.regressor import Regressor as Regressor
     from .analysis.linear.linearization import Linearization as Linearization
+    from .analysis.lyapunov.exponents import Lyapunov as Lyapunov
+    from .analysis.lyapunov.lyapunov import lyapunov as lyapunov
     from .arguments.sampled import Sampled as Sampled
     from .arguments.signals import Signal as Signal
     from .batch.simulate_ensemble import simulate_ensemble as simulate_ensemble
@@ -75,6 +77,7 @@ _HOME = {
     "Friction": ".codegen.model",
     "Identifiable": ".analysis.identification.identifiable",
     "Linearization": ".analysis.linear.linearization",
+    "Lyapunov": ".analysis.lyapunov.exponents",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "MotionFit": ".analysis.fitting.motion_fit",
@@ -106,6 +109,7 @@ _HOME = {
     "load_mjcf": ".robots.load",
     "load_model": ".building.model_file",
     "load_urdf": ".robots.load",
+    "lyapunov": ".analysis.lyapunov.lyapunov",
     "multiplier": ".codegen.model",
     "read_mjcf": ".robots.load",
     "read_urdf": ".robots.load",

@@ -148,6 +148,12 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.equilibrium",
         "analysis.cycles",
     ),
+    "analysis.lyapunov": (
+        "codegen.model.normalise",
+        "arguments",
+        "compiled",
+        "analysis.cycles",
+    ),
     "analysis.fitting": (
         "codegen.model.normalise",
         "progress",

@@ -124,14 +124,20 @@ def _period(problem: Problem, period: Any) -> float:
 
 def _problem(system: CompiledSystem, start: tuple[Any, Any], t: float, given: tuple[Any, Any], symmetry: Any,
              options: dict[str, Any], limits: tuple[float, int]) -> tuple[Problem, Vector]:  # fmt: skip
+    problem, q = problem_of(system, start, t, given, options)
+    stated = symmetry_of(system.compiled, problem.prepared, symmetry)
+    return replace(problem, symmetry=stated, rtol=limits[0], count=Count(limits[1])).with_tolerance(limits[0], None), q
+
+
+def problem_of(system: CompiledSystem, start: tuple[Any, Any], t: float, given: tuple[Any, Any],
+               options: dict[str, Any]) -> tuple[Problem, Vector]:  # fmt: skip
+    """Return the problem of motions from a start (x0, v0) with given parameters and inputs, and the start (2 n,)."""
     prepared = system.prepare_both(*given)[0]
     x, v = (each.copy() for each in system.begin(*start, t, prepared))
     if system.m:
         x[: system.n], v[: system.n] = assemble(system, *start, t=t, parameters=prepared)
-    problem = Problem(
-        system, *given, prepared, t, symmetry_of(system.compiled, prepared, symmetry), False, options, limits[0],
-        Count(limits[1]),
-    ).with_tolerance(limits[0], None)  # fmt: skip
+    symmetry = symmetry_of(system.compiled, prepared, None)
+    problem = Problem(system, *given, prepared, t, symmetry, False, options, options.get("rtol", 0.0), Count(10**9))
     q = np.concatenate([x, v])
     q[system.compiled.n_coordinates : system.compiled.n] = 0.0
     return problem, q
