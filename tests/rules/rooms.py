@@ -334,6 +334,8 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.linear",
         "analysis.driving",
         "analysis.equilibrium",
+        "analysis.cycles",
+        "analysis.continuation",
         "batch",
         "batch.sweep",
         "system",

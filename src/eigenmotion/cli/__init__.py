@@ -19,6 +19,7 @@ COMMANDS = {
     "linearize": "Show the eigenvalues and modes of a model at a state.",
     "drive": "Find the forces that drive a model along a prescribed motion.",
     "equilibrium": "Find an equilibrium of a model.",
+    "cycle": "Find a periodic motion of a model, and follow it along a parameter.",
     "new": "Write a model file to start from.",
     "export": "Export a model as a Functional Mock-up Unit (FMI) for other tools.",
     "page": "Write an interactive web page that simulates a model in the browser.",
@@ -26,7 +27,7 @@ COMMANDS = {
     "stability": "Run extreme cases with every formulation and method.",
     "cache": "Show or clear the cache of compiled models.",
 }
-_SIMULATION = ("run", "sweep", "linearize", "equilibrium", "drive", "report", "stability")
+_SIMULATION = ("run", "sweep", "linearize", "equilibrium", "cycle", "drive", "report", "stability")
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 
 EPILOG = """\b
