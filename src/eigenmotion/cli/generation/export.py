@@ -76,11 +76,10 @@ def _unit(model: Path, fmu: Path, options: dict[str, Any], given: dict[str, str]
     check_file(fmu, "--fmu")
     inverse, motion = (listed(options.pop(name)) for name in ("inverse", "motion"))
     fmi = options.pop("fmi")
-    labels = {
-        name: distinct_assignments(options.pop(name), f"--{_SPELLED[name]}") for name in ("units", "descriptions")
-    }
+    for name in ("units", "descriptions"):
+        options[name] = distinct_assignments(options[name], f"--{_SPELLED[name]}")
     with clock():
-        export_fmu(model, fmu, fmi=int(fmi), inverse_dynamics=inverse, motion=motion, **labels, **options | given)
+        export_fmu(model, fmu, fmi=int(fmi), inverse_dynamics=inverse, motion=motion, **options | given)
     click.echo(f"wrote {fmu} ({fmu.stat().st_size / 1e3:.0f} kB); import it in any tool that speaks FMI {fmi}.0")
 
 
