@@ -234,6 +234,46 @@ def test_stick_and_slip_on_a_belt():
     assert abs(cycle.multipliers[0]) < 1e-9
 
 
+def test_bristles_stick_and_slip():
+    """LuGre friction on a belt, stiff; SciPy's Radau with equations of its own comes back after the same period."""
+    cycle = em.find_cycle(system_of("lugre_oscillator", "lagrange"), x0={"x": 1.0}, v0={"x": 0.1}, period=7.0,
+                          method="radau9", rtol=1e-9)  # fmt: skip
+    assert cycle.success
+    assert cycle.stable is True
+
+    def rates(_: float, s: np.ndarray) -> list[float]:
+        slip = 0.1 - s[1]
+        bend = slip - 1e5 * abs(slip) * s[2] / (1.0 + 0.5 * np.exp(-((slip / 1e-3) ** 2)))
+        return [s[1], -2 * s[0] + 1e5 * s[2] + 1e5**0.5 * bend + 0.4 * slip, bend]
+
+    start = [cycle.x0["x"], cycle.v0["x"], cycle.x0["z"]]
+    end = solve_ivp(rates, (0, cycle.period), start, method="Radau", rtol=1e-9, atol=1e-13).y[:, -1]
+    assert end == pytest.approx(start, rel=1e-5)
+
+
+def test_a_block_leaves_a_table_and_rests_again():
+    """It leaves where the table's acceleration is -g, lands without bouncing, and forgets: multipliers are 0."""
+    table = a * sin(w * em.t)
+    block = Model(name="block_on_table", coordinates=[z], kinetic_energy=z.diff() ** 2 / 2, potential_energy=g * z,
+                  parameters={g: 9.81, a: 0.015, w: 30.0}, contacts={"table": em.Contact(z - table)})  # fmt: skip
+    period, size, rate = 2 * np.pi / 30.0, 0.015, 30.0
+    leaves = np.arcsin(9.81 / (size * rate**2)) / rate
+
+    def gap(t: float) -> float:
+        flies = size * np.sin(rate * leaves) + size * rate * np.cos(rate * leaves) * (t - leaves)
+        return float(flies - 9.81 * (t - leaves) ** 2 / 2 - size * np.sin(rate * t))
+
+    lands = brentq(gap, leaves + 0.05, leaves + 0.95 * period, xtol=1e-15)
+    start = 0.5 * (leaves + lands)  # in the air
+    height = gap(start) + size * np.sin(rate * start)
+    cycle = em.find_cycle(system_for(block, "lagrange"), x0={"z": height + 1e-3}, v0={"z": 0.0}, period=period, t=start)
+    speed = size * rate * np.cos(rate * leaves) - 9.81 * (start - leaves)
+    assert cycle.success
+    assert [cycle.x0["z"], cycle.v0["z"]] == pytest.approx([height, speed], abs=1e-10)
+    assert np.abs(cycle.multipliers).max() < 1e-9
+    assert cycle.solution.t_events[0][0] == pytest.approx(lands, abs=1e-10)
+
+
 def test_equilibria_are_no_cycles():
     with pytest.raises(ModelError, match="nothing moves, it is an equilibrium"):
         em.find_cycle(system_of("pendulum", "lagrange"), x0={"theta": 0.0})

@@ -163,23 +163,39 @@ def _searched(problem: Problem, q: Vector, guess: float | None, section: Any, fr
 
 def _closed(problem: Problem, where: Section, unknowns: Unknowns, first: Return, guessed: bool) -> Cycle:
     """Return the cycle near a motion, or else near what the motion has become some periods later."""
-    here, later = first, 0
+    here, later, count = first, 0, problem.count
+    share = max(1, count.most // (_AGAIN + 1))
+    count.until = count.runs + share
     found = converged(problem, where, unknowns, here)
     while found.failure and later < _LATER * _AGAIN and not unknowns.kept:
+        count.until = count.most
         try:
-            for _ in range(_LATER):
-                here = returned(
-                    problem, where, problem.symmetry.back(here.end, here.q, problem.free_advance), here.period
-                )
+            here = _later(problem, where, here)
         except NoReturnError:
             break
         later += _LATER
+        count.until = count.most if later == _LATER * _AGAIN else count.runs + share
         found = converged(problem, where, unknowns, here)
+    count.until = count.most
     if guessed and where.event is None and not found.failure and not problem.symmetry.stated:
         found = _shortest(problem, where, unknowns, found)
     return judged(
         Search(problem, where, unknowns), found, f"; the motion from x0, v0, {later} periods later" if later else ""
     )
+
+
+def _later(problem: Problem, where: Section, here: Return) -> Return:
+    """Return the motion some periods later."""
+    if where.event is not None:
+        for _ in range(_LATER):
+            q = problem.symmetry.back(here.end, here.q, problem.free_advance)
+            here = returned(problem, where, q, here.period)
+        return here
+    q, period = here.q, here.period
+    for _ in range(_LATER):
+        end = problem.rows(run(problem, q, problem.t + period))[-1]
+        q = problem.symmetry.back(end, q, problem.free_advance)
+    return returned(problem, where, q, period)
 
 
 def _shortest(problem: Problem, where: Section, unknowns: Unknowns, found: Found) -> Found:

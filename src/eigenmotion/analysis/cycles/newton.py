@@ -160,7 +160,7 @@ def _shorter(
             if nearer and size(problem, there) <= _WORSE * size(problem, here):
                 return there, ""
             failure = far
-        if problem.count.runs >= problem.count.most:
+        if problem.count.spent:
             return None, f"{problem.count.most} runs were not enough; begin nearer, or give max_runs"
         part *= 0.5
     return None, failure

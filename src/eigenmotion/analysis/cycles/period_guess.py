@@ -4,12 +4,15 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
+from ...results.solution import Solution
 from ...runtime import StopReason
 from .periodic_problem import Problem
 from .returns import NoReturnError, Section, firings, run
 
 _ROWS = 400
 _DOUBLINGS = 12
+_MOST_DOUBLINGS, _CHEAP = 40, 1000
+"""Where a motion is much slower than its fastest time constant, the search goes on while runs take few steps."""
 _NEAR = 0.1
 """Distance of a return, relative to the extent of the motion, that ends the search."""
 
@@ -24,34 +27,35 @@ def first_motion(problem: Problem, section: Section, q: Vector) -> tuple[Vector,
     """
     ahead = 10.0 * problem.point(q, problem.t, problem.prepared).time
     best: tuple[float, float] | None = None
-    for _ in range(_DOUBLINGS):
+    for k in range(_MOST_DOUBLINGS):
+        times = {} if section.event is not None else {"t_eval": np.linspace(problem.t, problem.t + ahead, _ROWS)}
         try:
+            solution = run(problem, q, problem.t + ahead, **times)
             if section.event is not None:
-                found = _of_event(problem, section, q, ahead)
+                found = _of_event(problem, section, q, solution)
                 if found is not None:
                     return *found, section
             else:
-                one = _nearest(problem, section, q, ahead)
+                one = _nearest(problem, section, q, solution)
                 if one is not None and (best is None or one[0] < 0.5 * best[0]):
                     best = one
                 if best is not None and best[0] <= _NEAR:
                     return q, best[1], section
         except NoReturnError as error:
             raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not return: {error}") from error
+        if k >= _DOUBLINGS - 1 and (best is not None or solution.nsteps > _CHEAP):
+            break
         ahead *= 2.0
     if best is not None:
         return q, best[1], section
     name = problem.c.events[section.event] if section.event is not None else None
     what = f"event {name!r} does not happen" if name else "the motion does not return"
-    raise ModelError(
-        f"{problem.c.name}: {what} within {ahead / 2:.3g} s of the start. Give the period, or another start"
-    )
+    raise ModelError(f"{problem.c.name}: {what} within {ahead:.3g} s of the start. Give the period, or another start")
 
 
-def _of_event(problem: Problem, section: Section, q: Vector, ahead: float) -> tuple[Vector, float] | None:
+def _of_event(problem: Problem, section: Section, q: Vector, solution: Solution) -> tuple[Vector, float] | None:
     """Return a start and a period, or None if the event does not happen often enough."""
     assert section.event is not None
-    solution = run(problem, q, problem.t + ahead)
     times, acts = firings(problem, solution, section.event, 0.0), problem.c.acting[section.event]
     if len(times) < section.times + (not acts):
         if solution.stop is StopReason.TERMINAL_EVENT:
@@ -63,13 +67,12 @@ def _of_event(problem: Problem, section: Section, q: Vector, ahead: float) -> tu
     return there, float(times[section.times] - times[0])
 
 
-def _nearest(problem: Problem, section: Section, q: Vector, ahead: float) -> tuple[float, float] | None:
+def _nearest(problem: Problem, section: Section, q: Vector, solution: Solution) -> tuple[float, float] | None:
     """Return the relative distance and the period of the nearest return, the first of equals, or None."""
-    solution = run(problem, q, problem.t + ahead, t_eval=np.linspace(problem.t, problem.t + ahead, _ROWS))
     rows, own = problem.rows(solution), problem.own
     if (np.ptp(rows, axis=0)[own] <= 1e-9 * np.abs(rows).max(axis=0)[own]).all():
         raise NoReturnError("nothing moves, it is an equilibrium")
-    scale = problem.scales(rows, problem.t, ahead)
+    scale = problem.scales(rows, problem.t, float(solution.t[-1]) - problem.t)
     scale[: problem.c.n] = np.maximum(np.ptp(rows, axis=0), 1e-300)[: problem.c.n]
     there = ((rows - problem.symmetry(q)) / scale)[:, own]
     flow = (problem.symmetry.G @ problem.flow(q, problem.t, problem.in_mode(solution, problem.t)) / scale)[own]

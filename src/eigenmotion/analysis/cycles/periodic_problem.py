@@ -19,10 +19,16 @@ from .symmetry import Symmetry
 
 @dataclass
 class Count:
-    """Runs so far, and their largest number."""
+    """Runs so far, their largest number, and the number at which the present attempt ends."""
 
     most: int
     runs: int = 0
+    until: int = 10**9
+
+    @property
+    def spent(self) -> bool:
+        """Whether there are no more runs."""
+        return self.runs >= min(self.most, self.until)
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,7 @@ def run(problem: Problem, q: Vector, end: float, **more: Any) -> Solution:
     NoReturnError
         It fails, or there are no more runs.
     """
-    if problem.count.runs >= problem.count.most:
+    if problem.count.spent:
         raise NoReturnError(f"{problem.count.most} runs were not enough; begin nearer, or give max_runs")
     problem.count.runs += 1
     x0, v0 = problem.start(q)
