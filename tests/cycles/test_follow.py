@@ -221,6 +221,32 @@ def test_the_other_branch_of_a_hoop():
         em.follow(low.special[0], "g", to=6)
 
 
+def test_cycles_begin_at_a_hopf_bifurcation():
+    """x'' - (a - x^2) x' + x = 0 is van der Pol's oscillator in units of sqrt(a); it begins as 2 sqrt(a) cos t."""
+    model = Model(name="begins", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[(a - x**2) * x.diff()], parameters={a: -0.5})  # fmt: skip
+    rest = em.follow(em.find_equilibrium(system_for(model, "lagrange"), [0.0]), "a", to=1.0)
+    assert kinds(rest) == ["Hopf"]
+    assert rest.special[0].parameter == pytest.approx(0.0, abs=1e-9)
+    cycles = em.follow(rest.special[0], to=1.0)
+    assert cycles.success
+    assert all(cycles.stable)
+    assert cycles.period[-1] == pytest.approx(6.663286859323130, rel=1e-9)
+    assert cycles.highest["x"][:5] == pytest.approx(2 * np.sqrt(cycles.parameter[:5]), rel=1e-3)
+    assert rest.plot(cycles).axes[0].get_legend() is not None
+
+
+def test_zieglers_column_flutters_with_an_amplitude():
+    """Cycles begin with the frequency of the Hopf bifurcation, by Hurwitz omega^2 = a1 / a3 = 4/9, and are stable."""
+    start = em.find_equilibrium(ziegler(), [0.0, 0.0], parameters={"d": 0.3, "c": 0.1})
+    rest = em.follow(start, "P", to=2.5)
+    cycles = em.follow(rest.special[0], to=2.5)
+    assert cycles.success
+    assert all(cycles.stable)
+    assert cycles.period[0] == pytest.approx(3 * np.pi, rel=1e-4)
+    assert (np.diff(cycles.highest["x2"]) > 0.0).all()
+
+
 def test_wrong_arguments():
     start = em.find_equilibrium(ziegler(), [0.0, 0.0])
     with pytest.raises(ModelError, match="unknown name to follow"):

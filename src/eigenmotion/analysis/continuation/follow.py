@@ -16,7 +16,8 @@ from . import cycle_curve, equilibrium_curve
 from .branch import Branch, Origin, SpecialPoint
 from .cycle_curve import CycleCurve
 from .equilibrium_curve import EquilibriumCurve
-from .indicators import BRANCHING, DOUBLING
+from .indicators import BRANCHING, DOUBLING, HOPF
+from .oscillation import oscillating
 from .path import Node, Path, begun, followed
 from .switching import crossing, doubled
 
@@ -43,7 +44,8 @@ def follow(
     ----------
     start
         A result of `find_equilibrium` or `find_cycle`. Or one of `Branch.special`, to follow the branch that leaves
-        there: at a doubling, cycles of twice the period; at a branch point, the other branch.
+        there: at a Hopf bifurcation, cycles; at a doubling, cycles of twice the period; at a branch point, the other
+        branch.
     name
         The parameter, or an input that is constant; None: that of the branch of a special point.
     to
@@ -163,13 +165,14 @@ def _leaving(point: SpecialPoint, name: Any, ends: tuple[float, float | None], m
     system, curve, by, at = point.origin
     if name is not None and spelled(name) != by:
         raise ModelError(f"{system.name}: the branch of the {point.kind} is along {by}, not {spelled(name)}")
-    if point.kind not in {DOUBLING, BRANCHING}:
-        raise ModelError(
-            f"{system.name}: no branch leaves at a {point.kind} that is followed. Start from another point"
-        )
+    if point.kind not in {DOUBLING, BRANCHING, HOPF}:
+        raise ModelError(f"{system.name}: at a {point.kind}, no branch leaves that can be followed")
     interval = _interval(system, by, point.parameter, ends)
     with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
         along = at.tangent * at.sample.unit
+        if isinstance(curve, EquilibriumCurve) and point.kind == HOPF:
+            cycles, first = oscillating(system, curve, by, at)
+            return _of_cycles(system, by, cycles, followed(cycles, (first,), interval, True, max_steps))
         if isinstance(curve, CycleCurve):
             if point.kind == DOUBLING:
                 curve, at = doubled(curve, at)
