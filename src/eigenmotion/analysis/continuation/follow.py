@@ -10,6 +10,7 @@ from ...arguments.tables import refuse_tables
 from ...codegen.model.normalise import ModelError, number, shown
 from ...compiled.compiled_system import CompiledSystem
 from ..cycles.cycle import Cycle
+from ..cycles.periodic_problem import NO_LIMIT
 from ..cycles.returns import Return
 from ..equilibrium.equilibrium import Equilibrium, balance_of
 from . import cycle_curve, equilibrium_curve
@@ -144,7 +145,7 @@ def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: 
                                   search.problem.prepared)  # fmt: skip
     value = float(signal.u[system.compiled.inputs.index(by)]) if by in system.inputs else start.parameters[by]
     to, back = _interval(system, by, value, ends)
-    search.problem.count.most = 10**9
+    search.problem.count.most = NO_LIMIT
     curve = cycle_curve.curve_of(search, _start(start), start.period, by, abs(to - value))
     first = curve.at(np.concatenate([_start(start), [start.period, value]]))
     path = followed(curve, (begun(curve, first.w, to),), (to, back), True, max_steps)

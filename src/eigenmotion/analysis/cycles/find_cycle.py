@@ -17,7 +17,7 @@ from .cycle import Cycle
 from .judgement import judged
 from .newton import Found, Search, Unknowns, converged, noise
 from .period_guess import first_motion
-from .periodic_problem import Count, Problem
+from .periodic_problem import NO_LIMIT, Count, Problem
 from .returns import NoReturnError, Return, Section, firings, returned, run
 from .stated_period import stated_period
 from .symmetry import symmetry_of
@@ -137,7 +137,7 @@ def problem_of(system: CompiledSystem, start: tuple[Any, Any], t: float, given: 
     if system.m:
         x[: system.n], v[: system.n] = assemble(system, *start, t=t, parameters=prepared)
     symmetry = symmetry_of(system.compiled, prepared, None)
-    problem = Problem(system, *given, prepared, t, symmetry, False, options, options.get("rtol", 0.0), Count(10**9))
+    problem = Problem(system, *given, prepared, t, symmetry, False, options, options.get("rtol", 0.0), Count(NO_LIMIT))
     q = np.concatenate([x, v])
     q[system.compiled.n_coordinates : system.compiled.n] = 0.0
     return problem, q
@@ -168,15 +168,15 @@ def _closed(problem: Problem, where: Section, unknowns: Unknowns, first: Return,
     count.until = count.runs + share
     found = converged(problem, where, unknowns, here)
     while found.failure and later < _LATER * _AGAIN and not unknowns.kept:
-        count.until = count.most
+        count.until = NO_LIMIT
         try:
             here = _later(problem, where, here)
         except NoReturnError:
             break
         later += _LATER
-        count.until = count.most if later == _LATER * _AGAIN else count.runs + share
+        count.until = NO_LIMIT if later == _LATER * _AGAIN else count.runs + share
         found = converged(problem, where, unknowns, here)
-    count.until = count.most
+    count.until = NO_LIMIT
     if guessed and where.event is None and not found.failure and not problem.symmetry.stated:
         found = _shortest(problem, where, unknowns, found)
     return judged(

@@ -17,13 +17,17 @@ from .stated_period import StatedPeriod
 from .symmetry import Symmetry
 
 
+NO_LIMIT = 10**9
+"""Number of runs that is never reached."""
+
+
 @dataclass
 class Count:
     """Runs so far, their largest number, and the number at which the present attempt ends."""
 
     most: int
     runs: int = 0
-    until: int = 10**9
+    until: int = NO_LIMIT
 
     @property
     def spent(self) -> bool:
