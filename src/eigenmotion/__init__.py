@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from .codegen.model import t as t
     from .codegen.model.statement import draw as draw
     from .fmu.export import export_fmu as export_fmu
+    from .gym.gym_env import gym_env as gym_env
     from .results.drive import Drive as Drive
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
@@ -105,6 +106,7 @@ _HOME = {
     "from_mechanics": ".codegen.mechanics",
     "export_casadi": ".casadi.export",
     "export_fmu": ".fmu.export",
+    "gym_env": ".gym.gym_env",
     "identifiable": ".analysis.identification.identifiable",
     "load_mjcf": ".robots.load",
     "load_model": ".building.model_file",

@@ -249,6 +249,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "system",
         "building",
     ),
+    "gym": ("codegen.model.normalise", "arguments", "batch.stepper", "system"),
     "webpage": (
         "codegen.model.normalise",
         "codegen.model.symbolic",
