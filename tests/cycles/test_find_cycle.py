@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from scipy.integrate import quad, solve_ivp
+from scipy.integrate import quad, solve_bvp, solve_ivp
 from scipy.optimize import brentq
 from scipy.special import ellipk
 from sympy import cos, sin, sqrt, symbols
@@ -272,6 +272,36 @@ def test_a_block_leaves_a_table_and_rests_again():
     assert [cycle.x0["z"], cycle.v0["z"]] == pytest.approx([height, speed], abs=1e-10)
     assert np.abs(cycle.multipliers).max() < 1e-9
     assert cycle.solution.t_events[0][0] == pytest.approx(lands, abs=1e-10)
+
+
+def test_an_overturned_pendulum_that_is_shaken():
+    """Deviations grow by 2e8 in a period: in segments; SciPy's boundary-value solver finds the same motion."""
+    model = Model(name="overturned", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=9 * cos(x),
+                  forces=[A * cos(em.t)], parameters={A: 2.0})  # fmt: skip
+    cycle = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.0}, v0={"x": 0.0}, period=2 * np.pi)
+    assert cycle.success
+    assert "segments" in cycle.message
+    assert cycle.stable is False
+    times = np.linspace(0, 2 * np.pi, 101)
+    right = solve_bvp(lambda t, s: [s[1], 9 * np.sin(s[0]) + 2 * np.cos(t)], lambda a, b: a - b, times,
+                      [-0.2 * np.cos(times), 0.2 * np.sin(times)], tol=1e-11, max_nodes=100000)  # fmt: skip
+    assert right.success
+    assert [cycle.x0["x"], cycle.v0["x"]] == pytest.approx(right.y[:, 0], abs=1e-9)
+    assert cycle.closes < 1e-11
+    slope = quad(lambda t: 3 * np.sqrt(np.cos(right.sol(t)[0])), 0, 2 * np.pi, epsabs=1e-10)[0]
+    assert np.log(cycle.multipliers[0].real) == pytest.approx(slope, rel=1e-3)  # as if the rate changed slowly
+
+
+def test_segments_find_what_one_run_finds():
+    one = em.find_cycle(van_der_pol(), x0={"x": 2.0}, v0={"x": 0.0})
+    four = em.find_cycle(van_der_pol(), x0={"x": 2.1}, v0={"x": 0.1}, period=6.5, segments=4)
+    assert four.success
+    assert four.period == pytest.approx(one.period, rel=1e-11)
+    assert four.multipliers == pytest.approx(one.multipliers, rel=1e-8)
+    half = em.find_cycle(van_der_pol(), x0={"x": 2.0}, v0={"x": 0.0}, period=3.3, symmetry={"x": "-x"}, segments=3)
+    assert half.period == pytest.approx(one.period / 2, rel=1e-11)
+    with pytest.raises(ModelError, match="segments is 0"):
+        em.find_cycle(van_der_pol(), x0={"x": 2.0}, segments=0)
 
 
 def test_equilibria_are_no_cycles():

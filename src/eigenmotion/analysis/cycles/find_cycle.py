@@ -19,6 +19,7 @@ from .newton import Found, Search, Unknowns, converged, noise
 from .period_guess import first_motion
 from .periodic_problem import NO_LIMIT, Count, Problem
 from .returns import NoReturnError, Return, Section, firings, returned, run
+from .segments import found_in_segments, number_of_segments
 from .stated_period import stated_period
 from .symmetry import symmetry_of
 from .time_dependence import advancing, check_symmetry, depends_on_time
@@ -28,6 +29,8 @@ _LATER = 10
 """Number of periods after which a search begins again,"""
 _AGAIN = 3
 """and how often."""
+_FEW = 3
+"""Number of segments below which one run is enough."""
 _PARTS = 60
 """Largest number of periods that a guess may have taken for one."""
 
@@ -48,6 +51,7 @@ def find_cycle(
     rtol: float = 1e-11,
     atol: Any = None,
     max_runs: int = 100,
+    segments: int | None = None,
 ) -> Cycle:
     """Return a periodic motion near a guess, by Newton's method with exact derivatives of the runs.
 
@@ -77,7 +81,11 @@ def find_cycle(
     rtol, atol, method
         As in `simulate`; atol is by default rtol times the size of the motion.
     max_runs
-        Number of runs after which the search ends.
+        Number of runs after which the search ends; with segments, of each round.
+    segments
+        Number of segments of a period, whose starts are unknowns, too: for motions from which deviations grow so fast
+        that one run goes astray. None: one, and as many as the growth asks for if that fails. With an event as section,
+        there is one.
 
     Returns
     -------
@@ -114,7 +122,7 @@ def find_cycle(
         guess = None if period is None else _period(problem, period)
         if guess is not None and not guess > 0.0:
             raise ModelError(f"{system.name}: period is {guess:g}. Give a positive time")
-        return _searched(problem, q, guess, section, free)
+        return _searched(problem, q, guess, (section, free, _checked(problem, segments, section)))
 
 
 def _period(problem: Problem, period: Any) -> float:
@@ -143,7 +151,15 @@ def problem_of(system: CompiledSystem, start: tuple[Any, Any], t: float, given: 
     return problem, q
 
 
-def _searched(problem: Problem, q: Vector, guess: float | None, section: Any, free: Any) -> Cycle:
+def _checked(problem: Problem, segments: Any, section: Any) -> int | None:
+    if segments is None or (isinstance(segments, int) and segments >= 1 and str(section) not in problem.c.events):
+        return segments
+    raise ModelError(f"{problem.c.name}: segments is {shown(segments)}. Give a whole number from 1 on, and no event as "
+                     "section")  # fmt: skip
+
+
+def _searched(problem: Problem, q: Vector, guess: float | None, choices: tuple[Any, Any, int | None]) -> Cycle:
+    section, free, segments = choices
     where, c = _section(problem, section), problem.c
     size_of_time = guess or 10.0 * problem.point(q, problem.t, problem.prepared).time
     problem = replace(problem, clock=depends_on_time(problem, q, size_of_time))
@@ -156,13 +172,33 @@ def _searched(problem: Problem, q: Vector, guess: float | None, section: Any, fr
     q, period, where = _begun(problem, where, q, guess)
     try:
         problem, here = _first(problem, where, q, period)
-        return _closed(problem, where, _unknowns(problem, free), here, guess is None)
+        search = Search(problem, where, _unknowns(problem, free))
+        if segments is not None and segments > 1:
+            return _in_segments(search, here, segments)
+        found = _closed(search, here, guess is None)
+        no_use = segments or where.event is not None or search.unknowns.kept or "no cycle" in found.message
+        if found.success or no_use:
+            return found
+        problem.count.most = NO_LIMIT
+        many = number_of_segments(problem, here)
+        if many < _FEW:
+            return found
+        other = _in_segments(search, here, many)
+        return other if other.success else found
     except NoReturnError as error:
         raise ModelError(f"{c.name}: no motion from x0, v0 over {period:.6g} s: {error}") from error
 
 
-def _closed(problem: Problem, where: Section, unknowns: Unknowns, first: Return, guessed: bool) -> Cycle:
+def _in_segments(search: Search, first: Return, count: int) -> Cycle:
+    """Return the cycle near a motion, of whose period there are several segments."""
+    search.problem.count.most *= count
+    found = found_in_segments(search, first, count)
+    return judged(search, found, f"; in {count} segments")
+
+
+def _closed(search: Search, first: Return, guessed: bool) -> Cycle:
     """Return the cycle near a motion, or else near what the motion has become some periods later."""
+    problem, where, unknowns = search.problem, search.section, search.unknowns
     here, later, count = first, 0, problem.count
     share = max(1, count.most // (_AGAIN + 1))
     count.until = count.runs + share

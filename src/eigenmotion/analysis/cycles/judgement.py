@@ -10,6 +10,7 @@ from .multipliers import Multipliers, multipliers_of
 from .newton import Found, Search, growth, noise, size
 from .periodic_problem import Problem
 from .returns import NoReturnError, Return, Section, returned, run
+from .segments import chain_of, joined
 
 _LATER = 0.31830988
 """Part of a period by which the other run begins later, if equations do not depend on time."""
@@ -29,11 +30,14 @@ def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycl
         return _cycle(
             problem, last, f"not converged: {failure}" if "no cycle" not in failure else failure, nothing, False
         )
-    problem.count.most += 3
+    problem.count.most += 3 + len(found.nodes)
     later = problem.t if problem.clock else problem.t + _LATER * last.period
     other = problem.with_tolerance(max(problem.rtol / 10.0, 1e-13), last.scale, later)
     try:
-        check = returned(other, section, last.q, last.period)
+        if found.nodes:
+            check = joined(other, chain_of(other, found.nodes, last.period))
+        else:
+            check = returned(other, section, last.q, last.period)
     except NoReturnError as error:
         return _cycle(problem, last, f"not converged: the motion cannot be run again: {error}", nothing, False)
     if check.order != last.order:

@@ -39,10 +39,11 @@ class Search:
 
 @dataclass(frozen=True)
 class Found:
-    """The last motion of a search, and "" or why it failed."""
+    """The last motion of a search, "" or why it failed, and the states at which its segments start, if it has some."""
 
     last: Return
     failure: str
+    nodes: tuple[Vector, ...] = ()
 
 
 def converged(problem: Problem, section: Section, unknowns: Unknowns, first: Return) -> Found:

@@ -16,7 +16,6 @@ from ..state.operating_point import OperatingPoint
 from .stated_period import StatedPeriod
 from .symmetry import Symmetry
 
-
 NO_LIMIT = 10**9
 """Number of runs that is never reached."""
 
