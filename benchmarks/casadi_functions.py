@@ -1,7 +1,8 @@
 """Benchmark of exported functions for CasADi against C that CasADi generates from the same equations.
 
 CasADi takes T, V and the constraints of the model as expressions, differentiates them, solves M a + A^T lambda = f with
-A a + gamma = 0 by symbolic LDL^T factors of M and of A M^-1 A^T (faster than its QR), and generates C with the Jacobian.
+A a + gamma = 0 by symbolic LDL^T factors of M and of A M^-1 A^T (faster than its QR), and generates C with the
+Jacobian.
 Both libraries have the same functions, are compiled with the same flags, and are called by `casadi.external` in one map
 over many states; a call gives accelerations and their derivatives by x and v. Rounds alternate.
 """
@@ -16,10 +17,10 @@ import casadi as ca
 import numpy as np
 import sympy
 from common.timing import spread
+from eigenmotion.codegen.model import Model
 
 import eigenmotion as em
 from eigenmotion.building.toolchain import run, toolchain
-from eigenmotion.codegen.model import Model
 
 MODELS = Path(__file__).parents[1] / "models"
 CASES = {"double_pendulum": {}, "chain": {"n": 4}, "four_bar": {}, "furuta_pendulum": {}, "andrews": {}}

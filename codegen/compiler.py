@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Sequence
 from dataclasses import asdict, astuple, replace
 
 from .choices import OF_TREES, STANDARD, Choices
@@ -11,6 +12,7 @@ from .equations.forms import saves_by_nesting
 from .equations.specialise import ALL_SAVINGS, Saving, Scene, specialise
 from .equations.tree.link_table import is_parametric
 from .equations.tree.separation import masses_in_trees
+from .equations.tree.tree_terms import terms_of
 from .equations.tree.triangular_root import has_recursive_root
 from .model import Model, ModelError
 from .model.check.assumptions import ANY, allowed, declared
@@ -18,6 +20,7 @@ from .model.normalise import name_of
 from .model.recursion_depth import with_room
 from .model.statement.states import as_mechanism
 from .program.lower import Defaults, lower
+from .program.motion_kernels import MotionKernels, motion_kernels
 from .program.program import Program
 from .render.emit import Sources, emit
 
@@ -60,6 +63,17 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
             'carries eigenfactors. Build with schur="factor".'
         )
     return with_room(model, lambda: _program(model, choices, savings, whole))
+
+
+def motion_in_one_piece(model: Model, groups: Sequence[Sequence[int]]) -> MotionKernels:
+    """Return kernels of accelerations and their derivatives by groups of arguments, as `motion_kernels`."""
+    mechanism = as_mechanism(model)
+
+    def kernels() -> MotionKernels:
+        scene = specialise(derive(mechanism, False, saves_by_nesting(mechanism)), mechanism.scales, ALL_SAVINGS)
+        return motion_kernels(terms_of(scene), groups)
+
+    return with_room(model, kernels)
 
 
 def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: bool) -> Program:

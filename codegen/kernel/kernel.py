@@ -260,8 +260,9 @@ def _kernel(scope: _Scope, passed: int, cost: Cost, long: bool) -> Kernel:
     if scope.shares:
         results.append(Array(SHARED, f"[{passed}]"))
     read = [name for name in (*INPUTS, SHARED) if name in scope.read]
-    names = [*read, *(array.name for array in results)]
+    names = dict.fromkeys((*read, *(array.name for array in results)))  # one may read shared values, and add some
     actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
+    declared = [one.name + one.shape for one in results if one.name not in (*actual, *read)]
     linkage = "EM_INLINE" if len(statements) < LONG else "EM_NOINLINE_KERNEL"
     exported = draft.exported and long
     if exported:
@@ -271,7 +272,7 @@ def _kernel(scope: _Scope, passed: int, cost: Cost, long: bool) -> Kernel:
     inner = folded(f"{linkage} void {draft.name}(", list(parameters.values()), ")")
     return Kernel(
         head=_head(draft) if draft.arguments else inner,
-        declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
+        declared=folded(f"{draft.number} ", declared, ";"),
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=called, parts=parts, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),

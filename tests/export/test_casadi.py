@@ -6,10 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
+from sympy import cos
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import ModelError
+from eigenmotion import Model, ModelError
 from eigenmotion.building.toolchain import toolchain
+from eigenmotion.casadi import one_piece
 from eigenmotion.cli import main
 
 from ..support.generation import MODELS, system_of
@@ -155,7 +159,54 @@ def test_sparsity_is_what_samples_show(libraries, name):
                 where = each, function.name_out()[o], function.name_in()[k]
                 assert not (np.abs(by_steps[~held]) > 1e-6 * np.abs(by_steps).max(initial=1.0)).any(), where
                 shown = np.any([one[o * count + k] != 0.0 for one in samples], axis=0)
+                if (name, where[2]) == ("four_bar", "p") and where[1] in ("a", "rate"):
+                    shown[:, 4] |= held[:, 4]  # of the density of all bars, by which every force is multiplied
                 assert (shown == held).all(), where
+
+
+X, Y, SPIN = dynamicsymbols("x y phi")
+LIFT = em.Table(CubicSpline([-2.0, -1.0, 0.0, 1.0, 2.0], [0.3, -0.2, 0.5, 0.1, 0.4]), name="lift")
+SMALL = {
+    "twice": Model(
+        name="twice", coordinates=[X, Y], kinetic_energy=X.diff() ** 2 / 2 + Y.diff() ** 2, potential_energy=3 * X * Y,
+        holonomic_constraints=[X**2 + Y**2 - 1, 2 * X**2 + 2 * Y**2 - 2], initial={X: 0.6, Y: 0.8},
+    ),
+    "timed": Model(
+        name="timed", coordinates=[X, SPIN], kinetic_energy=X.diff() ** 2 / 2 + (1 + X**2) * SPIN.diff() ** 2 / 2,
+        potential_energy=X**2 * cos(3 * em.t), forces={SPIN: LIFT(X) * em.t}, outputs={"pull": X.diff(em.t, 2) + SPIN},
+    ),
+}  # fmt: skip
+"""Constraint rows that depend on each other; the time, and a table."""
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_small_models_of_every_kind(name, tmp_path):
+    library = em.export_casadi(SMALL[name], tmp_path / "small.so")
+    x, v = np.array([0.6, 0.8]), np.array([0.4, -0.3])
+    given = {"x": x, "v": v, "a": np.array([0.2, 0.5]), "multipliers": np.array([0.7, 0.4]), "t": np.array([0.3])}
+    given["state"] = np.concatenate([x, v])
+    for each in ("acceleration", "rhs", "inverse_dynamics", *(["outputs"] if SMALL[name].outputs else [])):
+        function = function_of(library, each)
+        assert ("t" in function.name_in()) == (name == "timed")
+        blocks = jacobians(function, given)
+        for k in range(function.n_in()):
+            for o, expected in enumerate(by_differences(function, given, k)):
+                assert blocks[o * function.n_in() + k] == pytest.approx(expected, abs=1e-8), (each, k)
+    a, _ = em.build(SMALL[name]).acceleration(x, v, 0.3)
+    function = function_of(library, "acceleration")
+    assert np.asarray(function.call(arguments(function, given))[0]).ravel() == pytest.approx(a, rel=1e-12)
+
+
+def test_loops_over_columns_find_the_same(libraries, tmp_path, monkeypatch):
+    """Mechanisms too large for straight-line text are solved in loops."""
+    monkeypatch.setattr(one_piece, "LARGEST", 0)
+    looping = em.export_casadi(MODELS / "four_bar.py", tmp_path / "loops.so")
+    given = moving("four_bar", 8)
+    for name in ("acceleration", "rhs"):
+        ours, theirs = (jacobians(function_of(library, name), given) for library in (libraries["four_bar"], looping))
+        assert len(ours) == len(theirs) > 0
+        for one, other in zip(ours, theirs, strict=True):
+            assert one == pytest.approx(other, rel=1e-11, abs=1e-11)
 
 
 def test_blocks_without_structure_are_empty(libraries):

@@ -38,7 +38,7 @@ typedef struct em_signature {
 
 /* The arguments of a call; a and lambda are zero where they are not given. */
 typedef struct em_call {
-    double t, x[N], v[N], a[N], lambda[EM_SOME_ROWS], u[N_INPUTS + 1], c[N_PREPARED + 1];
+    double t, x[N], v[N], a[N], lambda[EM_SOME_ROWS], u[N_INPUTS + 1], parameters[N_PARAMETERS + 1], c[N_PREPARED + 1];
 } em_call;
 
 /* The chosen columns of derivatives; by_state, by_forcing: whether there are such by x or v, or by other arguments. */
@@ -71,19 +71,36 @@ EM_INLINE void em_read_input(em_in in, const casadi_real *from, em_call *at, dou
 }
 
 /* All inputs. 0, or -1: a parameter has a value that the model refuses. */
-static int em_call_of(const em_signature *of, const casadi_real **arg, em_call *at) {
-    double parameters[N_PARAMETERS + 1];
+EM_INLINE int em_call_of(const em_signature *of, const casadi_real **arg, em_call *at) {
     em_fault fault;
-    memset(at, 0, offsetof(em_call, c));
-    memcpy(parameters, own_parameters, N_PARAMETERS * sizeof *parameters);
-    for (int i = 0; i < of->n_in; ++i) em_read_input(of->in[i], arg[i], at, parameters);
-    return prepare(parameters, at->c, &fault);
+    memset(at, 0, offsetof(em_call, parameters));
+    memcpy(at->parameters, own_parameters, N_PARAMETERS * sizeof *own_parameters);
+    for (int i = 0; i < of->n_in; ++i) em_read_input(of->in[i], arg[i], at, at->parameters);
+#ifdef EM_ONE_PIECE
+    if (N_CHOSEN == 0 && of->kind <= EM_RATES) return 0; /* nothing to prepare: parameters are numbers in the text */
+#endif
+    return prepare(at->parameters, at->c, &fault);
 }
+
+#ifdef EM_ONE_PIECE
+/* The parameters: constants that compilers see, if none is an input. */
+#define EM_PARAMETERS(at) (N_CHOSEN == 0 ? own_parameters : (at)->parameters)
+#endif
 
 /* --- values --- */
 
 EM_INLINE void em_give(int count, const double *from, casadi_real *to) {
     for (int k = 0; k < count && to != NULL; ++k) to[k] = from[k];
+}
+
+/* a (n), lambda (m). Of rows that depend on each other, those have multipliers whose derivatives are given. 0, or -1. */
+EM_INLINE int em_accelerations(const em_call *at, double *a, double *lambda) {
+    em_fault fault;
+    if (EM_DEPENDENT_ROWS) {
+        em_factors factors;
+        return em_motion_at(at->t, at->x, at->v, at->c, at->u, EM_DEPENDENT_ROWS, &factors, a, lambda, &fault);
+    }
+    return em_acceleration(at->t, at->x, at->v, at->c, at->u, 0, a, lambda, &fault);
 }
 
 /* tau (N_COORDINATES) = M a + A^T lambda - f, and the residual (N_ROWS) A a + gamma */
@@ -100,16 +117,15 @@ EM_INLINE void em_give_inverse(const em_call *at, casadi_real **res) {
 }
 
 /* Writes the results that are asked for. 0, or 1: there is no value. */
-static int em_values(const em_signature *of, const casadi_real **arg, casadi_real **res) {
+EM_INLINE int em_values(const em_signature *of, const casadi_real **arg, casadi_real **res) {
     em_call at;
-    em_fault fault;
     double a[N], lambda[EM_SOME_ROWS];
     if (em_call_of(of, arg, &at)) return 1;
     if (of->kind == EM_INVERSE) return em_give_inverse(&at, res), 0;
     if (of->kind == EM_OUTPUTS) {
         double out[N_OUTPUTS + 1];
         if (EM_OUTPUTS_ACCELERATE) {
-            if (em_acceleration(at.t, at.x, at.v, at.c, at.u, EM_DEPENDENT_ROWS, a, lambda, &fault)) return 1;
+            if (em_accelerations(&at, a, lambda)) return 1;
         } else {
             memset(a, 0, sizeof a);
             memset(lambda, 0, sizeof lambda);
@@ -117,7 +133,14 @@ static int em_values(const em_signature *of, const casadi_real **arg, casadi_rea
         observe(at.t, at.x, at.v, a, lambda, at.c, at.u, out);
         return em_give(N_OUTPUTS, out, res[0]), 0;
     }
-    if (em_acceleration(at.t, at.x, at.v, at.c, at.u, EM_DEPENDENT_ROWS, a, lambda, &fault)) return 1;
+#ifdef EM_ONE_PIECE
+    double b[N + N_ROWS];
+    if (motion_in_one_piece(at.t, at.x, at.v, EM_PARAMETERS(&at), at.u, b)) return 1;
+    memcpy(a, b, sizeof a);
+    memcpy(lambda, b + N, N_ROWS * sizeof *lambda);
+#else
+    if (em_accelerations(&at, a, lambda)) return 1;
+#endif
     if (of->kind == EM_ACCELERATION) {
         em_give(N_COORDINATES, a, res[0]);
         if (N_ROWS > 0) em_give(N_ROWS, lambda, res[1]);
@@ -235,13 +258,47 @@ EM_INLINE void em_give_block(const casadi_int *sparsity, int width, const double
         for (casadi_int k = begin[column]; k < begin[column + 1]; ++k) to[k] = R[row[k] * width + column];
 }
 
+#ifdef EM_ONE_PIECE
+/* The same of accelerations and rates; W0, W1 without the first rows, which belong to v. */
+EM_INLINE void em_give_piece(const casadi_int *sparsity, const em_chosen *of, int first_row, const double *W0,
+                             const double *W1, casadi_real *to) {
+    const casadi_int *const begin = sparsity + 2, *const rows = begin + sparsity[1] + 1;
+    for (casadi_int column = 0; column < sparsity[1]; ++column) {
+        const int place = place_of_argument[of->at[column]], width = place < N_WIDTH_0 ? N_WIDTH_0 : N_WIDTH_1;
+        const double *const W = place < N_WIDTH_0 ? W0 + place : W1 + place - N_WIDTH_0;
+        for (casadi_int k = begin[column]; k < begin[column + 1]; ++k) {
+            const int row = (int)rows[k] + first_row - N_COORDINATES;
+            to[k] = row < 0 ? 1.0 : place < 0 ? 0.0 : W[row * width];
+        }
+    }
+}
+
+EM_INLINE int em_jacobians_of_piece(const em_signature *of, const em_call *at, casadi_real **res) {
+    double W0[(N + N_ROWS) * N_WIDTH_0 + 1], W1[(N + N_ROWS) * N_WIDTH_1 + 1];
+    int others = 0;
+    for (int k = 0; k < of->n_in * of->n_out; ++k)
+        others |= res[k] != NULL && (of->in[k % of->n_in] == EM_BY_P || of->in[k % of->n_in] == EM_BY_T);
+    if (slopes_in_one_piece(at->t, at->x, at->v, EM_PARAMETERS(at), at->u, others, W0, W1)) return 1;
+    for (int k = 0; k < of->n_in * of->n_out; ++k) {
+        if (res[k] == NULL) continue;
+        em_chosen columns = {0};
+        em_choose(&columns, of->in[k % of->n_in]);
+        em_give_piece(of->blocks[k], &columns, of->first_row[k / of->n_in], W0, W1, res[k]);
+    }
+    return 0;
+}
+#endif
+
 /* Writes the blocks that are asked for, and computes only their columns. 0, or 1: there are none. */
-static int em_jacobians(const em_signature *of, const casadi_real **arg, casadi_real **res) {
+EM_INLINE int em_jacobians(const em_signature *of, const casadi_real **arg, casadi_real **res) {
     em_call at;
     em_chosen columns = {0};
     int first[EM_BY_MULTIPLIERS + 1];
     double R[EM_MOST_ROWS_OF * EM_COLUMNS];
     if (em_call_of(of, arg, &at)) return 1;
+#ifdef EM_ONE_PIECE
+    if (of->kind <= EM_RATES) return em_jacobians_of_piece(of, &at, res);
+#endif
     for (int i = 0; i < of->n_in; ++i) {
         int asked = 0;
         for (int o = 0; o < of->n_out; ++o) asked |= res[o * of->n_in + i] != NULL;

@@ -23,7 +23,8 @@ from ..codegen.program.program import Program
 from ..codegen.render.emit import emit
 from ..files import write
 from .functions import Function, functions_of
-from .single_file import header_beside, single_file
+from .one_piece import one_piece
+from .single_file import beside, single_file
 from .sparsity import sparsity_of
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ class _Export:
     equations: str
     has_outputs: bool
     accelerated: bool
+    piece: str
     header: str
     words: dict[str, str]
 
@@ -126,7 +128,7 @@ def external_functions(asked: Request, parameters: list[Any] | None, prefix: str
     program = program_of(asked.model, asked.choices)
     _check_one_mode(program)
     system = system_of(asked)  # proves the equations
-    export = _export(program, system, _chosen(program, parameters), prefix)
+    export = _export(asked, program, system, _chosen(program, parameters), prefix)
     printed = _templates().get_template("functions.c.jinja").render(export=export)
     return single_file(_functions_of_a_state(asked, program) + printed), export.functions
 
@@ -170,21 +172,22 @@ def _chosen(program: Program, names: list[Any] | None) -> tuple[int, ...]:
     return tuple(known[name] for name in wanted)
 
 
-def _export(program: Program, system: "System", chosen: tuple[int, ...], prefix: str) -> _Export:
+def _export(asked: Request, program: Program, system: "System", chosen: tuple[int, ...], prefix: str) -> _Export:
     recursive, of = program.kernels.required is not None, sparsity_of(program)
     x, _ = system.begin()
-    dependent = system.compiled.shares(0.0, x, system.prepare(), SHARED_FROM_START)
+    dependent = program.m > 0 and bool(system.compiled.shares(0.0, x, system.prepare(), SHARED_FROM_START))
     return _Export(
         functions=functions_of(program, of, chosen, _is_timed(program), prefix),
         own=program.n - program.n_states,
         parameters=tuple(one.value for one in program.parameters),
         chosen=chosen,
-        dependent=int(bool(dependent)),
+        dependent=int(dependent),
         required="required_forces" if recursive else "em_required_forces",
         equations="equation_partials" if program.augmented else "em_equation_partials",
         has_outputs=bool(program.outputs),
         accelerated=of.accelerated,
-        header=header_beside("em_casadi.h"),
+        piece=one_piece(asked.model, program, chosen, dependent),
+        header=beside("em_casadi.h"),
         words=_words(program, chosen),
     )
 

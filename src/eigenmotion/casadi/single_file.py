@@ -70,6 +70,6 @@ def _alive(text: str) -> str:
     return "\n".join(kept)
 
 
-def header_beside(name: str) -> str:
-    """Return the text of a header of this folder."""
+def beside(name: str) -> str:
+    """Return the text of a file of this folder."""
     return (Path(__file__).parent / name).read_text(encoding="utf-8")
