@@ -74,10 +74,12 @@ class PartialKernels:
     time_events : of at and period of each time event, with respect to the arguments
     mass_matrix, factored : of M, and of M + A^T W A if that is factored instead, with respect to x (n, n, n)
     blow : the impact balance: of M a + A^T lambda and A a at fixed a, lambda
+    structure : what is not zero in the equations
     in_loops : whether state, mass_matrix and blow leave out the trees of bodies, which C adds in loops
     """
 
     in_loops: bool
+    structure: Structure
     state: Kernel
     forcing: Kernel
     equations: Kernel | None
@@ -110,7 +112,7 @@ class Kernels:
     required : inverse dynamics; None if it follows from M and bias
     input_columns : derivatives of forces with respect to inputs; None if there are no inputs
     mixed_inputs : (inputs, inputs) 1 where the column of one input depends on another, or on itself
-    partials, structure : None if derivatives are not generated
+    partials : None if derivatives are not generated
     time_events : the times at which conditions on time alone change; tables : the arguments of tables
     own_masses : entries of M besides those that C adds in loops; None if there are none
     frames : the numbers that place bodies on their parents; None if there are no bodies
@@ -135,7 +137,6 @@ class Kernels:
     quasi: Kernel
     drawing: Kernel
     partials: PartialKernels | None
-    structure: Structure | None
     impacts: Kernel
     resets: Kernel
     levels: Kernel

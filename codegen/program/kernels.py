@@ -27,7 +27,6 @@ from .kernel_roles import Kernels, Stages
 from .memory_layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
-from .structure import structure_of
 from .table_kernel import table_kernel
 from .time_event_kernel import time_event_kernel
 
@@ -85,9 +84,8 @@ class _Writing:
         if differentiated and not terms:
             terms = terms_of(differentiated)
         partials = partial_kernels(terms, symbols) if terms else None  # last, so that no other kernel changes
-        structure = structure_of(terms) if terms else None
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       structure=structure, drawing=drawing, partials=partials, time_events=time_events, tables=tables,
+                       drawing=drawing, partials=partials, time_events=time_events, tables=tables,
                        frames=frames, own_masses=own_masses, prepared=prepared, **reactions,
                        asks_the_root=shared, mass_matrix=mass_matrix, velocity_of_eta=velocity_of_eta,
                        eta_of_velocity=eta_of_velocity, **by_name)  # fmt: skip

@@ -10,6 +10,7 @@ from ..equations.terms import Rows, Terms
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from .kernel_roles import PartialKernels
+from .structure import structure_of
 
 MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
 
@@ -34,6 +35,7 @@ class _Writing:
         times = [node for one in self.terms.time_events.times for node in (one.at, one.period)]
         return PartialKernels(
             in_loops=self.terms.scene.in_loops,
+            structure=structure_of(self.terms),
             state=self.dense(f"{self.own}state_partials", partials.residual, partials.state, *MOTION),
             forcing=self.dense("forcing_partials", partials.residual, partials.forcing, *MOTION),
             equations=self.equations() if mechanics.augmented else None,

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from ..codegen.kernel.kernel import Kernel
 from ..codegen.program.kernel_roles import PartialKernels
 from ..codegen.program.program import Program
-from ..codegen.program.structure import Structure
 
 Places = frozenset[tuple[int, int]]
 
@@ -38,7 +37,7 @@ def sparsity_of(program: Program) -> Sparsity:
     """Return the sparsity of a program with derivatives."""
     residual = frozenset(_residual(program))
     motion = frozenset(_motion(program, residual))
-    direct = set(_places(_differentiated(program)[0].outputs, _reactions(program) + _arguments(program)))
+    direct = set(_places(_partials(program).outputs, _reactions(program) + _arguments(program)))
     return Sparsity(
         motion=motion,
         outputs=frozenset(_outputs(program, direct, motion)),
@@ -47,11 +46,11 @@ def sparsity_of(program: Program) -> Sparsity:
     )
 
 
-def _differentiated(program: Program) -> tuple[PartialKernels, Structure]:
-    partials, structure = program.kernels.partials, program.kernels.structure
-    if partials is None or structure is None:
+def _partials(program: Program) -> PartialKernels:
+    partials = program.kernels.partials
+    if partials is None:
         raise ValueError(f"the program of {program.name} has no derivatives")
-    return partials, structure
+    return partials
 
 
 def _reactions(program: Program) -> int:
@@ -69,21 +68,21 @@ def _places(kernel: Kernel | None, width: int) -> Iterator[tuple[int, int]]:
 
 def _residual(program: Program) -> Iterator[tuple[int, int]]:
     """Yield the places of the derivatives of r and s at fixed a and multipliers, by the arguments."""
-    (partials, structure), n = _differentiated(program), program.n
+    partials, n = _partials(program), program.n
     if partials.equations:
         yield from _places(partials.equations, _arguments(program))
     else:
         yield from _places(partials.state, 2 * n)
         for row, column in _places(partials.forcing, _arguments(program) - 2 * n):
             yield row, 2 * n + column
-    for i, j in structure.chained:
+    for i, j in partials.structure.chained:
         yield i, j
         yield i, n + j
 
 
 def _by_forces(program: Program) -> Iterator[tuple[int, int]]:
     """Yield the places of M, A^T and A: the derivatives by a and multipliers."""
-    structure, n, first = _differentiated(program)[1], program.n, _arguments(program)
+    structure, n, first = _partials(program).structure, program.n, _arguments(program)
     for i, j in structure.masses:
         yield i, first + j
     for row, k in structure.rows:
@@ -105,7 +104,7 @@ def _motion(program: Program, residual: Iterable[tuple[int, int]]) -> Iterator[t
 
 def _components(program: Program) -> list[int]:
     """Return the component of each coordinate and row."""
-    structure, n = _differentiated(program)[1], program.n
+    structure, n = _partials(program).structure, program.n
     number = list(range(_reactions(program)))
     for i, j in (*structure.masses, *((n + row, k) for row, k in structure.rows)):
         old, new = number[i], number[j]
