@@ -229,6 +229,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "reference": ("codegen.model.symbolic", "arguments"),
     "casadi": (
         "codegen.model.normalise",
+        "codegen.model",
         "codegen.kernel",
         "codegen.program",
         "codegen.render",
