@@ -101,6 +101,16 @@ def test_zieglers_column_flutters(d, c):
         assert branch.special[0].parameter == pytest.approx(41 / 28 + d * d / 2, rel=1e-9)
 
 
+def test_zieglers_column_without_damping():
+    """Frequencies meet at P = 7/2 - sqrt(2): det(K - s M) = 2 s^2 - (7 - 2 P) s + 1 has a double root."""
+    start = em.find_equilibrium(ziegler(), [0.0, 0.0], parameters={"d": 0.0, "c": 0.0})
+    branch = em.follow(start, "P", to=2.5)
+    assert kinds(branch) == ["flutter"]
+    assert branch.special[0].parameter == pytest.approx(3.5 - np.sqrt(2), rel=1e-9)
+    assert branch.stable[0] is None
+    assert branch.stable[-1] is False
+
+
 def test_a_rotor_with_internal_damping_whirls():
     """Jeffcott's rotor in fixed axes: stable up to W = sqrt(k / m) (1 + external / internal)."""
     outer, inner = symbols("outer inner")

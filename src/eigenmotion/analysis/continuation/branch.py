@@ -32,7 +32,8 @@ class SpecialPoint:
     Attributes
     ----------
     kind : "fold": the branch turns back; "branch point": branches cross; "Hopf": an equilibrium begins to oscillate, or
-        to stop; "doubling": a cycle of twice the period branches off; "torus": a second frequency appears
+        to stop; "doubling": a cycle of twice the period branches off; "torus": a second frequency appears; "flutter":
+        two frequencies of an undamped equilibrium meet
     parameter : its value, to about 1e-8 of the interval that was followed
     row : the index in the arrays of the branch
     x0, v0 : name -> value, the start for `simulate` or `find_cycle`; period : [s] of a cycle, 0 of an equilibrium

@@ -39,7 +39,7 @@ def follow(
     """Return the branch of equilibria or cycles through one of them along a parameter, by steps of arclength.
 
     The branch may turn back, and ends where the parameter is `to` or `back`, or where it is closed. Folds, Hopf
-    bifurcations, period doublings, tori and branch points on it are located.
+    bifurcations, period doublings, tori, branch points, and flutter of undamped equilibria are located.
 
     Parameters
     ----------

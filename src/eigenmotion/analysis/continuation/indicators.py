@@ -9,6 +9,10 @@ from numpy.typing import NDArray
 from .curve import Place, Spectrum
 
 FOLD, BRANCHING, HOPF, DOUBLING, TORUS = "fold", "branch point", "Hopf", "doubling", "torus"
+FLUTTER = "flutter"
+"""Two frequencies of an undamped equilibrium meet."""
+_SYMMETRIC, _MET = 1e-6, 1e-12
+"""Largest sum of two opposite eigenvalues, and discriminant that is 0, relative to their sizes."""
 _FLAT = 1e-10
 """Parameter's part of a tangent below which the sign is undecided."""
 
@@ -26,12 +30,16 @@ def indicators(of_cycle: bool) -> dict[str, Callable[[Place, Spectrum], Indicato
     shared = {FOLD: _turning}
     if of_cycle:
         return shared | {BRANCHING: _at(1.0), DOUBLING: _at(-1.0), TORUS: _pairs(_product)}
-    return shared | {BRANCHING: _at(0.0), HOPF: _pairs(_sum)}
+    return shared | {BRANCHING: _at(0.0), HOPF: _pairs(_sum), FLUTTER: _meeting}
 
 
 def is_oscillation(kind: str, spectrum: Spectrum) -> bool:
     """Return whether the pair that is critical at a Hopf bifurcation or at a torus is complex."""
     values = spectrum.values
+    if kind == FLUTTER:  # two pairs, both complex
+        gaps = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))
+        met = np.flatnonzero(gaps.min(axis=1) <= 2.0 * gaps.min())
+        return bool((np.abs(values.imag) > 1e-6 * np.abs(values))[met].all())
     distance = np.abs(values.real) if kind == HOPF else np.abs(np.abs(values) - 1.0)
     turning = np.abs(values.imag) > 1e-6 * np.abs(values)
     nearest = np.argsort(distance)[:2]
@@ -83,3 +91,18 @@ def _product_of(distances: NDArray[np.complex128], sizes: NDArray[np.float64], e
         return Indicator(1.0, 1)
     value = float(np.prod(distances / sizes).real)
     return Indicator(value, 0 if (np.abs(distances) <= errors).any() else int(np.sign(value)))
+
+
+def _meeting(_: Place, spectrum: Spectrum) -> Indicator:
+    """Return the discriminant of the squares of eigenvalues that come in opposite pairs; undecided if they do not."""
+    values = spectrum.values
+    size = np.abs(values).max(initial=0.0)
+    opposite = np.abs(values[:, None] + values).min(axis=1, initial=np.inf) <= _SYMMETRIC * size
+    turning = np.abs(values.imag) > _SYMMETRIC * size
+    halves = values[np.where(turning, values.imag > 0.0, values.real > 0.0)]
+    if not opposite.all() or 2 * len(halves) != len(values):
+        return Indicator(1.0, 0)
+    squares = (halves / size) ** 2
+    first, second = np.triu_indices(len(squares), 1)
+    value = float(np.prod((squares[first] - squares[second]) ** 2).real)
+    return Indicator(value, 0 if abs(value) <= _MET ** len(first) else int(np.sign(value)))

@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from .curve import Curve, NoPointError, Place, Spectrum, corrected, in_between, place
-from .indicators import BRANCHING, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
+from .indicators import BRANCHING, FLUTTER, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
 
 _FIRST, _LARGEST, _LEAST = 0.02, 0.2, 1e-7
 """First, largest and least step, in units."""
@@ -185,6 +185,6 @@ def _located(curve: Curve, first: Place, second: Place, function: Callable[[Plac
     s = float(brentq(value, 0.0, 1.0, xtol=1e-10, rtol=1e-14, maxiter=60))
     here = at(s)
     spectrum = curve.spectrum(here.sample)
-    if kind in {HOPF, TORUS} and not is_oscillation(kind, spectrum):
+    if kind in {FLUTTER, HOPF, TORUS} and not is_oscillation(kind, spectrum):
         return None
     return s, Node(here, spectrum, kind)
