@@ -109,7 +109,7 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
         """
         chosen = self._chosen(options)
         seeds = self._seeds(seed)
-        for k in np.flatnonzero(chosen).tolist():
+        for k in self._drawn(chosen):
             if seeds[k] is not None or self._generators[k] is None:
                 self._generators[k] = seeding.np_random(seeds[k])[0]
         self._restart(chosen)
@@ -135,8 +135,13 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
         """Let environment k draw its starts with this generator."""
         self._generators[k] = generator
 
+    def _drawn(self, chosen: Flags) -> list[int]:
+        """Return those whose starts are drawn: all, or none if all start alike."""
+        drawn: list[int] = [] if self._of.start is None else np.flatnonzero(chosen).tolist()
+        return drawn
+
     def _restart(self, chosen: Flags) -> None:
-        for k in np.flatnonzero(chosen).tolist():
+        for k in self._drawn(chosen):
             generator = self._generators[k]
             if generator is None:
                 raise ResetNeeded("these environments have not been reset")
