@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-from sympy import cos, sin, symbols
+from sympy import cos, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -255,6 +255,39 @@ def test_zieglers_column_flutters_with_an_amplitude():
     assert all(cycles.stable)
     assert cycles.period[0] == pytest.approx(3 * np.pi, rel=1e-4)
     assert (np.diff(cycles.highest["x2"]) > 0.0).all()
+
+
+def test_a_length_in_a_constraint():
+    """A slider crank along the length of its rod: with a constraint, and with the slider as a function of the angle."""
+    q, tau, rod = dynamicsymbols("q"), symbols("tau"), symbols("rod")
+    slide = cos(q) + sqrt(rod**2 - sin(q) ** 2)
+    given = {"forces": [tau - c * q.diff()], "parameters": {tau: 3.0, c: 0.5, rod: 3.0}}
+    reduced = Model(name="crank", coordinates=[q], kinetic_energy=q.diff() ** 2 + 2 * slide.diff(em.t) ** 2, **given)
+    closed = Model(name="slider", coordinates=[q, x], kinetic_energy=q.diff() ** 2 + 2 * x.diff() ** 2,
+                   holonomic_constraints=[(x - cos(q)) ** 2 + sin(q) ** 2 - rod**2], initial={x: 4.0},
+                   **given | {"forces": [tau - c * q.diff(), 0]})  # fmt: skip
+    turn = {"symmetry": {"q": "q + 2*pi"}, "section": "q"}
+    right = em.follow(
+        em.find_cycle(system_for(reduced, "lagrange"), x0={"q": 0.0}, v0={"q": 5.0}, **turn), "rod", to=2.0
+    )
+    start = em.find_cycle(system_for(closed, "lagrange"), x0={"q": 0.0, "x": 4.0}, v0={"q": 5.0}, **turn)
+    found = em.follow(start, "rod", to=2.0)
+    assert found.success
+    assert found.x0["x"] == pytest.approx(1 + found.parameter, rel=1e-10)
+    assert found.period[-1] == pytest.approx(right.period[-1], rel=1e-9)
+    assert found.values[-1] == pytest.approx(right.values[-1], rel=1e-7)
+
+
+def test_a_branch_ends_where_cycles_vanish():
+    """x'' - (a - u - x^2) x' + x = 0 along the input u, from a = 1 to its Hopf bifurcation at u = 1."""
+    u = dynamicsymbols("u")
+    model = Model(name="ends", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[(a - u - x**2) * x.diff()], parameters={a: 1.0}, inputs={u: 0.0})  # fmt: skip
+    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 2.0}, v0={"x": 0.0})
+    branch = em.follow(start, "u", to=1.5)
+    assert not branch.success
+    assert "equilibrium" in branch.message
+    assert branch.parameter[-1] == pytest.approx(1.0, abs=1e-5)
 
 
 def test_wrong_arguments():
