@@ -2,13 +2,14 @@
 
 CasADi takes T, V and the constraints of the model as expressions, differentiates them, solves M a + A^T lambda = f with
 A a + gamma = 0 by symbolic LDL^T factors of M and of A M^-1 A^T (faster than its QR), and generates C with the
-Jacobian.
-Both libraries have the same functions, are compiled with the same flags, and are called by `casadi.external` in one map
-over many states; a call gives accelerations and their derivatives by x and v. Rounds alternate.
+Jacobian. Both libraries have the same functions and are compiled with the same flags. A call gives accelerations and
+their derivatives by x and v: timed in C, the function and its Jacobian alone (common/external.c), and by
+`casadi.external` in one map over many states, where CasADi takes microseconds for a call of its own. Rounds alternate.
 """
 
 from __future__ import annotations
 
+import ctypes
 import tempfile
 import time
 from pathlib import Path
@@ -16,18 +17,25 @@ from pathlib import Path
 import casadi as ca
 import numpy as np
 import sympy
-from common.timing import spread
-from eigenmotion.codegen.model import Model
+from common.timing import ratio, spread
 
 import eigenmotion as em
 from eigenmotion.building.toolchain import run, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
-CASES = {"double_pendulum": {}, "chain": {"n": 4}, "four_bar": {}, "furuta_pendulum": {}, "andrews": {}}
-STATES, ROUNDS = 2000, 30
+CASES = (
+    ("double_pendulum", {}),
+    ("furuta_pendulum", {}),
+    ("four_bar", {}),
+    ("chain", {"n": 4}),
+    ("andrews", {}),
+    ("chain", {"n": 8}),
+    ("chain", {"n": 12}),
+)
+STATES, ROUNDS, CALLS = 1000, 30, 1000
 
 
-def in_casadi(model: Model) -> ca.Function:
+def in_casadi(model: em.Model) -> ca.Function:
     """Return the acceleration of a model without forces on inputs and states, by CasADi's own operations."""
     q, n = list(model.coordinates), len(model.coordinates)
     x, v = ca.SX.sym("x", n), ca.SX.sym("v", n)
@@ -77,31 +85,61 @@ def states(system: em.System) -> tuple[np.ndarray, np.ndarray]:
     return tuple(one[:, None] + 0.1 * random.standard_normal((system.n, STATES)) for one in (x, v))
 
 
-def measured(name: str, keywords: dict[str, int], folder: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Return the seconds of one call of ours and of theirs in each round."""
-    path = MODELS / f"{name}.py"
-    model = em.load_model(path, **keywords)
+class Alone:
+    """The function and its Jacobian of a library, called from C."""
+
+    def __init__(self, library: Path, timer: ctypes.CDLL, x: np.ndarray, v: np.ndarray) -> None:
+        self.library, self.timer = ctypes.CDLL(str(library)), timer
+        self.x, self.v = (np.ascontiguousarray(one[:, 0]) for one in (x, v))
+        self.results = [np.zeros(4 * len(x) ** 2) for _ in range(2)]
+        pointers = [one.ctypes.data for one in self.results]
+        self.pointers = (ctypes.c_void_p * 2)(*pointers)
+
+    def seconds(self) -> float:
+        """Return the seconds of one call of both."""
+        x, v = (ctypes.c_void_p(one.ctypes.data) for one in (self.x, self.v))
+        each = ((self.library.acceleration, 1), (self.library.jac_acceleration, 2))
+        return 1e-9 * sum(self.timer.nanoseconds(f, x, v, self.pointers, count, CALLS) for f, count in each)
+
+
+def timer(folder: Path) -> ctypes.CDLL:
+    """Compile and load common/external.c."""
+    tools, source = toolchain(), Path(__file__).parent / "common" / "external.c"
+    run((*tools.command, "-O2", "-fPIC", "-shared", str(source), "-o", "timer.so"), folder)
+    library = ctypes.CDLL(str(folder / "timer.so"))
+    library.nanoseconds.restype = ctypes.c_double
+    return library
+
+
+def in_map(function: ca.Function, at: tuple[np.ndarray, np.ndarray]) -> float:
+    """Return the seconds of one state."""
+    start = time.perf_counter()
+    function(*at)
+    return (time.perf_counter() - start) / STATES
+
+
+def measured(name: str, keywords: dict[str, int], folder: Path) -> np.ndarray:
+    """Return the seconds of a call, (rounds, 4): ours and theirs alone, and ours and theirs in a map."""
+    model = em.load_model(MODELS / f"{name}.py", **keywords)
     at = states(em.build(model))
-    ours = with_jacobian(em.export_casadi(model, folder / "ours.so", parameters=()))
-    theirs = with_jacobian(compiled(in_casadi(model), folder))
-    for mine, other in zip(ours(*at), theirs(*at), strict=True):
+    libraries = em.export_casadi(model, folder / "ours.so", parameters=()), compiled(in_casadi(model), folder)
+    maps = [with_jacobian(one) for one in libraries]
+    for mine, other in zip(*(one(*at) for one in maps), strict=True):
         difference = np.abs(mine.full() - other.full()).max()
         assert difference <= 1e-8 * np.abs(other.full()).max(), (name, difference)
-    rounds = []
-    for _ in range(ROUNDS):
-        for function in (ours, theirs):
-            start = time.perf_counter()
-            function(*at)
-            rounds.append((time.perf_counter() - start) / STATES)
-    return np.array(rounds[::2]), np.array(rounds[1::2])
+    clock = timer(folder)
+    alone = [Alone(one, clock, *at) for one in libraries]
+    return np.array([[*(one.seconds() for one in alone), *(in_map(one, at) for one in maps)] for _ in range(ROUNDS)])
 
 
 def main() -> None:
-    for name, keywords in CASES.items():
+    for name, keywords in CASES:
         with tempfile.TemporaryDirectory() as folder:
-            ours, theirs = measured(name, keywords, Path(folder))
-        print(f"{name:<20} ours {spread(ours, 1e-6)} us, CasADi's C {spread(theirs, 1e-6)} us, "
-              f"ratio {np.median(ours) / np.median(theirs):.2f}", flush=True)  # fmt: skip
+            ours, theirs, ours_mapped, theirs_mapped = measured(name, keywords, Path(folder)).T
+        title = f"{name} {' '.join(map(str, keywords.values()))}"
+        print(f"{title:<18} alone: ours {spread(ours, 1e-6)} us, CasADi's C {spread(theirs, 1e-6)} us, "
+              f"ratio {ratio(ours, theirs)}; in a map: {spread(ours_mapped, 1e-6)} and "
+              f"{spread(theirs_mapped, 1e-6)} us, ratio {ratio(ours_mapped, theirs_mapped)}", flush=True)  # fmt: skip
 
 
 if __name__ == "__main__":
