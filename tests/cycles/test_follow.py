@@ -290,6 +290,29 @@ def test_a_branch_ends_where_cycles_vanish():
     assert branch.parameter[-1] == pytest.approx(1.0, abs=1e-5)
 
 
+def test_a_second_frequency_appears():
+    """Beside van der Pol's cycle an oscillator whose damping d changes its sign: multipliers exp((-d/2 + i w) T)."""
+    model = Model(name="beside", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                  potential_energy=(x**2 + 3 * y**2) / 2, forces=[(1 - x**2) * x.diff(), -d * y.diff() - y * x**2 / 9],
+                  parameters={d: 0.6})  # fmt: skip
+    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 2.0, "y": 0.0}, v0={"x": 0.0, "y": 0.0})
+    branch = em.follow(start, "d", to=-0.3)
+    assert kinds(branch) == ["torus"]
+    assert branch.special[0].parameter == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_family_is_followed_by_what_is_free():
+    """Swings of a pendulum of one amplitude along its length: T^2 is proportional to it."""
+    system = system_of("pendulum", "lagrange")
+    swing = em.find_cycle(system, x0={"theta": 1.0}, free=["period"])
+    branch = em.follow(swing, "l", to=2.0)
+    assert branch.success
+    assert branch.x0["theta"] == pytest.approx(1.0, abs=1e-12)
+    assert branch.period**2 == pytest.approx(swing.period**2 * branch.parameter, rel=1e-9)
+    with pytest.raises(ModelError, match="one of a family"):
+        em.follow(em.find_cycle(system, x0={"theta": 1.0}), "l", to=2.0)
+
+
 def test_wrong_arguments():
     start = em.find_equilibrium(ziegler(), [0.0, 0.0])
     with pytest.raises(ModelError, match="unknown name to follow"):
