@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from eigenmotion.codegen.equations.tree import link_table
 from scipy.interpolate import CubicSpline
 from sympy import cos
 from sympy.physics.mechanics import dynamicsymbols
@@ -286,3 +287,34 @@ def test_the_command_writes_them(tmp_path, capsys):
     assert function_of(target, "acceleration").name_in() == ["x", "v"]
     for wrong in (["--casadi", str(target), "--rtol", "1e-3"], ["--fmu", str(tmp_path / "p.fmu"), "--prefix", "a"], []):
         assert main(["export", str(MODELS / "pendulum.py"), *wrong]) == 2
+
+
+def branches() -> Model:
+    """Two arms on a turning base."""
+    tree = em.Tree()
+    link = {"joint": "revolute", "mass": 1.0, "center": (0.2, 0.1, 0), "inertia": (0.02, 0.03, 0.01)}
+    base = tree.body("base", axis="z", **link)
+    for k, axis in enumerate(("y", "x")):
+        upper = tree.body(f"upper{k}", base, at=(0.3 - k, 0, 0.2), axis=axis, **link)
+        tree.body(f"lower{k}", upper, at=(0.4, 0, 0), axis="y", **link)
+    return Model(name="branches", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                 potential_energy=tree.potential_energy)  # fmt: skip
+
+
+def test_trees_in_loops_find_the_same(tmp_path, monkeypatch):
+    """Large trees, of which C adds the forces and their derivatives in loops, have the zeros of their branches."""
+    straight = em.export_casadi(branches(), tmp_path / "straight.so")
+    monkeypatch.setattr(link_table, "LARGE", 1)
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / "cache"))
+    looping = em.export_casadi(branches(), tmp_path / "looping.so")
+    assert "own_state_partials(" in em.export_casadi(branches(), tmp_path / "looping.c").read_text(encoding="utf-8")
+    random = np.random.default_rng(3)
+    given = {name: random.standard_normal(5) for name in ("x", "v", "a")}
+    given["state"] = np.concatenate([given["x"], given["v"]])
+    for name in ("acceleration", "rhs", "inverse_dynamics"):
+        ours, theirs = (function_of(library, name) for library in (looping, straight))
+        for k, (one, other) in enumerate(zip(jacobians(ours, given), jacobians(theirs, given), strict=True)):
+            assert one == pytest.approx(other, rel=1e-9, abs=1e-9), (name, k)
+    masses = published(function_of(looping, "inverse_dynamics"), 2)
+    assert (masses == published(function_of(straight, "inverse_dynamics"), 2)).all()
+    assert masses.sum() == 25 - 2 * 4, "the arms do not couple but by the base"
