@@ -1,5 +1,7 @@
 """Model exchange: events, constraints and rotations of motions that a solver of fmpy integrates."""
 
+import re
+
 import numpy as np
 import pytest
 from sympy import Piecewise, symbols
@@ -58,6 +60,18 @@ def test_impacts_and_resets_are_applied_at_their_times(tmp_path, fmi):
     near = np.abs(rows["time"][:, None] - np.concatenate(run.t_events)).min(axis=1) < 1e-6
     assert not near.any()
     assert np.abs(found - np.vstack([run.x[:2], run.v, run.states["q"]])).max() < 1e-6
+
+
+def test_bounces_without_end_are_named(tmp_path):
+    """A ball at e = 1/2 comes to rest after 3 sqrt(2 / g) = 1.3546 s; a solver would let it sink through the floor."""
+    ball = Model(name="ball", coordinates=[z], kinetic_energy=z.diff() ** 2 / 2, potential_energy=g * z,
+                 parameters={g: 9.81, e: 0.5}, events={"floor": Event(z, direction=-1, impact=(z, e))},
+                 initial={z: 1.0})  # fmt: skip
+    said, path = [], unit_of(ball, tmp_path, fmi=3)
+    assert exchanged(path, 1.3, record_events=False)["z"].min() > -1e-9
+    with pytest.raises(Exception, match="fmi3UpdateDiscreteStates failed"):
+        exchanged(path, 3.0, record_events=False, logger=lambda *told: said.append(told[-1].decode()))
+    assert re.fullmatch(r"at t = 1\.(35\d*|36): events pile up.*", said[-1])
 
 
 def test_constraints_do_not_drift(tmp_path):

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "constraints/em_start_tolerance.h"
 #include "eigenmotion.h"
 #include "kinematics/em_shadow_parameters.h"
 #include "tables/em_table_ranges.h"
@@ -168,6 +169,30 @@ static int em_flow_accepted(em_flow *flow, const double *u, em_fault *fault) {
     return em_flow_project(flow, x, v, EM_FLOW_DRIFT, fault);
 }
 
+/* Whether an event function is further across zero than the allowed changes of x (EM_START_STEPS) move it. */
+static int em_flow_is_across(const em_flow *flow, const double *u, int i, const double *g) {
+    const em_model *const m = flow->model;
+    double near[m->n], elsewhere[m->n_events], reach = 0.0;
+    memcpy(near, flow->x, sizeof near);
+    for (int k = 0; k < m->n; ++k) {
+        near[k] = flow->x[k] + EM_START_STEPS * (flow->atol[k] + flow->rtol * fabs(flow->x[k]));
+        m->event(*flow->t, near, flow->v, flow->c, u, elsewhere);
+        reach += fabs(elsewhere[i] - g[i]);
+        near[k] = flow->x[k];
+    }
+    return flow->side[i] * g[i] < -reach;
+}
+
+/* 0, or -1 and *fault: an impact is needed again though its bodies have not been apart, and they are inside each other.
+ * The bounces have become too short for the solver's steps, as at the end of infinitely many. */
+static int em_flow_check_pile(const em_flow *flow, const double *u, const double *g, const int *fired, em_fault *fault) {
+    for (int i = 0; i < flow->model->n_events; ++i) {
+        const int again = fired[i] && em_flow_keeps(flow->model, i) && flow->side[i] * flow->last[i] <= 0.0;
+        if (again && em_flow_is_across(flow, u, i, g)) return em_flow_fault(fault, EM_EVENTS_PILE_UP, i, g[i]);
+    }
+    return 0;
+}
+
 /* x, v <- after the events `fired` (n_events): impacts and resets. 0, or -1 and *fault. */
 static int em_flow_act(em_flow *flow, const double *u, int *fired, em_fault *fault) {
     const em_model *const m = flow->model;
@@ -191,6 +216,7 @@ static int em_flow_update(em_flow *flow, const double *u, em_fault *fault) {
     int fired[m->n_events + 1];
     if (em_flow_events(flow, u, g, fault)) return -1;
     const int any = em_flow_fired(flow, g, fired) > 0, acts = any && em_flow_acts(m, fired);
+    if (any && em_flow_check_pile(flow, u, g, fired, fault)) return -1;
     if (acts && em_flow_act(flow, u, fired, fault)) return -1;
     memcpy(x, flow->x, sizeof x), memcpy(v, flow->v, sizeof v);
     const int moved = em_flow_project(flow, x, v, 0.0, fault);
