@@ -243,7 +243,8 @@ def test_cycles_begin_at_a_hopf_bifurcation():
     assert all(cycles.stable)
     assert cycles.period[-1] == pytest.approx(6.663286859323130, rel=1e-9)
     assert cycles.highest["x"][:5] == pytest.approx(2 * np.sqrt(cycles.parameter[:5]), rel=1e-3)
-    assert rest.plot(cycles).axes[0].get_legend() is not None
+    legend = rest.plot(cycles).axes[0].get_legend().get_texts()
+    assert [one.get_text() for one in legend] == ["stable", "unstable", "Hopf"]
 
 
 def test_zieglers_column_flutters_with_an_amplitude():

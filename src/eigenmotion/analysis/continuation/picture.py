@@ -55,7 +55,8 @@ def _pieces(line: Line) -> list[tuple[slice, bool | None]]:
 
 
 def _between(line: Line, k: int) -> bool | None:
-    """Return the stability between two rows; bifurcations, where it is undecided, do not count."""
-    special = {row for row, _ in line.marks}
+    """Return the stability between two rows; a single one at which it is undecided does not count."""
     a, b = line.stable[k], line.stable[k + 1]
-    return b if k in special else a if k + 1 in special else a if a is b else None
+    if a is None or b is None:
+        return a if b is None else b
+    return a if a is b else None
