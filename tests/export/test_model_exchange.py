@@ -62,6 +62,15 @@ def test_impacts_and_resets_are_applied_at_their_times(tmp_path, fmi):
     assert np.abs(found - np.vstack([run.x[:2], run.v, run.states["q"]])).max() < 1e-6
 
 
+def test_directional_derivatives_of_event_indicators(tmp_path):
+    """Of z, x - 1, and the rate of z."""
+    unit = Slave(unit_of(room(), tmp_path, fmi=3), tmp_path / "a").begin()
+    rows = [unit.places[f"indicator({name})"] for name in ("floor", "wall", "high")]
+    columns = [unit.places[name] for name in ("x", "z", "der(z)", "g")]
+    found = [unit.slave.getDirectionalDerivative(rows, [one], [2.0]) for one in columns]
+    assert found == [[0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, 0.0]]
+
+
 def test_bounces_without_end_are_named(tmp_path):
     """A ball at e = 1/2 comes to rest after 3 sqrt(2 / g) = 1.3546 s; a solver would let it sink through the floor."""
     ball = Model(name="ball", coordinates=[z], kinetic_energy=z.diff() ** 2 / 2, potential_energy=g * z,

@@ -1,4 +1,5 @@
-/* em_unit.h: a mechanism whose parameters, start and inputs are set one by one, and which then moves: the content of an FMU.
+/* em_unit.h: a mechanism whose parameters, start and inputs are set one by one, and which then moves: the content of an
+ * FMU.
  *
  * It steps (em_control.h), or flows: then an importing tool integrates its states (em_flow.h).
  * Its numbers have references, one after the other: parameters, x, v, inputs; then the model's outputs, the rates of v,
@@ -226,7 +227,8 @@ static size_t em_unit_argument(const em_model *m, unsigned reference) {
     return reference - p; /* x, v and inputs follow each other there, too */
 }
 
-/* The change of one number along `d` (n_arguments), of which a and lambda change by `da` (n + m); D: em_model.output_partials */
+/* The change of one number along `d` (n_arguments), of which a and lambda change by `da` (n + m); D:
+ * em_model.output_partials, then event_partials */
 static double em_unit_change(const em_unit *unit, unsigned reference, const double *d, const double *da, const double *D) {
     const em_model *m = unit->model;
     const size_t reactions = (size_t)(m->n + m->m), width = reactions + (size_t)m->n_arguments;
@@ -234,8 +236,13 @@ static double em_unit_change(const em_unit *unit, unsigned reference, const doub
     em_unit_groups(m, first);
     const size_t given = first[EM_OUTPUTS];
     if (reference < given) return d[em_unit_argument(m, reference)];
-    if (reference >= first[EM_RATES]) return da[reference - first[EM_RATES]];
     double sum = 0.0;
+    if (reference >= first[EM_EVENTS]) {
+        const size_t row = (size_t)m->n_outputs * width + (reference - first[EM_EVENTS]) * (size_t)m->n_arguments;
+        for (int k = 0; k < m->n_arguments; ++k) sum += D[row + (size_t)k] * d[k];
+        return sum;
+    }
+    if (reference >= first[EM_RATES]) return da[reference - first[EM_RATES]];
     for (size_t k = 0; k < width; ++k) sum += D[(reference - given) * width + k] * (k < reactions ? da[k] : d[k - reactions]);
     return sum;
 }
@@ -253,6 +260,8 @@ static int em_unit_changes(const em_unit *unit, const unsigned *unknown, size_t 
                               slopes + m->n * arguments, fault))
         return -1;
     if (m->n_outputs > 0) m->output_partials(at.t, at.x, at.v, a, a + m->n, at.c, em_unit_u(unit), D);
+    double *const events = D + m->n_outputs * (reactions + arguments);
+    if (m->event_partials != NULL) m->event_partials(at.t, at.x, at.v, at.c, em_unit_u(unit), events);
     for (int row = 0; row < reactions; ++row) {
         along[row] = 0.0;
         for (int k = 0; k < arguments; ++k) along[row] += slopes[row * arguments + k] * d[k];
@@ -263,7 +272,8 @@ static int em_unit_changes(const em_unit *unit, const unsigned *unknown, size_t 
 
 static size_t em_unit_partials(const em_model *m) {
     const size_t reactions = (size_t)(m->n + m->m), arguments = (size_t)m->n_arguments;
-    return 2 * reactions + reactions * arguments + (size_t)m->n_outputs * (reactions + arguments);
+    const size_t events = (size_t)m->n_events * arguments;
+    return 2 * reactions + reactions * arguments + (size_t)m->n_outputs * (reactions + arguments) + events;
 }
 
 /* -1, and words: a reference that is none, or a parameter's where those have no change of their own. */
@@ -277,11 +287,13 @@ static int em_unit_check(em_unit *unit, const unsigned *references, size_t count
     return 0;
 }
 
-/* changes (unknowns) of outputs, coordinates, rates and accelerations along dknown (count) of numbers given. 0, or -1 and words. */
+/* changes (unknowns) of outputs, coordinates, rates, accelerations and event functions along dknown (count) of
+ * numbers given. 0, or -1 and words. */
 static int em_unit_along(em_unit *unit, const unsigned *unknown, size_t unknowns, const unsigned *known, size_t count,
                          const double *dknown, double *changes) {
     const em_model *const m = unit->model;
-    const size_t given = em_unit_given(m), all = given + (size_t)(m->n_outputs + m->n);
+    const size_t given = em_unit_given(m), events = m->event_partials == NULL ? 0 : (size_t)m->n_events;
+    const size_t all = given + (size_t)(m->n_outputs + m->n) + events;
     if (em_unit_check(unit, unknown, unknowns, (size_t)m->n_parameters, all) || em_unit_check(unit, known, count, 0, given) ||
         em_unit_open(unit))
         return -1;
