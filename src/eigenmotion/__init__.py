@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
     from .analysis.fitting.fit import fit as fit
     from .analysis.fitting.motion_fit import MotionFit as MotionFit
+    from .analysis.gradients.vjp import vjp as vjp
     from .analysis.identification.fit_forces import Fit as Fit
     from .analysis.identification.fit_forces import fit_forces as fit_forces
     from .analysis.identification.identifiable import Identifiable as Identifiable
@@ -119,6 +120,7 @@ _HOME = {
     "simulate": ".simulation.simulate",
     "simulate_ensemble": ".batch.simulate_ensemble",
     "t": ".codegen.model",
+    "vjp": ".analysis.gradients.vjp",
 }
 
 __all__ = list(_HOME)

@@ -166,6 +166,14 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.identification",
         "analysis.equilibrium",
     ),
+    "analysis.gradients": (
+        "codegen.model.normalise",
+        "arguments",
+        "compiled",
+        "results",
+        "simulation",
+        "analysis.state",
+    ),
     "batch": (
         "codegen.model.normalise",
         "cores",

@@ -69,19 +69,25 @@ AT_REST = {
     for name in NAMES
     if name
     not in {
+        "cam_follower",
         "clock",
         "driven_pendulum",
         "drone",
         "governor",
         "heavy_top",
+        "lugre_oscillator",
         "polar_particle",
+        "quadruped",
         "quick_return_shaper",
+        "servo_pendulums",
         "sphere",
     }
 }
 """Of the others the start is not near a rest, or there is none."""
-DRIVEN = {"quick_return_shaper"}
-"""Its motor leaves it nowhere at rest."""
+DRIVEN = {"cam_follower", "lugre_oscillator", "quick_return_shaper", "servo_pendulums"}
+"""A motor, a belt or a controller leaves them nowhere at rest."""
+UNDERIVED = {"quadruped"}
+"""It stands on more feet than it needs, so that `load`, an output of a reaction, has no derivative."""
 PLACES = AT_REST | {
     "pendulum_hangs": Steady("pendulum", {"theta": 0.1}),
     "double_pendulum_hangs": Steady("double_pendulum", {"theta1": 0.1, "theta2": 0.1}),
@@ -159,7 +165,7 @@ def off_the_exponential(steady: Steady) -> tuple[float, float]:
 
 
 def test_no_model_is_left_out():
-    assert {one.model for one in PLACES.values()} | DRIVEN == set(NAMES)
+    assert {one.model for one in PLACES.values()} | DRIVEN | UNDERIVED == set(NAMES)
 
 
 @pytest.mark.parametrize("place", [

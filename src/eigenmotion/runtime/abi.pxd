@@ -232,6 +232,8 @@ cdef extern from "eigenmotion.h" nogil:
         double (*now)(const void *, double *, double *) noexcept nogil
         int (*publish)(const void *, double *, em_fault *) noexcept nogil
         size_t (*saved)() noexcept nogil
+        void (*save)(const void *, void *) noexcept nogil
+        void (*restore)(void *, const void *) noexcept nogil
         void (*close)(void *) noexcept nogil
         void (*draw)(double, const double *, const double *, const double *, double *) noexcept nogil
         int n_arguments

@@ -50,7 +50,7 @@ cdef class Run:
         A StopReason.
     """
 
-    def __cinit__(self, task, int method):
+    def __cinit__(self, task, int method, *_):
         if task is not None:
             self.begin(task, method)
 

@@ -53,21 +53,42 @@ def act_along(
     S: Vector,
     P: Vector,
 ) -> tuple[Vector, Vector, Prepared, Vector]: ...
-def vary(
-    model: PointModel,
-    c: Prepared,
-    run: Run | None,
-    inputs: tuple[Any, ...],
-    direction: float,
-    tolerance: float,
-    together: float,
-    stops: tuple[ArrayLike, ArrayLike, ArrayLike],
-    spans: tuple[ArrayLike, ArrayLike],
-    marks: tuple[ArrayLike, ArrayLike],
-    nodes: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
-    rows: ArrayLike,
-    S: Vector,
-    P: Vector,
-    stabilise: bool,
-    least_norm: int,
-) -> tuple[Vector, Vector, Vector, tuple[int, int, int], EvaluationError | None]: ...
+
+class Variations:
+    at_stops: Vector
+    shifts: Vector
+    at_rows: Vector
+    def __init__(
+        self,
+        model: PointModel,
+        c: Prepared,
+        run: Run | None,
+        inputs: tuple[Any, ...],
+        direction: float,
+        tolerance: float,
+        together: float,
+        stops: tuple[ArrayLike, ArrayLike, ArrayLike],
+        spans: tuple[ArrayLike, ArrayLike],
+        marks: tuple[ArrayLike, ArrayLike],
+        nodes: tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike],
+        rows: ArrayLike,
+        S: Vector,
+        P: Vector,
+        stabilise: bool,
+        least_norm: int,
+    ) -> None: ...
+    @property
+    def model(self) -> PointModel: ...
+    @property
+    def counts(self) -> tuple[int, int, int]: ...
+    def integrate(self) -> EvaluationError | None: ...
+
+class Tape:
+    def __init__(self, variations: Variations, basis: Vector) -> None: ...
+    @property
+    def variations(self) -> Variations: ...
+    @property
+    def fault(self) -> EvaluationError | None: ...
+    @property
+    def size(self) -> tuple[int, int]: ...
+    def pull(self, at_stops: Vector, at_rows: Vector, cotangents: Vector) -> tuple[Vector, Vector]: ...

@@ -19,7 +19,7 @@ import numpy as np
 from .status.stop_reasons import EvaluationError, StopReason
 
 
-cdef extern from "sensitivity/em_variations.h" nogil:
+cdef extern from "sensitivity/em_adjoint.h" nogil:
     const int EM_VARIATION_NODES
 
     ctypedef struct em_variations:
@@ -65,6 +65,29 @@ cdef extern from "sensitivity/em_variations.h" nogil:
         double t_reached
 
     int em_integrate_variations(em_variations *)
+
+    ctypedef struct em_pass:
+        int n
+
+    ctypedef struct em_tape:
+        size_t n_maps
+        size_t n_numbers
+
+    ctypedef struct em_taped_pass:
+        em_variations of
+        em_pass recorded "pass"
+        em_tape tape
+
+    ctypedef struct em_adjoint:
+        # "lambda" is a keyword of Python
+        double *cotangents "lambda"
+        const double *rows
+        const double *stops
+        double *gradient
+
+    int em_record_tape(em_taped_pass *, int, const double *)
+    void em_taped_close(em_taped_pass *)
+    void em_pull(const em_pass *, em_adjoint *)
 
 
 _REASONS = tuple(StopReason)
@@ -226,67 +249,153 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
     return q.array, w.array, after, made.array
 
 
-def vary(PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction, double tolerance,
-         double together, stops, spans, marks, nodes, rows, S, P, bint stabilise, int least_norm):
-    """Integrate directions S (2 n, columns) from the first of `stops` along a run with dense output (em_variations.h).
+cdef class Variations:
+    """An integration of directions S (2 n, columns) from the first of `stops` along a run with dense output.
+
+    See em_variations.h. The directions of inputs, parameters and time are P (n_forcing, columns).
 
     run : None if there is nothing to integrate between the stops
     tolerance : relative error of a step; together : initial length of a step, in steps of the run
     stops : t (stops,), z (stops, 2 n), number of spans after each (stops,); spans : from, to (spans,); marks : stop, event
     (marks,); nodes : place (nodes,), A, A^2, series (nodes, nodes); rows : (k,) times
 
-    Returns S (stops, 2 n, columns), dt (marks, columns), S (k, 2 n, columns) at the rows within spans, all NaN where the
-    integration did not reach; the numbers of steps accepted, rejected, and integrated with a motion of their own; an
-    EvaluationError if it ended early, or None.
+    Results: at_stops (stops, 2 n, columns), shifts (marks, columns) of the times of events, at_rows (k, 2 n, columns) at
+    the rows within spans; all NaN where the integration did not reach.
     """
-    cdef em_variations pass_
-    cdef Py_ssize_t k = len(stops[0]), n_spans = len(spans[0]), n_marks = len(marks[0]), n = model.n
-    cdef Py_ssize_t n_nodes = EM_VARIATION_NODES, j
-    cdef int columns = S.shape[1], status
-    cdef Numbers T = floats(stops[0], (k,), "t"), Z = floats(stops[1], (k, 2 * n), "z")
-    cdef Numbers start = floats(spans[0], (n_spans,), "from"), to = floats(spans[1], (n_spans,), "to")
-    cdef Numbers place = floats(nodes[0], (n_nodes,), "place"), series = floats(nodes[3], (n_nodes, n_nodes), "series")
-    cdef Numbers A = floats(nodes[1], (n_nodes, n_nodes), "A"), A2 = floats(nodes[2], (n_nodes, n_nodes), "A2")
-    cdef Numbers rest = floats(P, (model.n_arguments - 2 * n, columns), "P"), t_rows = floats(rows, (len(rows),), "rows")
-    cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(n_marks, columns)
-    cdef Numbers at_rows = _unknown(len(rows), 2 * n, columns)
-    cdef long[::1] follow = _whole(stops[2], np.int_), at = _whole(marks[0], np.int_)
-    cdef int[::1] happens = _whole(marks[1], np.intc)
+
+    cdef em_variations of
     cdef em_signal *signals
-    cdef list keep_alive = []
-    model.need_derivatives()
-    signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
-    if signals == NULL:
-        raise MemoryError
-    at_stops.array[0] = S
-    try:
+    cdef readonly PointModel model
+    cdef readonly object at_stops
+    cdef readonly object shifts
+    cdef readonly object at_rows
+    cdef list keep_alive
+
+    def __cinit__(self, PointModel model not None, Prepared c not None, Run run, tuple inputs, double direction,
+                  double tolerance, double together, stops, spans, marks, nodes, rows, S, P, bint stabilise,
+                  int least_norm):
+        cdef em_variations *of = &self.of
+        cdef Py_ssize_t k = len(stops[0]), n_spans = len(spans[0]), n_marks = len(marks[0]), n = model.n
+        cdef tuple square = (EM_VARIATION_NODES, EM_VARIATION_NODES)
+        cdef int columns = S.shape[1]
+        model.need_derivatives()
+        self.model, self.keep_alive = model, [c, run]
+        self.hold_inputs(inputs)
+        of.model, of.c, of.columns, of.run = model.model, c.c, columns, NULL if run is None else &run.run
+        of.tolerance, of.initial_steps, of.direction = tolerance, together, direction
+        of.least_norm, of.stabilise, of.n_forcing = least_norm, stabilise, model.n_arguments - 2 * n
+        of.n_stops, of.n_spans, of.n_marks, of.n_rows = k, n_spans, n_marks, len(rows)
+        of.t, of.z = self.hold(stops[0], (k,)), self.hold(stops[1], (k, 2 * n))
+        of.start, of.to = self.hold(spans[0], (n_spans,)), self.hold(spans[1], (n_spans,))
+        of.place, of.A = self.hold(nodes[0], (EM_VARIATION_NODES,)), self.hold(nodes[1], square)
+        of.A2, of.series = self.hold(nodes[2], square), self.hold(nodes[3], square)
+        of.t_rows, of.P = self.hold(rows, (len(rows),)), self.hold(P, (of.n_forcing, columns))
+        self.hold_marks(_whole(stops[2], np.int_), _whole(marks[0], np.int_), _whole(marks[1], np.intc))
+        self.hold_results(S, _unknown(k, 2 * n, columns), _unknown(n_marks, columns), _unknown(len(rows), 2 * n, columns))
+        of.poll, of.poll_argument, of.t_reached = poll, NULL, of.t[0]
+
+    def __dealloc__(self):
+        free(self.signals)
+
+    cdef const double *hold(self, array, tuple shape) except NULL:
+        """The numbers of an array, which this object keeps alive."""
+        cdef Numbers kept = floats(array, shape, "variations")
+        self.keep_alive.append(kept)
+        return kept.data
+
+    cdef hold_inputs(self, tuple inputs):
+        self.signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
+        if self.signals == NULL:
+            raise MemoryError
         for j, (kind, times, values) in enumerate(inputs):
-            keep_alive.append((floats(times, (len(times),), "times"), floats(values, (len(values),), "values")))
-            signals[j].kind, signals[j].count = <em_signal_kind> (<int> kind), len(times)
-            signals[j].times, signals[j].values = (<Numbers> keep_alive[j][0]).data, (<Numbers> keep_alive[j][1]).data
-        pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
-        pass_.run = NULL if run is None else &run.run
-        pass_.tolerance, pass_.initial_steps = tolerance, together
-        pass_.least_norm, pass_.stabilise, pass_.direction = least_norm, stabilise, direction
-        pass_.n_forcing = model.n_arguments - 2 * n
-        pass_.n_stops, pass_.t, pass_.z, pass_.spans = k, T.data, Z.data, &follow[0]
-        pass_.n_spans, pass_.start, pass_.to = n_spans, start.data, to.data
-        pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = n_marks, &at[0], &happens[0], shifts.data
-        pass_.place, pass_.A, pass_.A2, pass_.series, pass_.P = place.data, A.data, A2.data, series.data, rest.data
-        pass_.S, pass_.n_rows, pass_.t_rows, pass_.rows = at_stops.data, len(rows), t_rows.data, at_rows.data
-        pass_.n_steps = pass_.n_refused = pass_.n_own_motion = 0
-        pass_.poll, pass_.poll_argument, pass_.t_reached = poll, NULL, T.data[0]
+            self.signals[j].kind, self.signals[j].count = <em_signal_kind> (<int> kind), len(times)
+            self.signals[j].times, self.signals[j].values = self.hold(times, (len(times),)), self.hold(values, (len(values),))
+        self.of.inputs = self.signals
+
+    cdef hold_marks(self, long[::1] spans, long[::1] mark_stop, int[::1] mark_event):
+        self.keep_alive.append((spans, mark_stop, mark_event))
+        self.of.spans, self.of.mark_stop, self.of.mark_event = &spans[0], &mark_stop[0], &mark_event[0]
+
+    cdef hold_results(self, S, Numbers at_stops, Numbers shifts, Numbers at_rows):
+        at_stops.array[0] = S
+        self.keep_alive.append((at_stops, shifts, at_rows))
+        self.at_stops, self.shifts, self.at_rows = at_stops.array, shifts.array, at_rows.array
+        self.of.S, self.of.dt, self.of.rows = at_stops.data, shifts.data, at_rows.data
+
+    cdef object error(self, int status, const em_variations *of):
+        """The error of an integration, or None."""
+        if status == 0:
+            return None
+        if _REASONS[<int> of.fault.status] is StopReason.INTERRUPTED:
+            raise KeyboardInterrupt
+        if not of.why:
+            return self.model.failure(<em_fault *> &of.fault)
+        events = [repr(self.model.events[k]) for k in (of.fault.first, of.fault.second) if k >= 0]
+        words = _END_MESSAGES[of.why].format(*events)
+        return EvaluationError(f"{self.model.name}: {words} at about t = {of.t_reached:.9g}", StopReason.NON_FINITE_STATE)
+
+    def integrate(self):
+        """Return an EvaluationError if the integration ended early, or None."""
+        cdef int status
         with nogil:
-            status = em_integrate_variations(&pass_)
-    finally:
-        free(signals)
-    if status != 0 and _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
-        raise KeyboardInterrupt
-    error = None if status == 0 else model.failure(&pass_.fault)
-    if status != 0 and pass_.why:
-        words = _END_MESSAGES[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
-        error = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    return at_stops.array, shifts.array, at_rows.array, (pass_.n_steps, pass_.n_refused, pass_.n_own_motion), error
+            status = em_integrate_variations(&self.of)
+        return self.error(status, &self.of)
+
+    @property
+    def counts(self):
+        """The numbers of steps accepted, rejected, and integrated with a motion of their own."""
+        return self.of.n_steps, self.of.n_refused, self.of.n_own_motion
+
+
+cdef class Tape:
+    """The derivative of a run as a product of linear maps (em_derivative_tape.h), recorded along `variations`.
+
+    basis : (n_forcing, columns): directions of inputs, parameters and time with respect to which there are gradients
+    """
+
+    cdef em_taped_pass *taped
+    cdef readonly Variations variations
+    cdef readonly object fault
+    cdef Py_ssize_t columns
+
+    def __cinit__(self, Variations variations not None, basis):
+        cdef int status
+        cdef Numbers P = floats(basis, (variations.of.n_forcing, basis.shape[1]), "basis")
+        self.variations, self.columns = variations, basis.shape[1]
+        self.taped = <em_taped_pass *> calloc(1, sizeof(em_taped_pass))
+        if self.taped == NULL:
+            raise MemoryError
+        self.taped.of = variations.of
+        with nogil:
+            status = em_record_tape(self.taped, self.columns, P.data)
+        variations.of.n_steps, variations.of.n_refused = self.taped.of.n_steps, self.taped.of.n_refused
+        self.fault = variations.error(status, &self.taped.of)
+
+    def __dealloc__(self):
+        if self.taped != NULL:
+            em_taped_close(self.taped)
+            free(self.taped)
+
+    def pull(self, at_stops, at_rows, cotangents):
+        """Return the transpose, applied to cotangents of S at stops (stops, 2 n), rows (k, 2 n) and the end (2 n).
+
+        Returns the cotangents (2 n) of the start, and the gradient (columns) along the basis.
+        """
+        cdef Py_ssize_t wide = 2 * self.variations.model.n
+        cdef Numbers stops = floats(at_stops, (self.variations.of.n_stops, wide), "stops")
+        cdef Numbers rows = floats(at_rows, (self.variations.of.n_rows, wide), "rows")
+        cdef Numbers start = floats(np.array(cotangents, dtype=np.float64), (wide,), "cotangents")
+        cdef Numbers gradient = zeros((self.columns,))
+        cdef em_adjoint by
+        by.cotangents, by.rows, by.stops, by.gradient = start.data, rows.data, stops.data, gradient.data
+        with nogil:
+            em_pull(&self.taped.recorded, &by)
+        return start.array, gradient.array
+
+    @property
+    def size(self):
+        """The number of linear maps, and the bytes of their numbers."""
+        return self.taped.tape.n_maps, self.taped.tape.n_numbers * sizeof(double)
 
 
 def _unknown(*shape):

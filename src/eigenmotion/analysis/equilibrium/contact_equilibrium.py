@@ -129,6 +129,9 @@ def _downhill(balance: Balance, q: Vector) -> tuple[Balance, Vector]:
     step, before = 0.0, np.inf
     try:
         at = in_consistent_mode(_touching(balance.point(q)))
+    except _NOWHERE:
+        return balance, q
+    try:
         for _ in range(_STEPS):
             slope, push = _scaled(at)
             left = float(np.linalg.norm(push))

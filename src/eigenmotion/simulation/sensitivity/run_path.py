@@ -45,10 +45,10 @@ class Path(NamedTuple):
     prepared: Prepared
 
 
-def path_of(task: Task, solution: Solution) -> Path:
-    """Return the path of a solution."""
+def path_of(task: Task, solution: Solution, run: Run | None = None) -> Path:
+    """Return the path of a solution; `run`: its run, if that is not the one of its dense output."""
     start, prepared = _start(task)
-    charts = charts_of(solution)
+    charts = run.charts if run else charts_of(solution)
     if not any(map(len, (*(solution.t_events or ()), charts[0]))):
         return _undisturbed(task, solution, start, prepared)
     times, states, marks = _added_nodes(task, solution, charts)

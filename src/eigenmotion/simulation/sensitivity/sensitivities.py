@@ -12,9 +12,9 @@ from ...arguments.tasks import Task
 from ...codegen.model.normalise import ModelError
 from ...results.sensitivity import Sensitivity, parts_of
 from ...results.solution import Solution
-from ...runtime import CompiledModel, EvaluationError
-from ...runtime.variations import quasi_partials, tangent, vary
-from .collocation_mesh import A2, PLACE, SERIES, A, mesh_of
+from ...runtime import CompiledModel, EvaluationError, Run
+from ...runtime.variations import Variations, quasi_partials, tangent
+from .collocation_mesh import A2, PLACE, SERIES, A, Mesh, mesh_of
 from .run_path import Path, dense_run, path_of
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
@@ -111,8 +111,7 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
     path, parts = path_of(task, solution), partial(parts_of, task.model)
     S, shifts, fault = _varied(task, solution, varied, path, TOGETHER.get(method.name, 3.0))
     if fault is not None and solution.success:  # otherwise the message of the failed run says why
-        remedy = _remedy(task.model) if "jumps" in str(fault) else "end the run before"
-        raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
+        raise ModelError(remedied(task.model, fault))
     rows = S[path.of_rows].T  # (columns, 2 n, k)
     if not task.model.events:
         return {name: Sensitivity.of(*parts(one), None) for name, one in zip(varied.names, rows, strict=True)}
@@ -120,6 +119,11 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
         name: Sensitivity.of(*parts(one), [shifts[marks, column] for marks in path.of_events])
         for column, (name, one) in enumerate(zip(varied.names, rows, strict=True))
     }
+
+
+def remedied(c: CompiledModel, fault: EvaluationError) -> str:
+    """Return the message of derivatives that end early, with what to do."""
+    return f"{fault}. Sensitivities end there: {_remedy(c) if 'jumps' in str(fault) else 'end the run before'}"
 
 
 def _remedy(c: CompiledModel) -> str:
@@ -144,21 +148,34 @@ def _varied(
         S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, varied.S, varied.P)
     except EvaluationError as error:
         return np.full((len(path.t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan), error
+    along, mesh = variations_of(task, dense_run(solution), path, S, varied.P, together)
+    fault = along.integrate()
+    if not len(along.at_rows):
+        return along.at_stops, along.shifts, fault
+    along.at_rows[mesh.stops] = along.at_stops
+    return along.at_rows, along.shifts, fault
+
+
+def variations_of(
+    task: Task, run: Run | None, path: Path, S: Vector, P: Vector, together: float
+) -> tuple[Variations, Mesh]:
+    """Return the integration of directions S (2 n, columns), P (n_forcing, columns) along a path, and its mesh.
+
+    Its rows are the nodes of the path, if any of these lies between the stops.
+    """
     kinks = np.empty(0)
-    if c.n_inputs:
+    if task.model.n_inputs:
         kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
     mesh = mesh_of(path, np.union1d(kinks, _breaks(task, path)))
     marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
     rows = path.t if len(mesh.stops) < len(path.t) else np.empty(0)
-    at_stops, shifts, at_rows, _, fault = vary(
-        c, path.prepared, dense_run(solution), task.inputs.compiled, 1.0 if task.t_end >= task.t_start else -1.0,
-        max(task.rtol, _LEAST), together, (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after),
-        (mesh.start, mesh.end), marks, (PLACE, A, A2, SERIES), rows, S, varied.P, task.stabilise, task.least_norm,
+    along = Variations(
+        task.model, path.prepared, run, task.inputs.compiled,
+        1.0 if task.t_end >= task.t_start else -1.0, max(task.rtol, _LEAST), together,
+        (path.t[mesh.stops], path.z[mesh.stops], mesh.spans_after), (mesh.start, mesh.end), marks,
+        (PLACE, A, A2, SERIES), rows, S, P, task.stabilise, task.least_norm,
     )  # fmt: skip
-    if not len(rows):
-        return at_stops, shifts, fault
-    at_rows[mesh.stops] = at_stops
-    return at_rows, shifts, fault
+    return along, mesh
 
 
 def _breaks(task: Task, path: Path) -> Vector:

@@ -83,14 +83,19 @@ EM_INLINE int em_eliminate_pivots(int size, int first, double **restrict rows) {
     return 0;
 }
 
-/* Updates the entries to the right of four pivots, in `width` columns. */
+EM_INLINE int em_are_zero(const double *part) {
+    return part[0] == 0.0 && part[1] == 0.0 && part[2] == 0.0 && part[3] == 0.0;
+}
+
+/* Updates the entries to the right of four pivots, in `width` columns. Rows without entries below the pivots are left
+ * as they are: coordinates that are not coupled. */
 EM_INLINE void em_eliminate_right(int size, int first, int width, double **rows) {
     const int after = first + EM_PIVOTS, count = width - after;
     double *const *const p = rows + first;
     for (int i = 1; i < EM_PIVOTS; ++i)
         for (int k = 0; k < i; ++k) em_add_to(count, -p[i][first + k], p[k] + after, p[i] + after);
     for (int r = after; r < size; r += 2)
-        em_subtract_from_two(count, rows[r] + first, rows[r + 1] + first, p[0] + after, p[1] + after, p[2] + after,
+        if (!em_are_zero(rows[r] + first) || !em_are_zero(rows[r + 1] + first)) em_subtract_from_two(count, rows[r] + first, rows[r + 1] + first, p[0] + after, p[1] + after, p[2] + after,
                              p[3] + after, rows[r] + after, rows[r + 1] + after);
 }
 
@@ -106,7 +111,7 @@ EM_INLINE int em_eliminate(int size, int columns, double **rows) {
         int r = i + 1;
         for (; r % EM_PIVOTS; ++r) em_add_to(columns, -rows[i][r], rows[r] + size, x);
         for (; r < size; r += EM_PIVOTS)
-            em_subtract_four(columns, rows[i] + r, rows[r] + size, rows[r + 1] + size, rows[r + 2] + size,
+            if (!em_are_zero(rows[i] + r)) em_subtract_four(columns, rows[i] + r, rows[r] + size, rows[r + 1] + size, rows[r + 2] + size,
                              rows[r + 3] + size, x);
         const double inverse = 1.0 / rows[i][i];
         for (int j = 0; j < columns; ++j) x[j] *= inverse;

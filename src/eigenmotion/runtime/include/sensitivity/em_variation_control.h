@@ -2,7 +2,7 @@
 #ifndef EM_VARIATION_CONTROL_H
 #define EM_VARIATION_CONTROL_H
 
-#include "sensitivity/em_variation_rows.h"
+#include "sensitivity/em_derivative_tape.h"
 
 #define EM_MOST_LENGTH 2.0 /* bound on the length of a step here, relative to initial_steps: features that the run has
                               resolved matter */
@@ -82,11 +82,15 @@ static int em_keep_step(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
     const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
     const double *const z = p->Z + last * 2 * n;
+    const size_t first = p->row;
     em_step_rows(p, from, to);
+    if (p->tape && em_append_step(p, from, to, first, p->row)) return -1;
     w->n_own_motion += p->own_motion;
     if (!em_is_finite(2 * (size_t)n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
-    if (w->stabilise && w->model->m &&
-        w->model->tangent(em_pass_clock(p, to), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
+    if (w->stabilise && w->model->m) {
+        if (p->tape && em_append_tangent(p, em_pass_clock(p, to), z)) return -1;
+        if (w->model->tangent(em_pass_clock(p, to), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
+    }
     memcpy(p->J0, p->J + last * n * width, (size_t)n * width * sizeof *p->J0);
     memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
     memcpy(p->z, z, 2 * n * sizeof *z);
@@ -164,6 +168,10 @@ static int em_cross_span(em_pass *p, size_t span) {
     const double last = w->to[span];
     double t = w->from[span];
     em_pass_pieces(p, t);
+    if (p->tape && w->model->n_time_events) {
+        em_begin_matrix(p);
+        if (em_end_matrix(p, em_pass_time_events(p->over_basis, t, last, span == 0))) return -1;
+    }
     if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
     p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
     while (t != last)

@@ -40,7 +40,7 @@ static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
 }
 
 /* S <- extrapolated by `ahead` from t: from an event to its margin, or from the margin to the event. */
-static int em_extrapolate_directions(em_pass *p, double t, double ahead) {
+static int em_extrapolate_linearly(em_pass *p, double t, double ahead) {
     em_variations *const w = p->of;
     const int n = p->n, block = n * p->columns;
     em_pass_inputs(p, t);
@@ -49,6 +49,14 @@ static int em_extrapolate_directions(em_pass *p, double t, double ahead) {
     em_add_to(block, ahead, p->S + block, p->S);
     em_add_to(block, ahead, p->W, p->S + block);
     return 0;
+}
+
+static int em_extrapolate_directions(em_pass *p, double t, double ahead) {
+    if (p->tape) {
+        em_begin_matrix(p);
+        if (em_end_matrix(p, em_extrapolate_linearly(p->over_basis, t, ahead))) return -1;
+    }
+    return em_extrapolate_linearly(p, t, ahead);
 }
 
 /* dt (columns) <- the derivative of the time of an event; for the direction of the motion itself it is -1. */
@@ -70,6 +78,7 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
 /* Whether two events, or an event and a time event, stay simultaneous for every change of the arguments, relative to
  * the larger change. */
 static int em_stay_simultaneous(const em_pass *p, const double *one, const double *other) {
+    if (p->records_for) return 1; /* the pass with the tape decides, whose directions can happen */
     for (int column = 0; column + 1 < p->columns; ++column)
         if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
     return 1;
@@ -147,16 +156,17 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_simultaneous_even
 
 /* z, S <- after a change of rotation parameters at a stop, as in the next stop. That is a map of coordinates: its time
  * has no effect. */
-static void em_variation_change_chart(em_pass *p, size_t stop) {
+static int em_variation_change_chart(em_pass *p, size_t stop) {
     em_variations *const w = p->of;
-    em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+    if (em_keep_at_stop(p, stop)) return -1;
     em_shadow_along(w->model, p->z, p->z + p->n, p->columns, p->S);
     memcpy(p->z, w->z + (stop + 1) * 2 * p->n, 2 * p->n * sizeof *p->z);
+    return 0;
 }
 
 /* Processes the marks from `mark` on that are at a stop: dt, directions and, if some act, z and the mode of the next
  * stop. Returns the number of changes of the state, or -1. */
-static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double margin) {
+static int em_pass_marks(em_pass *p, size_t stop, size_t *mark, double margin) {
     em_variations *const w = p->of;
     const int k = p->columns;
     const double t = w->t[stop];
@@ -172,7 +182,7 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double marg
         if (event == EM_CHART_CHANGE && ++changes) continue;
         const int acts = w->model->event_actions && w->model->event_actions[event].acts;
         em_event_shift(p, t, event, before, dt);
-        memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
+        if (!p->records_for) memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
         for (int j = 0; acts && j < k; ++j)
             if (!isfinite(dt[j])) return em_end_pass(w, EM_EVENT_GRAZES, event, -1);
         if (acts) em_add_simultaneous(p, &act, event, dt), fired[event] = 1;
@@ -181,8 +191,18 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double marg
     if (act.apart >= 0) return em_end_pass(w, EM_EVENTS_MEET, act.event, act.apart);
     if (act.acting) return em_variation_act(p, stop, fired, before, of_act, margin) ? -1 : act.acting;
     if (stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, margin)) return -1;
-    if (changes) em_variation_change_chart(p, stop);
+    if (changes && em_variation_change_chart(p, stop)) return -1;
     return changes;
+}
+
+/* The same, stored on the tape of the pass. */
+static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double margin) {
+    if (p->tape) {
+        size_t first = *mark;
+        em_begin_matrix(p);
+        if (em_end_matrix(p, em_pass_marks(p->over_basis, stop, &first, margin) < 0 ? -1 : 0)) return -1;
+    }
+    return em_pass_marks(p, stop, mark, margin);
 }
 
 #endif

@@ -9,6 +9,8 @@
 #include "numeric/em_elimination.h"
 #include "stepper/em_signals.h"
 
+struct em_tape;
+
 #define EM_JUMP_ROUNDING 1e-9 /* a jump of accelerations that is smaller than this part of them is rounding */
 
 /* Reasons for the end of a pass, apart from faults of the model. */
@@ -70,6 +72,8 @@ typedef struct em_pass {
                                                      own_motion: the step has its own motion */
     em_pile *pile;
     long *piece;
+    struct em_tape *tape;                   /* stores the maps of the pass, or NULL (em_derivative_tape.h) */
+    struct em_pass *over_basis, *records_for; /* with a tape: the pass over a basis; of that pass: the one with the tape */
 } em_pass;
 
 static int em_end_pass(em_variations *w, int why, int first, int second) {

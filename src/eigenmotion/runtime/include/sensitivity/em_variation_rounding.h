@@ -124,6 +124,39 @@ static void em_add_parameter_cancellation(em_pass *p, double t, const double *z,
     }
 }
 
+/* K_rounding (n, columns) <- |M^-1| |M| K_rounding: accelerations solve one linear system, so that each is as uncertain
+ * as those with which M couples it (Skeel's condition number). */
+static void em_couple_rounding(em_pass *p, double t, const double *z, double *K_rounding) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, k = p->columns;
+    double M[n * n], L[n * n], r[n], column[n];
+    if (!model->mass_matrix) return;
+    (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, z, p->c, M);
+    if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) >= 0) return;
+    memset(p->W, 0, (size_t)n * k * sizeof *p->W);
+    for (int i = 0; i < n; ++i)
+        for (int q = 0; q < n; ++q) em_add_to(k, fabs(M[i * n + q]), K_rounding + q * k, p->W + i * k);
+    memset(K_rounding, 0, (size_t)n * k * sizeof *K_rounding);
+    for (int q = 0; q < n; ++q) {
+        for (int i = 0; i < n; ++i) column[i] = i == q;
+        em_forward(n, L, r, column);
+        em_backward(n, L, r, column);
+        for (int i = 0; i < n; ++i) em_add_to(k, fabs(column[i]), p->W + q * k, K_rounding + i * k);
+    }
+}
+
+/* K_rounding (n, columns) += its own effect on K, by way of S: since the start, S_v has taken up a rounding of the
+ * elapsed time times K_rounding. A number that only depends on others that are rounding has no more digits than these. */
+static void em_add_propagated_rounding(em_pass *p, double t, double *K_rounding) {
+    const double elapsed = fabs(t - p->of->t[0]);
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
+    memcpy(p->W, K_rounding, (size_t)n * k * sizeof *p->W);
+    for (int i = 0; i < n; ++i)
+        for (int q = 0; q < n; ++q)
+            em_add_to(k, elapsed * (fabs(J[i * width + n + q]) + elapsed * fabs(J[i * width + q])), p->W + q * k, K_rounding + i * k);
+}
+
 /* K_rounding (n, columns), a_rounding (n) <- the rounding of K and of accelerations, for a step that ends at t. 0, or
  * -1. */
 static int em_rounding_of(em_pass *p, double t, double *K_rounding) {
@@ -140,7 +173,11 @@ static int em_rounding_of(em_pass *p, double t, double *K_rounding) {
     em_sum_terms(p, D, p->S, K_rounding);
     for (int i = 0; i < n; ++i) p->a_rounding[i] = EM_ROUNDINGS * fabs(a[i] - p->a[LAST * n + i]);
     em_add_cancellation(p, em_pass_clock(p, t), z, K_rounding);
-    if (p->n_again >= EM_ROUNDING_RETRIES) em_add_parameter_cancellation(p, em_pass_clock(p, t), z, K_rounding);
+    if (p->n_again >= EM_ROUNDING_RETRIES) {
+        em_add_parameter_cancellation(p, em_pass_clock(p, t), z, K_rounding);
+        em_couple_rounding(p, em_pass_clock(p, t), z, K_rounding);
+        em_add_propagated_rounding(p, t, K_rounding);
+    }
     return 0;
 }
 

@@ -20,15 +20,28 @@ EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const
     }
 }
 
+/* to (n, columns) += F, the effect of P. One product if most of P is not zero, as in random directions. */
+EM_INLINE void em_add_forcing(const em_pass *p, const double *J, double *to) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments, rows = p->of->n_forcing;
+    if (p->n_nonzeros > rows * (k / 4)) {
+        double last[n];
+        for (int i = 0; i < n; ++i) last[i] = to[i * k + k - 1];
+        em_add_product(n, rows, width, k, J + 2 * n, p->P, to);
+        for (int i = 0; i < n; ++i) to[i * k + k - 1] = last[i];
+        return;
+    }
+    for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
+        const double forcing = p->P[(*at)[0] * k + (*at)[1]];
+        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * forcing;
+    }
+}
+
 /* to (n, columns) <- J S + F; the last direction has no F. */
 EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, double *to) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     memset(to, 0, (size_t)n * k * sizeof *to);
     em_add_product(n, 2 * n, width, k, J, S, to);
-    for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
-        const double forcing = p->P[(*at)[0] * k + (*at)[1]];
-        for (int q = 0; q < n; ++q) to[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * forcing;
-    }
+    em_add_forcing(p, J, to);
 }
 
 /* G at the nodes: the part that does not depend on K. */
@@ -110,7 +123,7 @@ EM_INLINE int em_step_directions(em_pass *p, double h) {
     const int block = p->n * p->columns;
     const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
     em_node_directions(p, h);
-    const int iterated = NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
+    const int iterated = !p->tape && NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
     if (!iterated && em_solve_nodes(p, h)) return -1;
     memcpy(p->S, p->S0, 2 * (size_t)block * sizeof *p->S);
     em_add_to(block, h, p->S + block, p->S);

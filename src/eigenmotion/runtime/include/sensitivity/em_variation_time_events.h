@@ -27,7 +27,7 @@ static int em_time_event_shift(const em_pass *p, const double *at, double t, dou
             double change = 0.0;
             for (int g = 0; g < p->of->n_forcing; ++g)
                 if (p->P[g * k + j] != 0.0) change += (by[g] + turns * by[width + g]) * p->P[g * k + j];
-            if (found && !(fabs(change - dtau[j]) <= EM_SIMULTANEOUS_DERIVATIVE * fmax(fabs(change), fabs(dtau[j])))) return -1;
+            if (found && !p->records_for && !(fabs(change - dtau[j]) <= EM_SIMULTANEOUS_DERIVATIVE * fmax(fabs(change), fabs(dtau[j])))) return -1;
             dtau[j] = change;
         }
         found = 1;

@@ -36,12 +36,12 @@ static int em_variation_stops(em_pass *p) {
     for (size_t stop = 0; stop < w->n_stops; ++stop) {
         const int more = stop + 1 < w->n_stops, meets = em_is_marked(w, mark, stop);
         const double length = more ? w->t[stop + 1] - w->t[stop] : 0.0;
-        em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+        if (em_keep_at_stop(p, stop)) return -1;
         const int acted = meets ? em_variation_marks(p, stop, &mark, margin != 0.0 ? margin : EM_EVENT_MARGIN * length) : 0;
         if (acted < 0) return -1;
         leaves |= meets;
         if (acted || !more) continue; /* the next stop is the state after this one's actions */
-        if (meets) em_keep_directions(p, p->S, 2 * p->n, w->S + stop * 2 * p->n * w->columns);
+        if (meets && em_keep_at_stop(p, stop)) return -1;
         margin = EM_EVENT_MARGIN * length;
         if (em_variation_segment(p, stop, &span, leaves, em_is_marked(w, mark, stop + 1), margin)) return -1;
         leaves = 0;
@@ -102,26 +102,35 @@ static void em_find_origin(em_pass *p) {
         for (int j = 0; j < NODES; ++j) p->origin[j] += (d % 2 ? -1.0 : 1.0) * p->of->series[d * NODES + j];
 }
 
+/* Initialises a pass at its first stop. 0, or -1. */
+static int em_pass_begin(em_pass *p, em_variations *w) {
+    w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    w->why = EM_BY_FAULT;
+    if (em_pass_open(p, w)) return -1;
+    const int n = p->n, k = p->columns, requested = w->columns;
+    memcpy(p->c, w->c, w->model->n_prepared * sizeof *w->c);
+    memcpy(p->z, w->z, 2 * n * sizeof *w->z);
+    for (int i = 0; i < w->n_forcing; ++i) memcpy(p->P + i * k, w->P + i * requested, requested * sizeof *w->P);
+    p->P[(w->n_forcing - 1) * k + k - 1] = 1.0;
+    em_find_nonzeros(p);
+    em_find_origin(p);
+    for (int i = 0; w->S && i < 2 * n; ++i) memcpy(p->S + i * k, w->S + i * requested, requested * sizeof *w->S);
+    em_pass_pieces(p, w->t[0]);
+    return 0;
+}
+
+static int em_pass_integrate(em_pass *p) {
+    const uint64_t subnormals = em_flush_subnormals();
+    const int status = em_variation_stops(p);
+    em_restore_subnormals(subnormals);
+    return status;
+}
+
 /* S <- at all stops and rows. 0, or -1 and w->fault, w->why; stops and rows that were not reached are untouched. */
 static int em_integrate_variations(em_variations *w) {
     em_pass pass;
-    w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    w->why = EM_BY_FAULT;
-    int status = em_pass_open(&pass, w);
-    if (status == 0) {
-        const int n = pass.n, k = pass.columns, requested = w->columns;
-        memcpy(pass.c, w->c, w->model->n_prepared * sizeof *w->c);
-        memcpy(pass.z, w->z, 2 * n * sizeof *w->z);
-        for (int i = 0; i < w->n_forcing; ++i) memcpy(pass.P + i * k, w->P + i * requested, requested * sizeof *w->P);
-        pass.P[(w->n_forcing - 1) * k + k - 1] = 1.0; 
-        em_find_nonzeros(&pass);
-        em_find_origin(&pass);
-        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * requested, requested * sizeof *w->S);
-        em_pass_pieces(&pass, w->t[0]);
-        const uint64_t subnormals = em_flush_subnormals();
-        status = em_variation_stops(&pass);
-        em_restore_subnormals(subnormals);
-    }
+    int status = em_pass_begin(&pass, w);
+    if (status == 0) status = em_pass_integrate(&pass);
     em_pass_close(&pass);
     return status;
 }

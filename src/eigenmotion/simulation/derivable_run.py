@@ -1,0 +1,63 @@
+"""A run that can be differentiated: its solution, and its derivative as an adjoint."""
+
+from collections.abc import Sequence
+from inspect import signature
+from typing import Any, NamedTuple
+
+from ..arguments.differentiation import differentiated
+from ..arguments.methods import AUTO, METHODS, Method, method_of
+from ..arguments.tasks import TO_DERIVE, Task
+from ..codegen.model.normalise import ModelError
+from ..compiled.compiled_system import CompiledSystem
+from ..results.solution import Solution
+from ..runtime import CompiledModel
+from ..runtime.checkpoints import CheckpointedRun
+from .compiled_run import solution_of
+from .method_selection import automatic_of_run
+from .sensitivity.adjoint import Adjoint, steps_within
+from .sensitivity.run_path import path_of
+from .sensitivity.sensitivities import directions
+from .simulate import NAMES, refused, simulate
+from .task_of_run import task_of_run
+
+_NOT_HERE = ("system", "t_span", "positional", "misspelt", "estimate_error", "sensitivities", "method", "dense_output")
+_DEFAULTS = {name: one.default for name, one in signature(simulate).parameters.items() if name not in _NOT_HERE}
+_ORDER = tuple(name for name in signature(simulate).parameters if name in _DEFAULTS or name == "dense_output")
+
+
+class DerivableRun(NamedTuple):
+    """A run, and its derivative."""
+
+    task: Task
+    solution: Solution
+    adjoint: Adjoint
+
+
+def derivable_run(
+    call: str, system: CompiledSystem, t_span: tuple[float, float], by: Sequence[Any], memory: float,
+    method: str = "dop853", **options: Any,
+) -> DerivableRun:  # fmt: skip
+    """Simulate with options of `simulate`, to be differentiated by names; memory: [MB] of the derivative.
+
+    Raises
+    ------
+    ModelError
+        As `simulate` with `sensitivities`; the run fails.
+    """
+    compiled = getattr(system, "compiled", None)
+    misspelt = {name: value for name, value in options.items() if name not in _DEFAULTS}
+    if misspelt or not isinstance(compiled, CompiledModel):
+        raise refused(call, system, (), misspelt, (*_DEFAULTS, "method", "by", "memory"))
+    given = _DEFAULTS | options | {"dense_output": False}
+    task, _ = task_of_run(system, compiled, t_span, *(given[name] for name in _ORDER))
+    named = method_of(method, NAMES)
+    chosen: Method = automatic_of_run(task)[0] if named == AUTO else METHODS[named]
+    varied = directions(differentiated(compiled, by, given["v0"]), task)
+    task = task._replace(dense=TO_DERIVE)
+    run = CheckpointedRun(task, chosen.number, steps_within(task, varied, memory))
+    solution = solution_of(task, chosen, run)
+    if not solution.success:
+        raise ModelError(f"{compiled.name}: the run has no gradient, because it failed. {solution.message}")
+    solution["sol"] = None
+    path = path_of(task, solution, run)
+    return DerivableRun(task, solution, Adjoint(task, chosen, varied, run, path, run.checkpoints))
