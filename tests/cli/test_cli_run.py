@@ -80,6 +80,68 @@ def test_run_saves_and_draws(scene, capsys):
     assert Path("a.png").read_bytes().startswith(b"\x89PNG")
 
 
+def read(name):
+    lines = Path(name).read_text().splitlines()
+    return lines[0].split(","), np.loadtxt(lines[1:], delimiter=",", ndmin=2)
+
+
+def test_run_saves_rows_at_equal_distances(scene, capsys):
+    """At small angles and g = 1, angle = 0.5e-4 cos(t)."""
+    small = ["--set", "g=1", "--set", "angle=0.5e-4", "--rtol", "1e-10", "--atol", "1e-14", "--t-end", "2"]
+    assert main(["run", "scene.py", *small, "--save", "a.csv", "--rows", "9"]) == 0
+    assert main(["run", "scene.py", *small, "--save", "b.csv", "--every", "0.25"]) == 0
+    assert main(["run", "scene.py", *small, "--save", "c.csv", "--every", "0.3"]) == 0
+    assert Path("a.csv").read_text() == Path("b.csv").read_text()
+    _, table = read("a.csv")
+    np.testing.assert_allclose(table[:, 0], np.linspace(0, 2, 9), atol=1e-15)
+    np.testing.assert_allclose(table[:, 1], 0.5e-4 * np.cos(table[:, 0]), atol=1e-12)
+    np.testing.assert_allclose(read("c.csv")[1][:, 0], 0.3 * np.arange(7), atol=1e-15)
+    capsys.readouterr()
+    for wrong, words in ((["--rows", "5"], "--save"), (["--rows", "5", "--every", "1", "--save", "a.csv"], "not both")):
+        assert main(["run", "scene.py", *wrong]) == 2
+        assert words in capsys.readouterr().err
+
+
+LOOP = """\
+from sympy import cos, sin
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model, draw
+q1, q2, x = dynamicsymbols("q1 q2 x")
+model = Model(
+    name="loop", coordinates=[q1, q2, x], initial={q1: 1, q2: -0.3, x: 0.7},
+    kinetic_energy=(q1.diff() ** 2 + q2.diff() ** 2 + x.diff() ** 2) / 2,
+    holonomic_constraints=[0.2 * cos(q1) + 0.6 * cos(q2) - x, 0.2 * sin(q1) + 0.6 * sin(q2)],
+    drawing=[draw.Line((0, 0), (x, 0))],
+)
+"""
+
+
+def closed(angle):
+    """x of the loop, by the law of cosines."""
+    return 0.2 * np.cos(angle) + np.sqrt(0.36 - (0.2 * np.sin(angle)) ** 2)
+
+
+def test_run_closes_a_start_when_asked(scene, capsys):
+    """Values that are set are kept."""
+    scene.write_text(LOOP)
+    assert main(["run", "scene.py", "--t-end", "1"]) == 2
+    assert "--assemble" in capsys.readouterr().err
+    command = ["run", "scene.py", "--t-end", "1", "--set", "q1=0.9", "--set", "q1'=2", "--save", "a.csv"]
+    assert main([*command, "--assemble"]) == 0
+    assert summary_of(capsys.readouterr().out)["assembled"].startswith("q2 moved most")
+    head, table = read("a.csv")
+    first = dict(zip(head, table[0], strict=True))
+    assert first["q1"] == 0.9
+    assert first["q1'"] == 2.0
+    assert first["x"] == pytest.approx(closed(0.9), abs=1e-12)
+
+
+def test_run_says_why_a_start_cannot_be_closed(scene, capsys):
+    scene.write_text(LOOP)
+    assert main(["run", "scene.py", "--assemble", "--set", "x=0.95"]) == 2
+    assert "cannot be closed with x kept" in capsys.readouterr().err
+
+
 def test_a_run_that_ends_early_answers_2_and_says_why(scene, capsys):
     scene.write_text(SCENE.replace("- n", "-n").replace("=-n * m * g * cos(angle)", "=-m * g * angle**4"))
     assert main(["run", "scene.py", "--t-end", "100"]) == 2

@@ -140,7 +140,7 @@ def test_constraints_written_in_them_hold():
 def test_files_hold_them_and_models_without_have_none(tmp_path):
     system = system_of("rigid_body")
     found = system.simulate((0, 1))
-    save(system, found, tmp_path / "motion.npz")
+    save(found, tmp_path / "motion.npz")
     with np.load(tmp_path / "motion.npz") as file:
         np.testing.assert_array_equal(file["quasi_velocity_omega_2"], found.quasi_velocities["omega_2"])
     pendulum = system_of("pendulum")

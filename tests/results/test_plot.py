@@ -10,7 +10,6 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.presentation.figures import save
 from eigenmotion.results.output import ensemble_plot
-from eigenmotion.results.output.plot import coordinates
 
 from ..support.generation import system_for, system_of
 
@@ -50,7 +49,7 @@ def lines(axes):
 @pytest.mark.parametrize("count", [2, 9, 20])
 def test_no_two_lines_look_alike_without_colour(count):
     system = springs(count)
-    axes = coordinates(system, system.simulate((0, 0.1))).axes[0]
+    axes = system.simulate((0, 0.1)).plot().axes[0]
     assert [line.get_label() for line in lines(axes)] == list(system.coordinates)
     looks = [(line.get_linestyle(), line.get_marker()) for line in lines(axes)]
     assert len(set(looks)) == count
@@ -59,7 +58,7 @@ def test_no_two_lines_look_alike_without_colour(count):
 def test_each_name_stands_at_the_end_of_its_line_and_on_no_other():
     system = springs(9)
     run = system.simulate((0, 0.1))
-    axes = coordinates(system, run).axes[0]
+    axes = run.plot().axes[0]
     places = [text.get_position()[1] for text in axes.texts]
     assert [text.get_text() for text in axes.texts] == [f"$\\theta_{{{k}}}$" for k in range(1, 10)]
     assert np.array_equal(np.argsort(places), np.argsort(run.x[:, -1]))
@@ -69,7 +68,7 @@ def test_each_name_stands_at_the_end_of_its_line_and_on_no_other():
 
 def test_events_are_marked_when_they_happened():
     run = ball().simulate((0, 10), dense_output=True)
-    axes, strip = coordinates(ball(), run).axes
+    axes, strip = run.plot().axes
     assert [label.get_text() for label in strip.get_yticklabels()] == ["floor", "gone", "never"]
     assert [list(row.get_positions()) for row in strip.collections] == [list(times) for times in run.t_events]
     assert len(run.t_events[0]) > 3
@@ -77,29 +76,61 @@ def test_events_are_marked_when_they_happened():
 
 
 def test_axes_name_the_unit_that_is_known():
-    first, last = coordinates(ball(), ball().simulate((0, 1))).axes
+    first, last = ball().simulate((0, 1)).plot().axes
     assert last.get_xlabel() == "time $t$ [s]"
     assert first.get_ylabel() == "coordinates"
+
+
+def test_outputs_have_axes_of_their_own_and_names_choose():
+    q = dynamicsymbols("q")
+    model = em.Model(
+        name="swing", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=q**2 / 2, initial={q: 1},
+        outputs={"square": q**2, "tenfold": 10 * q},
+    )  # fmt: skip
+    run = system_for(model).simulate((0, 3), dense_output=True)
+    axes = run.plot().axes
+    assert [one.get_ylabel() for one in axes] == ["coordinates", "square", "tenfold"]
+    t, square = axes[1].get_lines()[0].get_data()
+    np.testing.assert_allclose(square, np.cos(t) ** 2, atol=1e-5)
+    rates, energy = run.plot("q'", "energy").axes
+    assert rates.get_ylabel() == "$\\dot{q}$"
+    np.testing.assert_allclose(rates.get_lines()[0].get_ydata(), -np.sin(t), atol=1e-5)
+    np.testing.assert_allclose(energy.get_lines()[0].get_ydata(), 0.5, atol=1e-5)
+    with pytest.raises(em.ModelError, match=r"unknown column 'squares'.*square"):
+        run.plot("squares")
+    with pytest.raises(em.ModelError, match="unknown column 't'"):
+        run.plot("t")
+
+
+def test_many_outputs_share_axes():
+    q = dynamicsymbols("q")
+    outputs = {f"out_{k}": k * q for k in range(9)}
+    model = em.Model(name="many", coordinates=[q], kinetic_energy=q.diff() ** 2, initial={q: 1}, outputs=outputs)
+    _, shared = system_for(model).simulate((0, 1)).plot().axes
+    assert shared.get_ylabel() == "outputs"
+    places = np.sort([text.get_position()[1] for text in shared.texts])
+    assert len(places) == 9
+    assert np.diff(places).min() * shared.get_gridspec().get_height_ratios()[1] > 0.17  # inches: no two overlap
 
 
 @pytest.mark.parametrize("name", ["pendulum", "sphere"])
 def test_the_mechanism_claims_no_unit(name):
     """A model may be in millimetres."""
-    figure = coordinates(system_of(name), system_of(name).simulate((0, 0.1)))
+    figure = system_of(name).simulate((0, 0.1)).plot()
     labels = {axes.get_title(): (axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes}
     assert labels["$t$ = 0.1 s"] == ("$x$", "$y$")
 
 
 @pytest.mark.parametrize("span", [(0, 0), (0, -2)])
 def test_odd_spans_are_drawn(span):
-    figure = coordinates(system_of("pendulum"), system_of("pendulum").simulate(span, dense_output=True))
+    figure = system_of("pendulum").simulate(span, dense_output=True).plot()
     figure.canvas.draw()
     assert figure.axes[0].get_lines()[0].get_marker() == "o"
 
 
 def test_names_that_are_no_mathematics_are_written_as_they_are():
     system = ball("x_ _y__z")
-    figure = coordinates(system, system.simulate((0, 1)))
+    figure = system.simulate((0, 1)).plot()
     figure.canvas.draw()
     assert all(Symbol(name).name.strip("_")[0] in text.get_text() for name, text in
                zip(system.coordinates, figure.axes[0].texts, strict=True))  # fmt: skip

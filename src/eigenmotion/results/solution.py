@@ -3,6 +3,8 @@
 import sys
 from collections.abc import Callable, ItemsView, Iterator, KeysView, ValuesView
 from functools import cache
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,12 +13,16 @@ from numpy.typing import ArrayLike
 from ..arguments.named_values import Vector, vector
 from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError
-from ..presentation.figures import has_matplotlib
+from ..files import write
+from ..presentation.figures import has_matplotlib, require_matplotlib
 from ..presentation.notebook import image, table
+from ..presentation.tables import as_csv
 from ..runtime import CompiledModel, StopReason
+from . import motion_table
 from .between_rows import between
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times, still
 from .pictures.moving_shapes import Drawing, require_drawing
+from .run_picture import run_picture
 from .trajectory import Segment, Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
@@ -44,6 +50,11 @@ _DEFAULTS: dict[str, Any] = {
     "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
 """Values of fields that a run does not set. Most runs set none, and a dict of half the size takes half the time."""
+
+_OF_ROWS = ("sensitivity", "error_estimate", "error_cost")
+"""Fields that belong to the rows of the run."""
+_SMOOTH, _DRAWN = 2000, 600
+"""Number of points of a line, and of rows of a drawing, in a picture."""
 
 
 class DenseOutput:
@@ -250,6 +261,127 @@ class Solution(dict[str, Any]):
         y = np.ascontiguousarray(self["sol"](t).T)
         x, v = np.ascontiguousarray(y[:, : rows.model.n]), rows.model.velocity_rows(t, y, rows.task.prepared)
         return require_drawing(rows.drawn(t, x, v), rows.model.name)
+
+    def at(self, t: ArrayLike) -> "Solution":
+        """Return the motion at other times t (k,), with all that is computed from its rows; needs dense_output.
+
+        The times are in the order of the run. Sensitivities and error estimates are of the run's own rows: the result
+        has none.
+
+        Raises
+        ------
+        ModelError
+            The run has no dense output, or a time is outside it or out of order.
+
+        Examples
+        --------
+        >>> import eigenmotion as em
+        >>> from eigenmotion.models.pendulum import model
+        >>> sol = em.build(model).simulate((0.0, 10.0), dense_output=True)
+        >>> sol.at([0.0, 5.0, 10.0]).energy.shape
+        (3,)
+        """
+        rows, times = self._named_rows("at"), vector(t, "t")
+        if self["sol"] is None:
+            raise ModelError("at: the run has no function of time; simulate(..., dense_output=True) keeps one")
+        y = self["sol"](np.atleast_1d(times) if times.ndim < 2 else times)
+        fields = {name: value for name, value in dict.items(self) if name not in (*_DERIVED, *_OF_ROWS)}
+        found = rows.at(np.atleast_1d(times), np.ascontiguousarray(y.T))
+        return Solution(found, fields | {"t": found.t, "y": y})
+
+    def table(self) -> dict[str, Vector]:
+        """Return column -> (k,): t, coordinates, rates (marked '), multipliers, energy, outputs, states.
+
+        A column has the name of its quantity. Multipliers are lambda0, lambda1, ... If a name is taken, its kind is put
+        before it, as in output_energy.
+
+        Raises
+        ------
+        ModelError
+            This is a copy from another process, which has no names.
+        """
+        return motion_table.table(self._named_rows("table"))
+
+    def to_csv(self, path: str | PathLike[str] | None = None) -> str | None:
+        """Write `table` to a file, in full precision; return its text if there is no path.
+
+        Raises
+        ------
+        ModelError
+            As `table`; or the file cannot be written.
+        """
+        columns = self.table()
+        text = as_csv(tuple(columns), np.vstack([*columns.values()]).T.tolist())
+        if path is None:
+            return text
+        try:
+            write(Path(path), text.encode())
+        except OSError as error:
+            raise ModelError(f"{path}: the table cannot be written there ({error.strerror})") from error
+        return None
+
+    def to_pandas(self) -> Any:
+        """Return `table` as a `pandas.DataFrame` over t; `attrs` has the model's name.
+
+        Raises
+        ------
+        ModelError
+            As `table`; or pandas is not installed.
+        """
+        return motion_table.data_frame(self.table(), self._attributes)
+
+    def to_xarray(self) -> Any:
+        """Return `table` as an `xarray.Dataset` with the dimension t; `attrs` has the model's name.
+
+        Raises
+        ------
+        ModelError
+            As `table`; or xarray is not installed (the extra `xarray`).
+        """
+        return motion_table.data_set(self.table(), self._attributes)
+
+    @property
+    def _attributes(self) -> dict[str, Any]:
+        return {"model": self._named_rows("attrs").model.name, "stop": str(self["stop"])}
+
+    def _named_rows(self, call: str) -> Trajectory:
+        if self._rows is None:
+            raise ModelError(
+                f"{call}: this Solution has numbers, but no model: it is a copy from another process, or the start of "
+                "its run was refused. Call it where the run was made"
+            )
+        return self._rows
+
+    def plot(self, *names: str) -> Any:
+        """Return a figure of columns of `table` over time, with the events and the mechanism; needs the extra `plot`.
+
+        Lines are smooth with dense_output, else they join the rows.
+
+        Parameters
+        ----------
+        names
+            Columns, each on its own axes. Without names: coordinates and states, and the outputs.
+
+        Raises
+        ------
+        ModelError
+            An unknown name, no rows, matplotlib is not installed; or as `table`.
+
+        Examples
+        --------
+        >>> import eigenmotion as em
+        >>> from eigenmotion.models.pendulum import model
+        >>> sol = em.build(model).simulate((0.0, 10.0), dense_output=True)
+        >>> sol.plot("theta", "theta'", "energy").savefig("pendulum.png")
+        """
+        require_matplotlib()
+        rows = self._named_rows("plot")
+        if not len(self["t"]):
+            raise ModelError("the run has no rows, so there is nothing to plot")
+        first, last = float(rows.t[0]), float(rows.t[-1])
+        smooth = rows if self["sol"] is None else self.at(np.linspace(first, last, _SMOOTH))._named_rows("plot")
+        drawn = self.drawn(np.linspace(first, last, _DRAWN)) if self["drawing"] is not None else None
+        return run_picture(smooth, names, self["t_events"], drawn)
 
     def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
         """Return the run as a matplotlib animation; needs the extra `plot`.

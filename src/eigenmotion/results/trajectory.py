@@ -9,6 +9,7 @@ import numpy as np
 from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
 from ..arguments.tasks import Task
+from ..codegen.model.normalise import ModelError
 from ..runtime import CompiledModel, Prepared
 from .pictures.moving_shapes import Drawing
 
@@ -32,6 +33,26 @@ class Trajectory:
     def modes(self) -> list[tuple[slice, Prepared]]:
         """The rows of each segment, and its prepared parameters."""
         return _segment_rows(self.task, len(self.t), self.segments)
+
+    def at(self, t: Vector, rows: Vector) -> "Trajectory":
+        """Return the rows (j, n_state) of the same run at other times t (j,), in the order of the run.
+
+        Raises
+        ------
+        ModelError
+            The times are not in order.
+        """
+        sign = -1.0 if self.task.t_end < self.task.t_start else 1.0
+        if (np.diff(sign * t) < 0.0).any():
+            raise ModelError("the times are not in the order of the run: sort them")
+        starts = [start for _, start, _ in self.segments]
+        firsts = [0, *np.searchsorted(sign * t, [sign * start for start in starts[1:]]).tolist(), len(t)]
+        segments = tuple(
+            (first, start, parameters)
+            for first, end, (_, start, parameters) in zip(firsts, firsts[1:], self.segments, strict=False)
+            if first < end
+        )
+        return Trajectory(self.task, t, rows, segments)
 
     def _by_segment(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of function(*columns, prepared), with the prepared parameters of the mode of each row."""

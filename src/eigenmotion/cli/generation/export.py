@@ -6,14 +6,17 @@ from typing import Any
 import click
 
 from eigenmotion.arguments.methods import STEPPED
+from eigenmotion.building.request import request
 from eigenmotion.casadi.export import export_casadi
+from eigenmotion.codegen.model import Model
 from eigenmotion.fmu.export import export_fmu
 from eigenmotion.progress import clock
 
 from ..options import ABOVE_ZERO, assignments, check_file, check_targets, distinct_assignments, listed, model, shaping
+from ..starts import LABEL, assembled_model, assembling
 
 _OF_CASADI = ("parameters", "prefix")
-_SPELLED = {"motion": "path", "units": "unit", "descriptions": "describe"}
+_SPELLED = {"motion": "path", "units": "unit", "descriptions": "describe", "closes": "assemble"}
 _OF_BOTH = ("model", "fmu", "casadi", "define", "formulation")
 
 
@@ -44,6 +47,7 @@ _OF_BOTH = ("model", "fmu", "casadi", "define", "formulation")
               "all.")  # fmt: skip
 @click.option("--prefix", default="", metavar="TEXT",
               help="With --casadi: what the names of the functions begin with.")  # fmt: skip
+@assembling
 @shaping
 def command(model: Path, fmu: Path | None, casadi: Path | None, **options: Any) -> None:
     """Export MODEL for other tools: as a Functional Mock-up Unit, or as functions for CasADi.
@@ -78,9 +82,19 @@ def _unit(model: Path, fmu: Path, options: dict[str, Any], given: dict[str, str]
     fmi = options.pop("fmi")
     for name in ("units", "descriptions"):
         options[name] = distinct_assignments(options[name], f"--{_SPELLED[name]}")
+    closes = options.pop("closes")
     with clock():
-        export_fmu(model, fmu, fmi=int(fmi), inverse_dynamics=inverse, motion=motion, **options | given)
+        source, keywords = _closed(model, options, given) if closes else (model, given)
+        export_fmu(source, fmu, fmi=int(fmi), inverse_dynamics=inverse, motion=motion, **options | keywords)
     click.echo(f"wrote {fmu} ({fmu.stat().st_size / 1e3:.0f} kB); import it in any tool that speaks FMI {fmi}.0")
+
+
+def _closed(model: Path, options: dict[str, Any], given: dict[str, str]) -> tuple[Model, dict[str, str]]:
+    """Return the model of a file with a consistent start, and no more arguments of -D."""
+    choices = {name: options[name] for name in ("formulation", "close_eigenvalues", "schur")}
+    closed, moved = assembled_model(request(model, given, **choices))
+    click.echo(f"{LABEL}: {moved}")
+    return closed, {}
 
 
 def _functions(model: Path, casadi: Path, options: dict[str, Any], given: dict[str, str]) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.codegen.model.normalise import name_of
 from eigenmotion.files import write
@@ -14,6 +15,7 @@ from eigenmotion.webpage.page import Run, page
 from eigenmotion.webpage.page_object import of_space, with_meshes
 
 from ..options import Finite, Shape, check_file, ending, model, setting, shaping, values
+from ..starts import LABEL, assembled, assembling
 
 _log = logging.getLogger("eigenmotion")
 
@@ -26,9 +28,17 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--rtol", type=Finite(), default=1e-9, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @setting
+@assembling
 @shaping
 def command(
-    model: Path, output: Path | None, t_end: float, rtol: float, atol: float, settings: tuple[str, ...], **shape: Any
+    model: Path,
+    output: Path | None,
+    t_end: float,
+    rtol: float,
+    atol: float,
+    settings: tuple[str, ...],
+    closes: bool,
+    **shape: Any,
 ) -> None:
     """Write an interactive page of MODEL: one HTML file with the model compiled to WebAssembly, for any browser.
 
@@ -38,10 +48,14 @@ def command(
     request = Shape(**shape).request(model, with_meshes)
     target = output or Path(f"{request.model.name}.html")
     _check(target, t_end, rtol, atol)
-    run = Run(t_end, rtol, atol, _given(request.model, settings))
+    given = _given(request.model, settings)
     with clock():
+        if closes:
+            given, moved = assembled(system_of(request), given)
+            click.echo(f"{LABEL}: {moved}")
         _log.info("compiling %s to WebAssembly", request.model.name)
         library, missing = of_space(request.model)
+        run = Run(t_end, rtol, atol, given)
         text = page(request, model.read_text(encoding="utf-8"), run, library)
     if missing:
         click.echo(missing, err=True)

@@ -12,7 +12,6 @@ from eigenmotion.analysis.cycles.find_cycle import find_cycle
 from eigenmotion.building.build import system_of
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock
-from eigenmotion.results.output.plot import coordinates
 
 from ..options import Shape, distinct_assignments, model, setting, shaping, values
 from .targets import check_results
@@ -64,7 +63,7 @@ def command(
         branch = follow(found, goal[0], to=goal[1]) if goal and found.success else None
     click.echo("\n".join(_described(found, branch)))
     if plot and found.solution:
-        figure = branch.plot() if branch else coordinates(found.system, found.solution)
+        figure = branch.plot() if branch else found.solution.plot()
         click.echo(f"drawn to {save_figure(figure, plot)}")
     return 0 if found.success and (branch is None or branch.success) else 2
 

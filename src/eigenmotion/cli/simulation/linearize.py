@@ -5,7 +5,6 @@ from typing import Any
 
 import click
 
-from eigenmotion.analysis.equilibrium.assemble import assemble
 from eigenmotion.analysis.linear.text import description, plane
 from eigenmotion.analysis.state.active_contacts import named_modes
 from eigenmotion.building.build import system_of
@@ -13,6 +12,7 @@ from eigenmotion.presentation.figures import FORMATS, require_matplotlib, save
 from eigenmotion.progress import clock
 
 from ..options import Shape, check_writable, model, shaping, values
+from ..starts import assembled
 
 
 @click.command("linearize")
@@ -30,13 +30,14 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
     arguments = values(request.model, settings, "--at")
     with clock():
         system = system_of(request)
-        x0, v0, parameters, inputs = (arguments.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
-        keep = tuple(name for name in x0 or () if name in system.coordinates)
-        x, v = assemble(system, x0, v0, parameters=parameters, keep=keep)
-        states = {name: value for name, value in (x0 or {}).items() if name in system.states}
-        mode = named_modes(system.compiled, parameters or {})
+        closed, _ = assembled(system, arguments)
+        parameters = arguments.get("parameters")
         result = system.linearize(
-            dict(zip(system.coordinates, x, strict=True)) | states, v, parameters=parameters, inputs=inputs, mode=mode
+            closed["x0"],
+            closed["v0"],
+            parameters=parameters,
+            inputs=arguments.get("inputs"),
+            mode=named_modes(system.compiled, parameters or {}),
         )
     click.echo(description(result))
     if plot:

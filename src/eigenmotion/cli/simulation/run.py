@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from eigenmotion.arguments.methods import AUTO, IMPLICIT, METHODS
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock
-from eigenmotion.results.output.plot import coordinates
 from eigenmotion.results.output.saving import SAVERS, save
 from eigenmotion.results.output.summary import summary
 from eigenmotion.results.pictures.animation import ANIMATIONS, save_animation
@@ -22,7 +22,8 @@ from eigenmotion.runtime import StopReason
 from eigenmotion.simulation.simulate import simulate
 from eigenmotion.system.system import System
 
-from ..options import Finite, Shape, ending, model, setting, shaping, values
+from ..options import ABOVE_ZERO, Finite, Shape, ending, model, setting, shaping, values
+from ..starts import LABEL, assembled, assembling
 from .targets import check_results
 
 _log = logging.getLogger("eigenmotion")
@@ -37,13 +38,17 @@ _log = logging.getLogger("eigenmotion")
               help=f"{', '.join(name for name in METHODS if name not in IMPLICIT)}; implicit, for stiff models: "
               f"{', '.join(IMPLICIT)}; {AUTO}: chosen for the model and its start.")  # fmt: skip
 @setting
+@assembling
 @click.option("--estimate-error", is_flag=True, help="Repeat the run more accurately, and print the error.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+              help="Draw coordinates and outputs over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help=f"Animate the mechanism, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help=f"Save every row, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
+              help=f"Save the rows, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
+@click.option("--rows", type=click.IntRange(min=2), default=None, metavar="N",
+              help="With --save: N rows at equal distances. Default: a row for each step.")  # fmt: skip
+@click.option("--every", type=ABOVE_ZERO, default=None, metavar="DT", help="With --save: a row every DT seconds.")
 @shaping
 def command(
     model: Path,
@@ -52,10 +57,13 @@ def command(
     atol: float,
     method: str,
     settings: tuple[str, ...],
+    closes: bool,
     estimate_error: bool,
     plot: Path | None,
     animate: Path | None,
     target: Path | None,
+    rows: int | None,
+    every: float | None,
     **shape: Any,
 ) -> int:
     """Simulate MODEL and print a summary.
@@ -64,6 +72,7 @@ def command(
     reason and the time reached, and exits with 2, or with 130 if interrupted.
     """
     check_results(plot, animate, ("--save", target, SAVERS))
+    _check_rows(target, rows, every)
     request = Shape(**shape).request(model)
     if animate and not request.model.drawing:
         require_drawing(None, request.model.name)
@@ -72,16 +81,20 @@ def command(
     with clock():
         system = system_of(request)
         _log.info("running %s to t = %g", system.name, t_end)
+        if closes:
+            arguments, moved = assembled(system, arguments)
+            click.echo(f"{LABEL:<22} {moved}")
         start = time.perf_counter()
-        solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **arguments)
+        dense = bool(plot or animate or rows or every)
+        solution = _simulated(system, t_end, dense_output=dense, **options, **arguments)
         seconds = time.perf_counter() - start
     click.echo(summary(system, solution, seconds))
     if plot:
-        click.echo(f"drawn to {save_figure(coordinates(system, solution), plot)}")
+        click.echo(f"drawn to {save_figure(solution.plot(), plot)}")
     if animate:
         click.echo(f"moves in {save_animation(solution.animate(), animate)}")
     if target:
-        save(system, solution, target)
+        save(_spaced(solution, rows, every), target)
         click.echo(f"saved to {target}")
     return _exit_code(solution)
 
@@ -93,6 +106,25 @@ def _simulated(system: System, t_end: float, **options: Any) -> Solution:
         raise
     except ValueError as error:
         raise click.UsageError(str(error)) from error
+
+
+def _check_rows(target: Path | None, rows: int | None, every: float | None) -> None:
+    """Check the options about the rows of a file."""
+    if rows and every:
+        raise click.UsageError("give --rows or --every, not both")
+    if (rows or every) and not target:
+        raise click.UsageError(f"{'--rows' if rows else '--every'} is for the rows of a file: give --save FILE too")
+
+
+def _spaced(solution: Solution, rows: int | None, every: float | None) -> Solution:
+    """Return the motion at N times, or every so many seconds up to the end that the run reached."""
+    first, last = solution.t[0], solution.t[-1]
+    if rows:
+        return solution.at(np.linspace(first, last, rows))
+    if every:
+        count = np.floor((last - first) / every * (1.0 + 1e-12))
+        return solution.at(np.minimum(first + every * np.arange(count + 1), last))
+    return solution
 
 
 def _exit_code(solution: Solution) -> int:

@@ -6,10 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...compiled.compiled_system import CompiledSystem
 from ...files import write
-from ...presentation.tables import as_csv
-from ..columns import columns, moving
 from ..solution import Solution
 
 _ARRAYS = (
@@ -18,30 +15,29 @@ _ARRAYS = (
 )  # fmt: skip
 
 
-def save(system: CompiledSystem, solution: Solution, path: Path) -> None:
+def save(solution: Solution, path: Path) -> None:
     """Write a solution in the format of the ending of `path`, atomically: no incomplete file remains."""
-    write(path, SAVERS[path.suffix](system, solution))
+    write(path, SAVERS[path.suffix](solution))
 
 
-def _npz(system: CompiledSystem, solution: Solution) -> bytes:
+def _npz(solution: Solution) -> bytes:
     buffer = io.BytesIO()
     arrays = {name: solution[name] for name in _ARRAYS}
     arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
     arrays |= {f"state_{name}": values for name, values in solution.states.items()}
     arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
-    np.savez_compressed(buffer, coordinates=np.array(system.coordinates), **arrays)
+    np.savez_compressed(buffer, coordinates=np.array(_coordinates(solution)), **arrays)
     return buffer.getvalue()
 
 
-def _csv(system: CompiledSystem, solution: Solution) -> bytes:
-    """Columns: t, each coordinate, rate (marked '), multiplier, energy, output, state; full precision."""
-    ours = ["t", *(f"lambda{k}" for k in range(system.m)), "energy"]
-    motion = moving(ours, system.coordinates)
-    others = [*(("output", name) for name in solution.outputs), *(("state", name) for name in solution.states)]
-    named = columns({*ours, *motion, *system.coordinates}, others)
-    numbers = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
-                         *solution.outputs.values(), *solution.states.values()])  # fmt: skip
-    return as_csv(["t", *motion, *ours[1:], *named], numbers.T.tolist()).encode()
+def _coordinates(solution: Solution) -> tuple[str, ...]:
+    """Return the names of the coordinates; raises ModelError where these are not known."""
+    return tuple(solution.table())[1 : 1 + len(solution.x)]
 
 
-SAVERS: dict[str, Callable[[CompiledSystem, Solution], bytes]] = {".npz": _npz, ".csv": _csv}
+def _csv(solution: Solution) -> bytes:
+    """Return the columns of `Solution.table`, in full precision."""
+    return str(solution.to_csv()).encode()
+
+
+SAVERS: dict[str, Callable[[Solution], bytes]] = {".npz": _npz, ".csv": _csv}

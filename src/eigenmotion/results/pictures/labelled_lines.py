@@ -1,5 +1,6 @@
 """Lines with a style, markers and their names at their ends, so that they can be told apart without colour."""
 
+import re
 from collections.abc import Sequence
 from itertools import cycle
 from typing import Any
@@ -12,6 +13,9 @@ from ...presentation.figures import COLOURS, STYLES, plain_text, spread_labels, 
 
 MARKERS = ("o", "s", "^", "D", "v")
 _MARKS = 8  # markers on each line
+_DOTS = {1: "dot", 2: "ddot"}
+_LINE = 0.18  # [inch] between names
+_WORD = 3  # letters from which a name is a word, not a symbol
 
 
 def draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
@@ -24,13 +28,16 @@ def draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
     uncluttered(axes)
 
 
-def name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
-    """Write each name, with a piece of its line, behind the end of the line; names of close ends are moved apart."""
+def name_lines(axes: Any, x: Vector, names: Sequence[str], height: float) -> None:
+    """Write each name, with a piece of its line, behind the end of the line; names of close ends are moved apart.
+
+    height : of the axes [inch]
+    """
     from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
 
     low, high = axes.get_ylim()
     ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
-    gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
+    gap = min(_LINE / height, 1 / len(names))
     for line, name, end, place in zip(list(axes.get_lines()), names, ends, spread_labels(ends, gap), strict=True):
         look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
         style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
@@ -40,12 +47,16 @@ def name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
 
 
 def label(name: str) -> str:
-    """Return a name as mathematics, or as plain text if matplotlib cannot parse it."""
+    """Return a name as mathematics, a rate with a dot; words, and what matplotlib cannot parse, as plain text."""
     from matplotlib.mathtext import MathTextParser  # noqa: PLC0415, an optional package
 
-    label = f"${latex(Symbol(name))}$"
+    symbol = name.rstrip("'")
+    written = latex(Symbol(symbol))
+    if "\\" not in written and len(re.split("[^A-Za-z]", symbol)[0]) >= _WORD:
+        return plain_text(name)
+    dotted = written if symbol == name else rf"\{_DOTS.get(len(name) - len(symbol), '')}{{{written}}}"
     try:
-        MathTextParser("path").parse(label)
+        MathTextParser("path").parse(f"${dotted}$")
     except ValueError:
         return plain_text(name)
-    return label
+    return f"${dotted}$"

@@ -12,6 +12,7 @@ from ...runtime import CompiledModel, EvaluationError, Prepared
 
 _CLOSE = 1e-6  # EM_EPSILON: relative gap of eigenvalues below which Omega is extrapolated
 _STILL = 1e-9  # relative part of dM/dx below which equal eigenvalues remain equal
+_COMMAND = "On the command line, `run --assemble` closes it."
 
 
 def start_state(
@@ -156,8 +157,9 @@ def _offer(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vec
     try:
         x, v = Projection(model, prepared, t, least_norm=True)(x, v)
     except (EvaluationError, ModelError):
-        return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
-    return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+        rough = "em.assemble(system, x0) closes loops from guesses as rough as this"
+        return f"{rough}; {remedy} from a closer one. {_COMMAND}"
+    return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}. {_COMMAND}"
 
 
 def _of_contact(model: CompiledModel, name: str, gap: float) -> str:

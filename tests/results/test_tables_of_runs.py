@@ -1,0 +1,129 @@
+"""Runs as tables: their columns, at any time, and in the formats of other tools."""
+
+import csv
+import io
+import pickle
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+
+from ..support.generation import system_for
+
+q, z, u = dynamicsymbols("q z u")
+TOLERANCES = {"rtol": 1e-10, "atol": 1e-10}
+TIMES = np.linspace(0.0, 3.0, 7)
+
+
+@pytest.fixture(scope="module")
+def run():
+    """q = cos(t), z = exp(-t)."""
+    model = em.Model(
+        name="swing", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=q**2 / 2,
+        outputs={"square": q**2, "energy": 3 * q, "pull": q.diff().diff()}, states={z: -z}, initial={q: 1, z: 1},
+    )  # fmt: skip
+    return system_for(model).simulate((0, 3), dense_output=True, **TOLERANCES)
+
+
+@pytest.fixture(scope="module")
+def bounce():
+    """A ball that is dropped from 1 and stays on the floor, at gravity 2: it lands at t = 1."""
+    model = em.Model(
+        name="drop", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=2 * q, initial={q: 1},
+        contacts={"floor": em.Contact(q)}, outputs={"force": -em.multiplier("floor")},
+    )  # fmt: skip
+    return system_for(model).simulate((0, 2), dense_output=True, **TOLERANCES)
+
+
+def test_columns_have_names_and_those_that_are_taken_their_kind(run):
+    columns = run.table()
+    assert list(columns) == ["t", "q", "q'", "energy", "square", "output_energy", "pull", "z"]
+    np.testing.assert_array_equal(columns["q"], run.x[0])
+    np.testing.assert_array_equal(columns["output_energy"], run.outputs["energy"])
+
+
+def test_a_motion_is_known_at_any_time(run):
+    columns = run.at(TIMES).table()
+    exact = {
+        "t": TIMES, "q": np.cos(TIMES), "q'": -np.sin(TIMES), "energy": np.full(7, 0.5), "square": np.cos(TIMES) ** 2,
+        "output_energy": 3 * np.cos(TIMES), "pull": -np.cos(TIMES), "z": np.exp(-TIMES),
+    }  # fmt: skip
+    for name, values in exact.items():
+        np.testing.assert_allclose(columns[name], values, atol=1e-8, err_msg=name)
+    assert run.at(1.5).x.shape == (1, 1)
+    assert run.at(TIMES).at([0.5]).t == [0.5]
+    assert run.at(TIMES).error_estimate is None
+
+
+@pytest.mark.parametrize(
+    ("t", "words"),
+    [([0.0, 4.0], "outside the interval"), ([2.0, 1.0], "not in the order of the run"), ([[0.0]], "shape")],
+)
+def test_times_that_a_motion_does_not_have_are_refused(run, t, words):
+    with pytest.raises(em.ModelError, match=words):
+        run.at(t)
+
+
+def test_backwards_the_order_is_that_of_the_run(run):
+    back = run.trajectory.model
+    assert back.name == "swing"
+    found = em.simulate(system_for(_spring()), (0, -3), dense_output=True, **TOLERANCES).at(-TIMES)
+    np.testing.assert_allclose(found.x[0], np.cos(TIMES), atol=1e-8)
+
+
+def _spring():
+    return em.Model(
+        name="spring", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=q**2 / 2, initial={q: 1}
+    )
+
+
+def test_without_dense_output_a_run_has_its_rows_alone():
+    with pytest.raises(em.ModelError, match="dense_output=True"):
+        system_for(_spring()).simulate((0, 1)).at([0.5])
+
+
+def test_each_time_has_the_forces_of_its_mode(bounce):
+    times = np.array([0.0, 0.5, 0.99, 1.01, 1.5, 2.0])
+    np.testing.assert_allclose(bounce.at(times).outputs["force"], [0, 0, 0, 2, 2, 2], atol=1e-12)
+    np.testing.assert_allclose(bounce.at(times[4:]).outputs["force"], [2, 2], atol=1e-12)
+    np.testing.assert_allclose(bounce.at(times[:2]).outputs["force"], [0, 0], atol=1e-12)
+    np.testing.assert_allclose(bounce.at(times).x[0, :3], 1 - times[:3] ** 2, atol=1e-9)
+
+
+def test_csv_is_read_back_exactly(run, tmp_path):
+    assert run.to_csv(tmp_path / "run.csv") is None
+    text = (tmp_path / "run.csv").read_text()
+    assert text == run.to_csv()
+    head, *rows = csv.reader(io.StringIO(text))
+    assert head == list(run.table())
+    np.testing.assert_array_equal(np.array(rows, dtype=float).T, [*run.table().values()])
+    with pytest.raises(em.ModelError, match="cannot be written"):
+        run.to_csv(tmp_path)
+
+
+def test_pandas_has_columns_over_time(run):
+    pandas = pytest.importorskip("pandas")
+    frame = run.to_pandas()
+    assert isinstance(frame, pandas.DataFrame)
+    assert frame.index.name == "t"
+    assert list(frame) == list(run.table())[1:]
+    np.testing.assert_array_equal(frame["q"].to_numpy(), run.x[0])
+    assert frame.attrs == {"model": "swing", "stop": "finished"}
+
+
+def test_xarray_has_variables_over_time(run):
+    pytest.importorskip("xarray")
+    data = run.to_xarray()
+    assert list(data) == list(run.table())[1:]
+    assert data.sizes == {"t": len(run.t)}
+    assert float(data["q"].interp(t=1.0)) == pytest.approx(np.cos(1.0), abs=0.05)
+    assert data.attrs == {"model": "swing", "stop": "finished"}
+
+
+def test_a_copy_from_another_process_says_that_it_has_no_names(run):
+    copied = pickle.loads(pickle.dumps(run))
+    for call in (copied.table, copied.to_csv, copied.to_pandas, copied.plot, lambda: copied.at([0.0])):
+        with pytest.raises(em.ModelError, match="no model"):
+            call()
