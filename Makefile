@@ -132,7 +132,7 @@ clean:
 # The environment, remade when what it is made from changes; where that is a source or a header of an extension module (setup.py has
 # the compiler list these), only modules that it is part of
 MADE_FROM := pyproject.toml setup.py constraints.txt
-INSTALL   := -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu,casadi,gym,robots]'
+INSTALL   := -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu,casadi,gym,robots,jax]'
 -include $(wildcard $(COMPILED:=/*.d))
 $(READY): $(MADE_FROM) $(wildcard $(COMPILED:=/*.pyx) $(COMPILED:=/*.pxd))
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .analysis.equilibrium.equilibrium import find_equilibrium as find_equilibrium
     from .analysis.fitting.fit import fit as fit
     from .analysis.fitting.motion_fit import MotionFit as MotionFit
+    from .analysis.gradients.to_jax import to_jax as to_jax
     from .analysis.gradients.vjp import vjp as vjp
     from .analysis.identification.fit_forces import Fit as Fit
     from .analysis.identification.fit_forces import fit_forces as fit_forces
@@ -120,6 +121,7 @@ _HOME = {
     "simulate": ".simulation.simulate",
     "simulate_ensemble": ".batch.simulate_ensemble",
     "t": ".codegen.model",
+    "to_jax": ".analysis.gradients.to_jax",
     "vjp": ".analysis.gradients.vjp",
 }
 

@@ -166,14 +166,6 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.identification",
         "analysis.equilibrium",
     ),
-    "analysis.gradients": (
-        "codegen.model.normalise",
-        "arguments",
-        "compiled",
-        "results",
-        "simulation",
-        "analysis.state",
-    ),
     "batch": (
         "codegen.model.normalise",
         "cores",
@@ -185,6 +177,18 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "simulation.initial_state",
         "simulation.sensitivity",
         "simulation",
+    ),
+    "analysis.gradients": (
+        "codegen.model.normalise",
+        "cores",
+        "runtime",
+        "arguments",
+        "compiled",
+        "results",
+        "simulation",
+        "analysis.state",
+        "analysis.fitting",
+        "batch",
     ),
     "batch.sweep": ("codegen.model.normalise", "files", "arguments", "presentation", "results"),
     "batch.stepper": (

@@ -78,15 +78,24 @@ def vjp(
         states: Mapping[str, ArrayLike] | None = None,
         outputs: Mapping[str, ArrayLike] | None = None,
     ) -> dict[str, float]:
-        rows, direct = _cotangents(run, dx, dv, states), np.zeros(len(varied.names))
-        if outputs:
-            added, forcing = _through_outputs(run, outputs)
-            rows += added
-            direct = forcing @ varied.P
-        gradient = run.adjoint.pull(rows) + direct
-        return dict(zip(varied.names, gradient.tolist(), strict=True))
+        return dict(zip(varied.names, pulled(run, dx, dv, states, outputs).tolist(), strict=True))
 
     return run.solution, pullback
+
+
+def pulled(
+    run: DerivableRun,
+    dx: ArrayLike | None = None,
+    dv: ArrayLike | None = None,
+    states: Mapping[str, ArrayLike] | None = None,
+    outputs: Mapping[str, ArrayLike] | None = None,
+) -> Vector:
+    """Return the gradient (names,) for cotangents of the rows of a run, as the pullback of `vjp` takes them."""
+    rows = _cotangents(run, dx, dv, states)
+    if not outputs:
+        return run.adjoint.pull(rows)
+    added, forcing = _through_outputs(run, outputs)
+    return np.asarray(run.adjoint.pull(rows + added) + forcing @ run.adjoint.varied.P)
 
 
 def _cotangents(
