@@ -153,6 +153,16 @@ model = Model(
         m1: 0.04, m2: 0.003, m3: 0.02, m4: 0.005, m5: 0.06, J1: 2e4, J3: 800.0, J4: 30.0, J5: 3000.0,
     },
     initial=at_start | rates_at_start,
+    units={
+        **dict.fromkeys((x1, y1, x2, y2, x3, y3, x4, y4, x5, y5, *LENGTHS, a, b, depth, rp), "mm"),
+        **dict.fromkeys((theta, psi, chi, phi), "rad"),
+        **dict.fromkeys((m1, m2, m3, m4, m5), "t"),
+        **dict.fromkeys((J1, J3, J4, J5), "t mm^2"),
+        g: "mm/s^2",
+        **dict.fromkeys(("cutting", *(f"force_{name}" for name in joints)), "N"),
+        **dict.fromkeys(("motor_power", "tool_power", "friction_power"), "mW"),
+        "torque": "N mm", "length": "mm", "energy": "mJ", "time": "s",
+    },
     drawing=[
         draw.Ground((0, 0)),
         draw.Ground((0, h)),

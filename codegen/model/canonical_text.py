@@ -10,7 +10,7 @@ from sympy.core.function import AppliedUndef
 
 LATER = ("constraint_names", "states")
 """Fields added in later versions. They are omitted where empty, so that hashes of older models do not change."""
-UNWRITTEN = ("notes",)
+UNWRITTEN = ("notes", "units")
 """Fields that change nothing of the generated files."""
 
 

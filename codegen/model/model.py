@@ -19,6 +19,7 @@ from .statement.drawing import drawing_of
 from .statement.event import Event
 from .statement.mechanism import Mechanism, in_rates
 from .statement.states import states_of
+from .statement.units import units_of
 from .symbolic.equations import Equations, equations_of
 from .table import Table, TableHandle, tables_in
 
@@ -84,6 +85,9 @@ class Model(Mechanism):
     states : pairs z, zdot: first-order states, functions of `t`, and their rates, which may depend on whatever forces
     may depend on
     notes : texts about what the model leaves out, which `eigenmotion explain` prints
+    units : pairs name, unit: words that pictures, pages, tables and other tools show, and nothing checks. Names are
+    those of coordinates, states, parameters, inputs and outputs; "time" ("s" if others have units), "length" of the
+    drawing, "energy". Units of rates follow
 
     Raises
     ------
@@ -131,6 +135,7 @@ class Model(Mechanism):
         constraint_names: Iterable[NamedRows] = (),
         states: Pairs = (),
         notes: Iterable[str] = (),
+        units: Pairs = (),
     ) -> None:
         arguments = dict(locals())
         del arguments["self"]
@@ -204,6 +209,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         "constraint_names": names,
         "states": states_of(arguments["states"]),
         "notes": tuple(str(note) for note in sequence_of(arguments["notes"], "notes")),
+        "units": arguments["units"],
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
     fields = with_prescribed_inputs(fields)
@@ -213,7 +219,8 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
     fields["outputs"] = tuple(
         (name, numbered(output, f"outputs[{name_of(name)}]", known)) for name, output in fields["outputs"]
     )
-    return _with_tables(with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"])))
+    fields = _with_tables(with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"])))
+    return fields | {"units": units_of(fields["units"], fields)}
 
 
 def _with_tables(fields: dict[str, Any]) -> dict[str, Any]:

@@ -303,7 +303,7 @@ def test_pictures():
     assert [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()][:3] == [
         "coordinates",
         "forces",
-        "power [W]",
+        "power",
     ]
     speed, force = figure.axes[-1].get_lines()[0].get_data()
     assert np.array_equal(speed, driven.v[0])

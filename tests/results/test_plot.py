@@ -75,9 +75,9 @@ def test_events_are_marked_when_they_happened():
     assert axes.get_xlim() == (0.0, pytest.approx(3.0))
 
 
-def test_axes_name_the_unit_that_is_known():
+def test_axes_of_a_model_without_units_name_none():
     first, last = ball().simulate((0, 1)).plot().axes
-    assert last.get_xlabel() == "time $t$ [s]"
+    assert last.get_xlabel() == "time $t$"
     assert first.get_ylabel() == "coordinates"
 
 
@@ -118,7 +118,7 @@ def test_the_mechanism_claims_no_unit(name):
     """A model may be in millimetres."""
     figure = system_of(name).simulate((0, 0.1)).plot()
     labels = {axes.get_title(): (axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes}
-    assert labels["$t$ = 0.1 s"] == ("$x$", "$y$")
+    assert labels["$t$ = 0.1"] == ("$x$", "$y$")
 
 
 @pytest.mark.parametrize("span", [(0, 0), (0, -2)])

@@ -272,6 +272,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "files",
         "runtime.status",
         "arguments",
+        "presentation",
         "building.errors",
         "building",
     ),

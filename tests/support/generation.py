@@ -68,6 +68,7 @@ def built(model: Model, choices: Choices) -> System:
     asked = Request(model, choices)
     system = system_in(_kept(asked), model.name)
     system.compiled.load_part = partial(_differentiating, asked)
+    system.compiled.units = dict(model.units) or None
     return system
 
 

@@ -38,6 +38,7 @@ class Mechanism:
     constraint_names: tuple[NamedRows, ...]
     states: tuple[tuple[sympy.Expr, sympy.Expr], ...]
     notes: tuple[str, ...]
+    units: tuple[tuple[str, str], ...]
 
     @property
     def n(self) -> int:

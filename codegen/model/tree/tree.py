@@ -198,6 +198,27 @@ class Tree:
         """Potential energy of gravity [J]."""
         return _call(Quantity("potential_energy", tuple(self._links), self.gravity))
 
+    def units(self, length: str = "") -> dict[sympy.Expr, str]:
+        """Return the units of coordinates, for a Model: "rad" of revolute joints, and a word for lengths of others.
+
+        Modified Rodrigues parameters, of spherical and free joints, have none.
+
+        Examples
+        --------
+        >>> import eigenmotion as em
+        >>> tree = em.Tree()
+        >>> slide = tree.body("slide", joint="prismatic", axis="x", mass=1)
+        >>> arm = tree.body("arm", slide, joint="revolute", axis="y", mass=1, center=(0, 0, -300))
+        >>> tree.units("mm")
+        {slide(t): 'mm', arm(t): 'rad'}
+        """
+        words: dict[sympy.Expr, str] = {}
+        for link in self._links:
+            places = link.coordinates[:3] if link.joint in ("prismatic", "free") else ()
+            for q in link.coordinates:
+                words.setdefault(q, "rad" if link.joint == "revolute" else length if q in places else "")
+        return {q: unit for q, unit in words.items() if unit}
+
     def _check(self, name: Any, joint: Any, what: str) -> None:
         if not isinstance(name, str) or not name:
             raise ModelError(f"{what}: its name is a text.")

@@ -85,7 +85,7 @@ def system_of(requested: Request, compiler: str | None = None, flags: str | None
               ) -> "System":  # fmt: skip
     """Return the System of a request; it is pickled as the request."""
     tools = toolchain(compiler, flags)
-    system = load(make(requested, tools, output))
+    system = load(make(requested, tools, output), requested.model.units)
     system.compiled.recipe = partial(system_of, requested, compiler, flags)
     system.compiled.load_part = partial(load_part, requested, tools)
     return system

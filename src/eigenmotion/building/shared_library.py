@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
-_loaded: dict[Path, "System"] = {}
+Units = tuple[tuple[str, str], ...]
+_loaded: dict[tuple[Path, Units], "System"] = {}
 _CAPSULE = b"eigenmotion.em_model"  # a constant, as capsules must outlive their name
 _capsule = ctypes.pythonapi.PyCapsule_New
 _capsule.restype, _capsule.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
@@ -102,12 +103,16 @@ def stepper_meanwhile(tools: Toolchain) -> Iterator[None]:
         yield
 
 
-def load(binary: Path) -> "System":
-    """Load the library at `binary`, once per process, and return the System of its model."""
+def load(binary: Path, units: Units = ()) -> "System":
+    """Load the library at `binary`, once per process, and return the System of its model.
+
+    Models that differ in the words for their units alone have one library, but Systems of their own.
+    """
     with _loading:
-        if binary not in _loaded:
-            _loaded[binary] = system_in(binary)
-        return _loaded[binary]
+        if (binary, units) not in _loaded:
+            _loaded[binary, units] = system_in(binary)
+            _loaded[binary, units].compiled.units = dict(units) or None
+        return _loaded[binary, units]
 
 
 def system_in(binary: Path) -> "System":

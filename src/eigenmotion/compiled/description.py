@@ -130,6 +130,11 @@ class Description:
         return self._compiled.scales[: self.n].copy()
 
     @property
+    def units(self) -> dict[str, str]:
+        """Name -> unit, as the model gives them (a copy); {} for a model without units."""
+        return dict(self._compiled.units or {})
+
+    @property
     def conserves_energy(self) -> bool:
         """Whether `jacobi_integral` is a constant of the motion."""
         return self._compiled.conserves_energy

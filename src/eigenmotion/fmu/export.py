@@ -69,7 +69,7 @@ def export_fmu(
         constraints, those of the actuators. The others follow from the constraints.
     units
         Physical units of variables, name -> unit: a product such as N*m, kg*m^2 or rad/s. Those of rates follow from
-        those of coordinates.
+        those of coordinates. Default: the units of the model, if its time is in s.
     descriptions
         Descriptions of variables, name -> text.
 
@@ -94,7 +94,7 @@ def export_fmu(
         raise ModelError(f"fmi is {shown(fmi)}: give the version of FMI, 2 or 3")
     stepping = {"method": method, "rtol": rtol, "atol": atol, "step": step}
     content = _content(requested, stepping, inverse_dynamics, motion)
-    unit = packed(requested, labelled(content, units, descriptions), fmi)
+    unit = packed(requested, labelled(content, units, descriptions, dict(requested.model.units)), fmi)
     try:
         write(target, unit)
     except OSError as error:

@@ -11,8 +11,16 @@ from .physical_units import rate_of, units_of
 from .unit import Content, Variable
 
 
-def labelled(content: Content, units: Mapping[Any, str] | None, descriptions: Mapping[Any, str] | None) -> Content:
+def labelled(
+    content: Content,
+    units: Mapping[Any, str] | None,
+    descriptions: Mapping[Any, str] | None,
+    of_model: Mapping[str, str],
+) -> Content:
     """Return the content with units and descriptions; those of rates follow from those of coordinates.
+
+    Variables without a unit in `units` have that of the model, which may be any word, if its time is in seconds: that
+    of a unit always is.
 
     Raises
     ------
@@ -20,11 +28,16 @@ def labelled(content: Content, units: Mapping[Any, str] | None, descriptions: Ma
         A name is that of no variable; a unit is no product of known units, or a description is no line of text.
     """
     names = tuple(one.name for one in content.variables)
-    measured = dict(_of_rates(_texts(units, "units", names), names))
+    in_seconds = of_model.get("time", "s") == "s"
+    words = {name: unit for name, unit in of_model.items() if name in names and name != "time" and in_seconds}
+    own = dict(_of_rates(words, names))
+    given = dict(_of_rates(_texts(units, "units", names), names))
+    measured = own | given
     described = _texts(descriptions, "descriptions", names)
     variables = tuple(_labelled(one, measured, described) for one in content.variables)
     seconds = ("s",) if measured else ()
-    return replace(content, variables=variables, physical_units=units_of((*seconds, *measured.values())))
+    known = units_of((*seconds, *measured.values()), {*own.values()} - {*given.values()})
+    return replace(content, variables=variables, physical_units=known)
 
 
 def _texts(given: Mapping[Any, str] | None, keyword: str, names: tuple[str, ...]) -> dict[str, str]:

@@ -1,7 +1,7 @@
 """Physical units of variables, as exponents of SI's base units."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from math import pi
 from typing import NamedTuple
 
@@ -35,11 +35,15 @@ _FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z1]+)(?:\^(-?\d+))?\s*")
 
 
 class PhysicalUnit(NamedTuple):
-    """A unit by its name: `factor` of the product of SI's base units with these exponents."""
+    """A unit by its name: `factor` of the product of SI's base units with these exponents.
+
+    is_known : False for a word of the user of which nothing else is known
+    """
 
     name: str
     factor: float
     exponents: tuple[tuple[str, int], ...]
+    is_known: bool = True
 
 
 def physical_unit(text: str) -> PhysicalUnit:
@@ -82,9 +86,24 @@ def _one(name: str, text: str) -> tuple[float, Mapping[str, int]]:
     raise ModelError(f"{text!r}: {name} is no unit; known are {known}, and these with k, M, G, c, m, u, n before them")
 
 
-def units_of(names: Iterable[str]) -> tuple[PhysicalUnit, ...]:
-    """Return each unit that is named, once."""
-    return tuple(physical_unit(name) for name in sorted({name for name in names if name}))
+def units_of(names: Iterable[str], words: Collection[str] = ()) -> tuple[PhysicalUnit, ...]:
+    """Return each unit that is named, once; those of `words` may be any text, as FMI allows.
+
+    Raises
+    ------
+    ModelError
+        A name that is no word is no product of known units.
+    """
+    return tuple(_unit(name, name in words) for name in sorted({name for name in names if name}))
+
+
+def _unit(name: str, is_word: bool) -> PhysicalUnit:
+    try:
+        return physical_unit(name)
+    except ModelError:
+        if not is_word:
+            raise
+        return PhysicalUnit(name, 1.0, (), is_known=False)
 
 
 def rate_of(name: str, order: int = 1) -> str:

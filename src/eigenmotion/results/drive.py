@@ -13,7 +13,9 @@ from ..arguments.named_values import Vector
 from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
 from ..files import write
+from ..presentation.figures import plain_text
 from ..presentation.tables import as_csv
+from ..presentation.units import time_unit, unit_of, with_unit
 from ..runtime import CompiledModel, Prepared
 from .between_rows import between
 from .columns import columns, moving
@@ -117,7 +119,7 @@ class Drive:
 
     def _drawn(self, t: Vector, x: Vector, v: Vector) -> Drawing:
         numbers = self.model.drawn_rows(t, x, v, self.prepared)
-        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
+        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers, self.model.units)
 
     def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
         """Return the motion as a matplotlib animation, as `Solution.animate` does; needs the extra `plot`."""
@@ -128,14 +130,15 @@ class Drive:
         lines = [
             ("coordinates", self.coordinates, self.x),
             ("forces", self.actuators, self.forces),
-            ("power [W]", self.actuators, self.power),
+            ("power", self.actuators, self.power),
         ]
         speeds = {
             name: (self.v[self.coordinates.index(name)], row)
             for name, row in zip(self.actuators, self.forces, strict=True)
             if name in self.coordinates
         }
-        return driven_motion(self.model.name, self.t, lines, speeds, self.drawing)
+        along = with_unit("time $t$", plain_text(time_unit(self.model.units))), self.t
+        return driven_motion(self.model.name, along, lines, speeds, self.drawing)
 
     def table(self) -> tuple[list[str], Vector]:
         """Return names of columns and numbers (k, columns): t; coordinates; rates, marked '; accelerations, marked ''.
@@ -179,8 +182,13 @@ class Drive:
 
 
 def _csv(motion: Drive) -> bytes:
-    head, rows = motion.table()
-    return as_csv(head, rows.tolist()).encode()
+    """Return the table; behind the names of columns are their units, if the model has any."""
+    (names, rows), units = motion.table(), motion.model.units
+    words = {"t": time_unit(units)} | {
+        f"{name}{orders * chr(39)}": unit_of(units, name, orders) for name in motion.coordinates for orders in range(3)
+    }
+    words |= {name: unit_of(units, name) for name in (*motion.outputs, *motion.states, *motion.model.inputs)}
+    return as_csv([with_unit(name, words.get(name, "")) for name in names], rows.tolist()).encode()
 
 
 def _npz(motion: Drive) -> bytes:

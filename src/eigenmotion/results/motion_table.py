@@ -7,6 +7,7 @@ from typing import Any
 
 from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError
+from ..presentation.units import time_unit, unit_of
 from .columns import columns, moving
 from .trajectory import Trajectory
 
@@ -29,6 +30,23 @@ def table(rows: Trajectory) -> dict[str, Vector]:
         *rows.states.values(),
     ]
     return dict(zip(["t", *motion, *ours[1:], *named], values, strict=True))
+
+
+def units_of_columns(rows: Trajectory) -> dict[str, str]:
+    """Return column -> unit, for those that have one."""
+    units, names, n = rows.model.units, list(table(rows)), rows.n
+    if not units:
+        return {}
+    coordinates, m = rows.model.coordinates[:n], rows.model.m
+    words = [
+        time_unit(units),
+        *(unit_of(units, name) for name in coordinates),
+        *(unit_of(units, name, 1) for name in coordinates),
+        *("" for _ in range(m)),
+        units.get("energy", ""),
+        *(unit_of(units, name) for name in (*rows.outputs, *rows.states)),
+    ]
+    return {name: unit for name, unit in zip(names, words, strict=True) if unit}
 
 
 def data_frame(columns: Mapping[str, Vector], attributes: Mapping[str, Any]) -> Any:
@@ -58,8 +76,11 @@ def data_set(columns: Mapping[str, Vector], attributes: Mapping[str, Any]) -> An
     _require("xarray", "to_xarray", "eigenmotion[xarray]")
     import xarray  # noqa: PLC0415, an optional package
 
-    variables = {name: ("t", values) for name, values in columns.items() if name != "t"}
-    return xarray.Dataset(variables, {"t": columns["t"]}, dict(attributes))
+    units = attributes.get("units", {})
+    words = {name: {"units": units[name]} if name in units else {} for name in columns}
+    variables = {name: ("t", values, words[name]) for name, values in columns.items() if name != "t"}
+    others = {name: value for name, value in attributes.items() if name != "units"}
+    return xarray.Dataset(variables, {"t": ("t", columns["t"], words["t"])}, others)
 
 
 def _require(package: str, call: str, installs: str) -> None:

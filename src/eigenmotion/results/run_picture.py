@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 
 from ..arguments.named_values import Vector, unknown
-from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
-from .motion_table import table
+from ..presentation.figures import plain_text
+from ..presentation.units import time_unit, with_unit
+from .motion_table import table, units_of_columns
 from .pictures.labelled_lines import label
 from .pictures.motion_over_time import Panel, motion_over_time
 from .pictures.moving_shapes import Drawing
@@ -28,25 +29,47 @@ def run_picture(rows: Trajectory, names: Sequence[str], times: Sequence[Vector] 
     model, columns = rows.model, table(rows)
     if missing := set(names) - set(columns) | set(names) & {"t"}:
         raise ModelError(f"{model.name}: {unknown('column', missing, [name for name in columns if name != 't'])}")
-    panels = _chosen(columns, names) if names else _standard(rows, columns)
+    panels = _Panels(columns, units_of_columns(rows))
+    chosen = panels.chosen(names) if names else panels.standard(rows)
     happened = times if times is not None else [np.empty(0)] * len(model.events)
+    along = with_unit("time $t$", plain_text(time_unit(model.units))), rows.t
     return motion_over_time(
-        model.name.replace("_", " "), rows.t, panels, dict(zip(model.events, happened, strict=True)), drawing
+        model.name.replace("_", " "), along, chosen, dict(zip(model.events, happened, strict=True)), drawing
     )
 
 
-def _standard(rows: Trajectory, columns: dict[str, Vector]) -> list[Panel]:
-    """Return coordinates and states on one axis, and each output on its own, if these are few."""
-    model, n = rows.model, rows.n
-    shown = list(columns)
-    states = shown[len(shown) - len(names_of_states(model)) :] if model.n_states else []
-    outputs = shown[len(shown) - len(states) - len(model.outputs) : len(shown) - len(states)]
-    motion = [*shown[1 : n + 1], *states]
-    panels = [("coordinates and states" if states else "coordinates", {name: columns[name] for name in motion})]
-    if len(outputs) < _MOST_PANELS:
-        return panels + _chosen(columns, outputs)
-    return [*panels, ("outputs", {name: columns[name] for name in outputs})]
+class _Panels:
+    """Columns of a motion on axes: quantities of different units are on different ones."""
 
+    def __init__(self, columns: dict[str, Vector], units: dict[str, str]) -> None:
+        self.columns, self.units = columns, units
 
-def _chosen(columns: dict[str, Vector], names: Sequence[str]) -> list[Panel]:
-    return [(label(name), {name: columns[name]}) for name in names]
+    def standard(self, rows: Trajectory) -> list[Panel]:
+        """Return coordinates and states, and the outputs: those without a unit on their own axes, if they are few."""
+        model, shown = rows.model, list(self.columns)
+        first = len(shown) - model.n_states
+        states, outputs = shown[first:], shown[first - len(model.outputs) : first]
+        kind = "coordinates and states" if states else "coordinates"
+        motion = self.grouped(kind, [*shown[1 : rows.n + 1], *states])
+        alone = [name for name in outputs if name not in self.units]
+        measured = self.grouped("outputs", [name for name in outputs if name in self.units])
+        if len(alone) < _MOST_PANELS:
+            return [*motion, *measured, *self.chosen(alone)]
+        return [*motion, *measured, *self.grouped("outputs", alone)]
+
+    def chosen(self, names: Sequence[str]) -> list[Panel]:
+        """Return a panel for each column."""
+        return [self._panel(label(name), [name]) for name in names]
+
+    def grouped(self, kind: str, names: Sequence[str]) -> list[Panel]:
+        """Return a panel for the columns of each unit; if there are several, one column alone names its panel."""
+        units = list(dict.fromkeys(self.units.get(name, "") for name in names))
+        groups = [[name for name in names if self.units.get(name, "") == unit] for unit in units]
+        return [
+            self._panel(label(group[0]) if len(group) == 1 and unit else kind, group)
+            for unit, group in zip(units, groups, strict=True)
+        ]
+
+    def _panel(self, text: str, names: Sequence[str]) -> Panel:
+        unit = plain_text(self.units.get(names[0], ""))
+        return with_unit(text, unit), {name: self.columns[name] for name in names}

@@ -17,6 +17,7 @@ from ..files import write
 from ..presentation.figures import has_matplotlib, require_matplotlib
 from ..presentation.notebook import image, table
 from ..presentation.tables import as_csv
+from ..presentation.units import time_unit, with_unit
 from ..runtime import CompiledModel, StopReason
 from . import motion_table
 from .between_rows import between
@@ -305,13 +306,16 @@ class Solution(dict[str, Any]):
     def to_csv(self, path: str | PathLike[str] | None = None) -> str | None:
         """Write `table` to a file, in full precision; return its text if there is no path.
 
+        Where the model has units, they are behind the names of the columns, as in theta [rad].
+
         Raises
         ------
         ModelError
             As `table`; or the file cannot be written.
         """
-        columns = self.table()
-        text = as_csv(tuple(columns), np.vstack([*columns.values()]).T.tolist())
+        columns, units = self.table(), motion_table.units_of_columns(self._named_rows("to_csv"))
+        head = [with_unit(name, units.get(name, "")) for name in columns]
+        text = as_csv(head, np.vstack([*columns.values()]).T.tolist())
         if path is None:
             return text
         try:
@@ -321,7 +325,7 @@ class Solution(dict[str, Any]):
         return None
 
     def to_pandas(self) -> Any:
-        """Return `table` as a `pandas.DataFrame` over t; `attrs` has the model's name.
+        """Return `table` as a `pandas.DataFrame` over t; `attrs` has the model's name and units.
 
         Raises
         ------
@@ -331,7 +335,7 @@ class Solution(dict[str, Any]):
         return motion_table.data_frame(self.table(), self._attributes)
 
     def to_xarray(self) -> Any:
-        """Return `table` as an `xarray.Dataset` with the dimension t; `attrs` has the model's name.
+        """Return `table` as an `xarray.Dataset` with the dimension t; variables have `units`, if the model has.
 
         Raises
         ------
@@ -342,7 +346,9 @@ class Solution(dict[str, Any]):
 
     @property
     def _attributes(self) -> dict[str, Any]:
-        return {"model": self._named_rows("attrs").model.name, "stop": str(self["stop"])}
+        rows = self._named_rows("attrs")
+        units = motion_table.units_of_columns(rows)
+        return {"model": rows.model.name, "stop": str(self["stop"])} | ({"units": units} if units else {})
 
     def _named_rows(self, call: str) -> Trajectory:
         if self._rows is None:
@@ -422,7 +428,7 @@ class Solution(dict[str, Any]):
         t = self["t"]
         rows = {"ended": f"{self['stop']}: {self['message']}", "rows": str(len(t)), "cost": self.cost}
         if len(t):
-            rows |= {"time": f"{t[0]:g} ... {t[-1]:g} s"}
+            rows |= {"time": f"{t[0]:g} ... {t[-1]:g} {time_unit(model.units) if (model := self.model) else ''}"}
         drawing = self["drawing"] if self._rows is not None else None
         picture = image(still(drawing), "the mechanism at the end") if drawing and has_matplotlib() else ""
         return table(self._rows.model.name if self._rows is not None else "Solution", rows) + picture

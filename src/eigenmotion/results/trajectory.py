@@ -159,7 +159,7 @@ class Trajectory:
         if not self.model.shapes:
             return None
         numbers = self.model.drawn_rows(t, x, v, self.task.prepared)
-        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
+        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers, self.model.units)
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:

@@ -34,6 +34,8 @@ cdef class PointModel:
     # function that compiles a part by name and returns a CompiledModel with its functions (building/lazy_units.py);
     # None: no parts can be loaded
     cdef public object load_part
+    # name -> unit, the user's words; None for a model without
+    cdef public object units
 
     cdef add_functions(self, PointModel other)
     cdef int need(self, str part) except -1

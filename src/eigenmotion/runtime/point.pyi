@@ -76,6 +76,7 @@ class PointModel:
     known_actuators: dict[Any, Actuators]
     recipe: Callable[[], Any] | None
     load_part: Callable[[str], Any] | None
+    units: dict[str, str] | None
     @property
     def mixed_inputs(self) -> frozenset[tuple[int, int]]: ...
     @property

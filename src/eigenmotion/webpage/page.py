@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from html import escape
 from importlib.resources import files
 from typing import Any
 
@@ -16,6 +17,7 @@ from ..codegen.compiler import program
 from ..codegen.model import Model
 from ..codegen.model.normalise import name_of
 from ..codegen.model.table import TableHandle
+from ..presentation.units import time_unit, unit_of
 from ..runtime.status.stop_reasons import StopReason, explain
 from .faces import faces
 from .mathml import formulas, label
@@ -66,7 +68,7 @@ def page(requested: Request, source: str, run: Run, space: Three | None = None) 
         inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=generated.left_out,
         download=f"{model.name}.py", source=_base64(source.encode()), origin=requested.origin,
         licence=space.licence if space else "", formulation=generated.formulation, rtol=f"{run.rtol:g}",
-        atol=f"{run.atol:g}",
+        atol=f"{run.atol:g}", time=escape(time_unit(dict(model.units))),
         about=_json(about(model, run, generated.conserves_energy)), wasm=_packed(module(requested)),
         parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
     )  # fmt: skip
@@ -85,23 +87,27 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
         shapes.append({"kind": shape.kind, "first": first, "count": len(shape.numbers)} | around)
         first += len(shape.numbers)
     rates = zip(model.coordinates, model.rates, model.initial_x, strict=True)
-    start = dict(model.initial)
+    start, units = dict(model.initial), dict(model.units)
     return {
         "name": model.name, "n": model.n + len(model.states), "m": model.m, "h": model.h,
         "conservesEnergy": conserves_energy,
         "coordinates": [
-            {"name": name_of(x), "label": label(x), "rate": label(v), "value": run.value("x0", name_of(x), x0)}
+            {"name": name_of(x), "label": label(x), "rate": label(v), "value": run.value("x0", name_of(x), x0),
+             "unit": unit_of(units, name_of(x)), "rateUnit": unit_of(units, name_of(x), 1)}
             for x, v, x0 in rates
-        ] + [{"name": name_of(z), "label": label(z), "rate": label(z), "value": 0.0, "state": True}
+        ] + [{"name": name_of(z), "label": label(z), "rate": label(z), "value": 0.0, "state": True,
+              "unit": unit_of(units, name_of(z)), "rateUnit": unit_of(units, name_of(z))}
              for z, _ in model.states],
         "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)]
         + [run.value("x0", name_of(z), start.get(z, 0.0)) for z, _ in model.states],
         "parameters": [_parameter(model, p, run.value("parameters", p.name, value)) for p, value in model.parameters],
         "inputs": [
-            {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value)}
+            {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value),
+             "unit": unit_of(units, name_of(u))}
             for u, value in model.inputs
         ],
         "dimension": model.drawing[0].dimension if model.drawing else 0, "shapes": shapes,
+        "measured": bool(units), "time": time_unit(units), "energy": unit_of(units, "energy"),
         "tEnd": run.t_end, "rtol": run.rtol, "atol": run.atol,
         "endings": list(map(_ending, StopReason)),
     }  # fmt: skip
@@ -113,7 +119,10 @@ def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
     mode = isinstance(symbol, TableHandle) or any(
         symbol in (one.holds, one.slides, one.idles) for one in model.switches
     )
-    return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
+    return {
+        "name": symbol.name, "label": label(symbol), "unit": unit_of(dict(model.units), symbol.name), "value": value,
+        "positive": positive, "mode": mode,
+    }  # fmt: skip
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:

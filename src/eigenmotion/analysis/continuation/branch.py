@@ -10,6 +10,7 @@ from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...presentation.notebook import table
+from ...presentation.units import time_unit, unit_of, with_unit
 from .curve import Place
 from .cycle_curve import CycleCurve
 from .equilibrium_curve import EquilibriumCurve
@@ -137,10 +138,11 @@ class Branch:
             known = ", ".join([*self.highest, "period"])
             raise ModelError(f"{self.system.name}: no {named!r} to draw; known are {known}")
         lines = [line for one in (self, *others) for line in one._lines(named)]
-        label = "period [s]" if named == "period" else named
+        units = self.system.units
+        label = with_unit("period", time_unit(units)) if named == "period" else with_unit(named, unit_of(units, named))
         if named != "period" and any(one.of_cycles for one in (self, *others)):
-            label = f"largest and least {named}"
-        return drawn(self.system.name, self.name, label, lines)
+            label = f"largest and least {label}"
+        return drawn(self.system.name, with_unit(self.name, unit_of(units, self.name)), label, lines)
 
     def _widest(self) -> str:
         spans = {name: float(np.ptp([*self.highest[name], *self.lowest[name]])) for name in self.highest}

@@ -125,10 +125,12 @@ def _expression(name: str, text: str) -> sympy.Expr:
 
 
 def _samples(file: Path, name: str) -> tuple[Any, Any]:
-    """Return t and values from the columns `t` and `name` of a file."""
+    """Return t and values from the columns `t` and `name` of a file, behind which there may be units in brackets."""
     try:
         with file.open(encoding="utf-8", newline="") as text:
-            table = list(csv.DictReader(text))
+            reader = csv.DictReader(text)
+            reader.fieldnames = [name.partition(" [")[0] for name in reader.fieldnames or ()]
+            table = list(reader)
     except OSError as error:
         raise click.UsageError(f"--path {name}={file}: {error.strerror}") from error
     head = list(table[0]) if table else []

@@ -258,7 +258,7 @@ def _picture(system: System, design: Design, parts: Parts) -> Any:
     x = np.concatenate([arrays["x"] for arrays in parts.arrays()])
     title = f"{system.name.replace('_', ' ')}, {design.count} runs"
     if len(parts.time) > 1:
-        return ensemble_plot.over_time(title, system.coordinates, parts.time, x)
+        return ensemble_plot.over_time(title, system.coordinates, parts.time, x, system.units)
     if len(design.grid) == 2 and not design.samples:
-        return ensemble_plot.over_grid(title, system.coordinates, design.grid, x[:, :, 0])
-    return ensemble_plot.ends(title, system.coordinates, design.values(0, design.count), x[:, :, 0])
+        return ensemble_plot.over_grid(title, system.coordinates, design.grid, x[:, :, 0], system.units)
+    return ensemble_plot.ends(title, system.coordinates, design.values(0, design.count), x[:, :, 0], system.units)

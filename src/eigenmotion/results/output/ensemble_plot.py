@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLUE, blank, plain_text, uncluttered
+from ...presentation.units import Units, time_unit, unit_of, with_unit
 
 _BAND = (5, 95)  # percentiles
 
 
-def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64]) -> Any:
+def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64], units: Units = None) -> Any:
     """Return a figure of x (K, n, nt) over time: the median and the range from 5 to 95 % of the runs."""
     figure = blank(8, 1.0 + 1.8 * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
@@ -21,35 +22,53 @@ def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64
         low, middle, high = np.nanpercentile(x[:, k][:, known], [_BAND[0], 50, _BAND[1]], axis=0)
         one.fill_between(t[known], low, high, color=BLUE, alpha=0.25, linewidth=0, label=f"{_BAND[0]} to {_BAND[1]} %")
         one.plot(t[known], middle, color=BLUE, linewidth=1.6, label="median")
-        one.set_ylabel(plain_text(name))
+        one.set_ylabel(_named(name, units))
         uncluttered(one)
     axes[0].set_title(title)
     axes[0].legend(loc="upper left", frameon=False)
-    axes[-1].set_xlabel("time $t$ [s]")
+    axes[-1].set_xlabel(with_unit("time $t$", plain_text(time_unit(units))))
     return figure
 
 
-def over_grid(title: str, names: Sequence[str], grid: Mapping[str, Sequence[float]], ends: NDArray[np.float64]) -> Any:
+def over_grid(
+    title: str,
+    names: Sequence[str],
+    grid: Mapping[str, Sequence[float]],
+    ends: NDArray[np.float64],
+    units: Units = None,
+) -> Any:
     """Return a figure of each final coordinate, ends (K, n), over the two values of a grid, the first slowest."""
     (slow, rows), (quick, columns) = grid.items()
     figure = blank(6.5, 0.6 + 4.2 * len(names))
     for k, (name, axes) in enumerate(zip(names, figure.subplots(len(names), squeeze=False)[:, 0], strict=True)):
         values = ends[:, k].reshape(len(rows), len(columns))
         image = axes.pcolormesh(columns, rows, values, shading="nearest", cmap="viridis", rasterized=True)
-        axes.set(xlabel=plain_text(quick), ylabel=plain_text(slow), title=title if k == 0 else "")
-        figure.colorbar(image, ax=axes, label=f"{plain_text(name)} at the end")
+        axes.set(xlabel=_named(quick, units), ylabel=_named(slow, units), title=title if k == 0 else "")
+        figure.colorbar(image, ax=axes, label=_named(name, units, " at the end"))
     return figure
 
 
-def ends(title: str, names: Sequence[str], swept: Mapping[str, Vector], final: NDArray[np.float64]) -> Any:
+def ends(
+    title: str,
+    names: Sequence[str],
+    swept: Mapping[str, Vector],
+    final: NDArray[np.float64],
+    units: Units = None,
+) -> Any:
     """Return a figure of each final coordinate, final (K, n), over the first swept argument."""
     figure = blank(8, 1.0 + 1.8 * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
     label, values = next(iter(swept.items()), ("run", np.arange(len(final), dtype=np.float64)))
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
         one.plot(values, final[:, k], ".", color=BLUE, markersize=3, rasterized=True)
-        one.set_ylabel(f"{plain_text(name)} at the end")
+        one.set_ylabel(_named(name, units, " at the end"))
         uncluttered(one)
     axes[0].set_title(title)
-    axes[-1].set_xlabel(plain_text(label))
+    axes[-1].set_xlabel(_named(label, units))
     return figure
+
+
+def _named(name: str, units: Units, more: str = "") -> str:
+    """Return a name with its unit; a rate is marked ', and an initial value (0)."""
+    plain = name.removesuffix("(0)")
+    return plain_text(with_unit(name + more, unit_of(units, plain.rstrip("'"), len(plain) - len(plain.rstrip("'")))))

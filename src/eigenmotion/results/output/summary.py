@@ -6,6 +6,7 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...compiled.compiled_system import CompiledSystem
+from ...presentation.units import unit_of, with_unit
 from ..multiplier_uniqueness import in_words
 from ..solution import Solution
 
@@ -98,12 +99,14 @@ def _estimate(solution: Solution) -> list[tuple[str, str]]:
 
 def _final_state(system: CompiledSystem, solution: Solution) -> str:
     """Return the last row, with the error of each number if it was estimated there."""
-    width, estimate = max(map(len, (*system.coordinates, *system.states))), solution.error_estimate
+    units, estimate = system.units, solution.error_estimate
+    named = {name: with_unit(name, unit_of(units, name)) for name in (*system.coordinates, *system.states)}
+    width = max(map(len, named.values()))
     table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
     lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]
     for name, *numbers in zip(system.coordinates, *table.values(), strict=True):
-        lines.append(f"{name:<{width}} " + " ".join(f"{number + 0.0:>23.16g}" for number in numbers))
-    lines += [f"{name:<{width}} {values[-1] + 0.0:>23.16g}" for name, values in solution.states.items()]
+        lines.append(f"{named[name]:<{width}} " + " ".join(f"{number + 0.0:>23.16g}" for number in numbers))
+    lines += [f"{named[name]:<{width}} {values[-1] + 0.0:>23.16g}" for name, values in solution.states.items()]
     if estimate is None or np.isnan(estimate.scaled) or estimate.t != solution.t[-1]:
         return "\n".join(lines)
     errors = ["errors of x, xdot", *(f"{x:>14.1e} {v:>8.1e}" for x, v in zip(estimate.x, estimate.v, strict=True))]

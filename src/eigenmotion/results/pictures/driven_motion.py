@@ -16,18 +16,25 @@ _SPEED = r"\dot{%s}"
 
 
 def driven_motion(
-    name: str, t: Vector, lines: Sequence[Lines], speeds: Mapping[str, tuple[Vector, Vector]], drawing: Drawing | None
+    name: str,
+    along: tuple[str, Vector],
+    lines: Sequence[Lines],
+    speeds: Mapping[str, tuple[Vector, Vector]],
+    drawing: Drawing | None,
 ) -> Any:
     """Return the figure.
 
     Parameters
     ----------
+    along
+        The label of the axis of the time, and times (k,).
     lines
         For each panel over time its label, the names of its lines, and their values (count, k).
     speeds
         Actuator -> its speed and force, (k,) each. A ring marks the root of the mean square of the force, which heats a
         motor, and a dot the largest force.
     """
+    time, t = along
     beside = bool(speeds) + (drawing is not None)
     heights = [max(2.2, 0.4 + 0.2 * len(names)) for _, names, _ in lines]
     figure = blank(8.0 + 4.5 * bool(beside), sum(heights) + 0.6)
@@ -40,7 +47,7 @@ def driven_motion(
         name_lines(axes, values, names, heights[row])
         axes.set(ylabel=text, title=name.replace("_", " ") if row == 0 else "")
         axes.tick_params(labelbottom=row == len(lines) - 1)
-    axes.set_xlabel("time $t$ [s]")
+    axes.set_xlabel(time)
     if t[0] != t[-1]:
         axes.set_xlim(t[0], t[-1])
     right: Any = halves[0, 1].subgridspec(beside, 1) if beside else None

@@ -17,14 +17,20 @@ _FEW = 30  # the most events that get a line across the picture, which more woul
 
 
 def motion_over_time(
-    title: str, t: Vector, panels: Sequence[Panel], events: Mapping[str, Vector], drawn: Drawing | None
+    title: str,
+    t: tuple[str, Vector],
+    panels: Sequence[Panel],
+    events: Mapping[str, Vector],
+    drawn: Drawing | None,
 ) -> Any:
-    """Return a figure of panels over t (k,), with a row for each event below, and the mechanism on the right.
+    """Return a figure of panels over time, with a row for each event below, and the mechanism on the right.
 
     Each line has a style, markers and its name at its end, so that it can be told apart without its colour.
 
     Parameters
     ----------
+    t
+        The label of the axis, and times (k,).
     events
         Name -> the times at which it happened.
     """
@@ -35,7 +41,7 @@ def motion_over_time(
     axes: list[Any] = []
     for row, panel in enumerate(panels):
         axes.append(figure.add_subplot(places[row, 0], sharex=axes[0] if axes else None))
-        _draw_panel(axes[-1], t, panel, heights[row])
+        _draw_panel(axes[-1], t[1], panel, heights[row])
     strip = [figure.add_subplot(places[len(panels), 0], sharex=axes[0])] if events else []
     for events_axes in strip:
         _draw_events(events_axes, axes, events)
@@ -56,7 +62,7 @@ def _draw_panel(axes: Any, t: Vector, panel: Panel, height: float) -> None:
     """Draw the lines of a panel; a single line whose name is the label of the axis is not named twice."""
     text, lines = panel
     axes.set_ylabel(text)
-    if [text] == [label(name) for name in lines]:
+    if len(lines) == 1 and text.startswith(label(next(iter(lines)))):
         axes.plot(t, *lines.values(), color=BLUE, linewidth=1.6, label=next(iter(lines)))
         uncluttered(axes)
         return
@@ -65,13 +71,14 @@ def _draw_panel(axes: Any, t: Vector, panel: Panel, height: float) -> None:
     name_lines(axes, values, tuple(lines), height)
 
 
-def _finish(axes: Sequence[Any], t: Vector, title: str) -> None:
+def _finish(axes: Sequence[Any], along: tuple[str, Vector], title: str) -> None:
+    text, t = along
     axes[0].set_title(title)
     for one in axes[:-1]:
         one.tick_params(labelbottom=False)
     if t[0] != t[-1]:
         axes[0].set_xlim(t[0], t[-1])
-    axes[-1].set_xlabel("time $t$ [s]")
+    axes[-1].set_xlabel(text)
     axes[0].get_figure().align_ylabels(axes)
 
 

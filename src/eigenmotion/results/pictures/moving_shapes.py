@@ -7,6 +7,7 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...codegen.model import ModelError
+from ...presentation.units import Units
 
 _AXIS = 3
 
@@ -44,6 +45,7 @@ class Drawing:
     kinds : for each shape its kind, the first column and number of columns of its numbers, and of a solid the corners
         (k, 3) in its frame, else None
     numbers : (k, n_drawn), of all shapes
+    units : of the model, as words
     """
 
     name: str
@@ -51,6 +53,7 @@ class Drawing:
     dimension: int
     kinds: tuple[tuple[str, int, int, Vector | None], ...]
     numbers: Vector
+    units: Units = None
 
     @cached_property
     def shapes(self) -> tuple[Shape, ...]:

@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import BLACK, BLUE, SKY, VERMILION
+from ...presentation.figures import BLACK, BLUE, SKY, VERMILION, plain_text
+from ...presentation.units import Units, time_unit, unit_of, with_unit
 from .moving_shapes import Drawing
 from .outlines import Outlines, outlines
 
@@ -71,14 +72,15 @@ class Sketch:
 
 def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
     low, high = drawing.box
+    names = [with_unit(name, plain_text(unit_of(drawing.units, "length"))) for name in ("$x$", "$y$", "$z$")]
     if drawing.dimension == len("xy"):
         axes = figure.add_subplot(place, aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        axes.set(xlabel="$x$", ylabel="$y$")
+        axes.set(xlabel=names[0], ylabel=names[1])
         axes.spines[["top", "right"]].set_visible(False)
         return axes
     axes = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    axes.set(xlabel="$x$", ylabel="$y$", zlabel="$z$")
+    axes.set(xlabel=names[0], ylabel=names[1], zlabel=names[2])
     axes.set_box_aspect(high - low)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.pane.set_facecolor("0.97")
@@ -92,8 +94,13 @@ def _few() -> Any:
     return MaxNLocator(4)
 
 
+def at_time(t: float, units: Units) -> str:
+    """Return the title of a position."""
+    return f"$t$ = {t:g} {plain_text(time_unit(units))}".rstrip()
+
+
 def draw_motion(figure: Any, place: Any, drawn: Drawing) -> None:
     """Draw the mechanism at the end of a motion, faint copies of earlier positions, and the traces."""
-    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
+    sketch = Sketch(figure, place, drawn, at_time(drawn.t[-1], drawn.units))
     sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
     sketch.show(len(drawn.t) - 1)

@@ -1,11 +1,11 @@
 // controls.js: a slider and a number field for each parameter, input and initial value.
 
 class Control {
-  constructor(parent, { name, label, value, low, high }, changed) {
+  constructor(parent, { name, label, unit, value, low, high }, changed) {
     this.start = value;
     const row = document.createElement("label");
-    row.className = "control";
-    row.innerHTML = `<span class="name">${label}</span><input type="range" step="any"><input type="number" step="any">`;
+    row.className = about.measured ? "control measured" : "control";
+    row.innerHTML = `<span class="name">${label}</span><input type="range" step="any"><input type="number" step="any">${about.measured ? `<span class="unit">${plain(unit)}</span>` : ""}`;
     [this.slider, this.field] = row.querySelectorAll("input");
     for (const input of [this.slider, this.field]) {
       input.setAttribute("aria-label", name);

@@ -2,6 +2,7 @@
 
 const element = (id) => document.getElementById(id);
 const about = JSON.parse(element("about").textContent);
+const inTime = (t) => `${+t.toPrecision(6)} ${about.time}`.trim();
 
 class Page {
   constructor(engine, stage) {
@@ -27,7 +28,7 @@ class Page {
     const make = (parent, entries, write, coordinate) => entries.map((entry, k) => entry.mode ? null :
       new Control(element(parent), entry, (control, done) => { write(k, control.value); this.changed(coordinate && done); }));
     const { parameters, inputs, coordinates, v } = about;
-    const rate = (one, k) => ({ name: one.state ? one.name : `${one.name}'`, label: one.rate, value: v[k], ...around(v[k], 2) });
+    const rate = (one, k) => ({ name: one.state ? one.name : `${one.name}'`, label: one.rate, unit: one.rateUnit, value: v[k], ...around(v[k], 2) });
     this.fields = {
       parameters: make("parameters", parameters.map((one) => ({ ...one, ...rangeOf(one.value, one.positive) })),
         (k, value) => { this.engine.parameters[k] = value; }),
@@ -72,9 +73,9 @@ class Page {
     if (failure) {
       const where = about.coordinates[coordinate]?.name ?? "";
       const more = coordinate < 0 ? text : placed.replaceAll("{coordinate}", where).replaceAll("{row}", coordinate);
-      words.push(`At t = ${+t.toPrecision(6)} s the run ended: ${name}. ${more}`);
+      words.push(`At t = ${inTime(t)} the run ended: ${name}. ${more}`);
     } else if (status) {
-      words.push(`A terminal event ended the run at t = ${+t.toPrecision(6)} s.`);
+      words.push(`A terminal event ended the run at t = ${inTime(t)}.`);
     }
     if (moved) words.push("The start was put back on the constraints.");
     if (this.engine.leastNorm) words.push("Constraint rows depend on each other: multipliers of least norm.");

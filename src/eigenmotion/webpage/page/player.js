@@ -60,6 +60,6 @@ class Player {
     this.parts.play.setAttribute("aria-label", this.playing ? "pause" : "play");
     this.parts.scrub.value = this.t;
     this.parts.scrub.setAttribute("aria-valuetext", `${this.t.toFixed(2)} seconds`);
-    this.parts.clock.textContent = `${this.t.toFixed(2)} s`;
+    this.parts.clock.textContent = `${this.t.toFixed(2)} ${about.time}`;
   }
 }

@@ -129,10 +129,14 @@ function ticks(low, high, count, whole = false) {
   return Array.from({ length: Math.floor((high - first) / step + 1e-9) + 1 }, (_, k) => +(first + k * step).toPrecision(12));
 }
 
+const inUnit = (unit) => (unit ? ` [${plain(unit)}]` : "");
+
+const plain = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+
 function plotsOf(about) {
   const column = (place, label) => ({ label, values: (motion) => motion.column(motion.places[place[0]] + place[1]) });
   const digits = (value) => Math.log10(Math.max(Math.abs(value), 1e-17));
-  const series = about.coordinates.map((one, k) => ({ ...column([one.state ? "v" : "x", k], one.label), state: one.state }));
+  const series = about.coordinates.map((one, k) => ({ ...column([one.state ? "v" : "x", k], one.label + inUnit(one.unit)), state: one.state }));
   const found = [{ title: "coordinates", series: series.filter((one) => !one.state) }];
   if (series.some((one) => one.state)) found.push({ title: "states", series: series.filter((one) => one.state) });
   if (about.conservesEnergy) {
@@ -140,7 +144,7 @@ function plotsOf(about) {
       const energy = motion.column(motion.places.energy);
       return energy.map((value) => digits(value - energy[0]));
     };
-    found.push({ title: "energy drift", log: true, series: [{ label: "|E − E<sub>0</sub>| [J]", values: drift }] });
+    found.push({ title: "energy drift", log: true, series: [{ label: `|E − E<sub>0</sub>|${inUnit(about.energy)}`, values: drift }] });
   }
   const residual = (place, label) => ({ label, values: (motion) => motion.column(motion.places[place]).map(digits) });
   if (about.m) {
