@@ -66,7 +66,7 @@ nightly: $(READY) $(PEERS)
 
 # Other tools that compute the same: only the night's tests compare with them
 $(PEERS): $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt 'eigenmotion[peers,oracles]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt 'eigenmotion[peers,oracles,torch]'
 	touch $@
 
 # The site, in build/site: every warning is an error. LIVE="pendulum four_bar" makes live pages of these models only

@@ -4,17 +4,23 @@ A hanging chain of ten links, with springs and dampers at its joints, swings aga
 that holds change its mode; 50 quantities. Times are medians over rounds in which all runs alternate. Then a run of
 100,000 steps within 32 MB: how much more memory the process takes than before the gradient.
 
-python benchmarks/gradients.py
+With --jax: the time of `em.to_jax`, compiled. 1,000 motions by `jax.vmap` over `simulate_ensemble`, and a gradient over
+`em.vjp` with its pullback.
+
+python benchmarks/gradients.py [--jax]
 """
 
 from __future__ import annotations
 
 import resource
+import sys
 import time
 from functools import partial
 
 import numpy as np
 from common.timing import interleaved
+from eigenmotion.models.bouncing_ball import model as bouncing_ball
+from eigenmotion.models.double_pendulum import model as double_pendulum
 from eigenmotion.models.driven_pendulum import model as driven_pendulum
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -94,7 +100,43 @@ def long_run() -> None:
     )
 
 
+def by_jax(model: em.Model, by: list[str], span: tuple[float, float], count: int = 1000) -> None:
+    import jax  # noqa: PLC0415, an optional package
+    import jax.numpy as jnp  # noqa: PLC0415
+
+    jax.config.update("jax_enable_x64", True)
+    system, options = em.build(model), {"t_eval": np.linspace(*span, 11)[1:], "rtol": 1e-9}
+    times, rtol = options.values()
+    motion = em.to_jax(system, span, times, by=by, of="x", rtol=rtol)
+    heights = np.linspace(0.5, 1.0, count)
+    one, values = dict.fromkeys(by, jnp.array(0.7)), dict.fromkeys(by, jnp.array(heights))
+    together = jax.jit(jax.vmap(lambda given: motion(given)["x"]))
+    sum_of = jax.jit(jax.grad(lambda given: motion(given)["x"].sum()))
+
+    def pulled() -> dict[str, float]:
+        solution, pullback = em.vjp(system, span, by=by, x0=dict.fromkeys(by, 0.7), **options)
+        return pullback(dx=np.ones_like(solution.x))
+
+    calls = {
+        "ensemble": lambda: em.simulate_ensemble(system, span, x0=dict.fromkeys(by, heights), **options).x,
+        "vmap": lambda: jax.block_until_ready(together(values)),
+        "vjp": pulled, "grad": lambda: jax.block_until_ready(sum_of(one)),
+    }  # fmt: skip
+    assert np.array_equal(calls["ensemble"](), calls["vmap"]())
+    assert np.allclose([float(found) for found in calls["grad"]().values()], list(calls["vjp"]().values()), rtol=1e-8)
+    middle = {name: np.median(seconds) for name, seconds in interleaved(calls, ROUNDS).items()}
+    print(
+        f"{system.name}: {count} motions by vmap {middle['vmap'] / middle['ensemble']:.2f} of simulate_ensemble "
+        f"({1e3 * middle['ensemble']:.0f} ms); a gradient {middle['grad'] / middle['vjp']:.2f} of em.vjp "
+        f"({1e3 * middle['vjp']:.1f} ms)"
+    )
+
+
 if __name__ == "__main__":
+    if "--jax" in sys.argv:
+        by_jax(double_pendulum, list(em.build(double_pendulum).coordinates), (0.0, 10.0))
+        by_jax(bouncing_ball, ["z"], (0.0, 1.5))
+        sys.exit()
     for one in ("dop853", "ra15"):
         compare(one)
     long_run()

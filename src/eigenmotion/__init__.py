@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .analysis.fitting.fit import fit as fit
     from .analysis.fitting.motion_fit import MotionFit as MotionFit
     from .analysis.gradients.to_jax import to_jax as to_jax
+    from .analysis.gradients.to_torch import to_torch as to_torch
     from .analysis.gradients.vjp import vjp as vjp
     from .analysis.identification.fit_forces import Fit as Fit
     from .analysis.identification.fit_forces import fit_forces as fit_forces
@@ -122,6 +123,7 @@ _HOME = {
     "simulate_ensemble": ".batch.simulate_ensemble",
     "t": ".codegen.model",
     "to_jax": ".analysis.gradients.to_jax",
+    "to_torch": ".analysis.gradients.to_torch",
     "vjp": ".analysis.gradients.vjp",
 }
 

@@ -71,12 +71,18 @@ def test_snippets_that_take_longer_do_too(page):
 NAMES = sorted(set(eigenmotion._HOME) - {"t"})  # a symbol of SymPy's has no docstring of ours
 
 
+NEEDS = {"to_jax": "jax", "to_torch": "torch"}
+"""Names whose examples need a package that may not be here; `make nightly` installs PyTorch."""
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.usefixtures("folder")
 def test_every_public_name_has_an_example_that_does_what_it_says(name):
     finder = doctest.DocTestFinder(recurse=False)
     found = [test for test in finder.find(getattr(eigenmotion, name), name, module=False, globs={}) if test.examples]
     assert found, f"the docstring of {name} has no example"
+    if name in NEEDS:
+        pytest.importorskip(NEEDS[name])
     runner = doctest.DocTestRunner(optionflags=snippets.LENIENT)
     said = io.StringIO()
     for test in found:
