@@ -102,6 +102,21 @@ def test_run_saves_rows_at_equal_distances(scene, capsys):
         assert words in capsys.readouterr().err
 
 
+def test_run_saves_rows_over_a_coordinate(scene, capsys):
+    """Without gravity the angle grows evenly: 0.25 + 2 t."""
+    command = ["run", "scene.py", "--t-end", "1.5", "--set", "g=0", "--set", "angle=0.25", "--set", "angle'=2"]
+    assert main([*command, "--over", "angle", "--rows", "4", "--save", "a.csv", "--plot", "a.png"]) == 0
+    assert main([*command, "--over", "angle", "--every", "1.25", "--save", "b.csv"]) == 0
+    for name, angles in (("a.csv", [0.25, 1.25, 2.25, 3.25]), ("b.csv", [0.25, 1.5, 2.75])):
+        table = read(name)[1]
+        np.testing.assert_allclose(table[:, 1], angles, atol=1e-12)
+        np.testing.assert_allclose(table[:, 0], (table[:, 1] - 0.25) / 2, atol=1e-12)
+    capsys.readouterr()
+    for wrong, words in ((["--over", "angel"], "the coordinates are angle"), (["--over", "angle"], "give --rows")):
+        assert main([*command, *wrong]) == 2
+        assert words in capsys.readouterr().err
+
+
 LOOP = """\
 from sympy import cos, sin
 from sympy.physics.mechanics import dynamicsymbols

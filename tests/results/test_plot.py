@@ -102,6 +102,18 @@ def test_outputs_have_axes_of_their_own_and_names_choose():
         run.plot("t")
 
 
+def test_a_coordinate_takes_the_place_of_the_time():
+    run = ball().simulate((0, 10), dense_output=True)
+    axes, strip = run.plot(over="x").axes
+    [line] = lines(axes)
+    assert (line.get_label(), strip.get_xlabel()) == ("y", "$x$")
+    x, y = line.get_data()
+    np.testing.assert_allclose(y, np.cos(np.sqrt(20) * x), atol=1e-5)  # x = t
+    assert [list(row.get_positions()) for row in strip.collections] == [list(places[:, 0]) for places in run.y_events]
+    circle, _ = run.plot("y'", over="y").axes  # which turns back
+    assert circle.get_xlim() == (pytest.approx(-1, abs=1e-3), pytest.approx(1, abs=1e-3))
+
+
 def test_many_outputs_share_axes():
     q = dynamicsymbols("q")
     outputs = {f"out_{k}": k * q for k in range(9)}

@@ -127,3 +127,26 @@ def test_a_copy_from_another_process_says_that_it_has_no_names(run):
     for call in (copied.table, copied.to_csv, copied.to_pandas, copied.plot, lambda: copied.at([0.0])):
         with pytest.raises(em.ModelError, match="no model"):
             call()
+
+
+def test_a_motion_is_known_where_a_coordinate_passes_values(run):
+    """q = cos(t) falls from 1 to cos(3)."""
+    places = np.array([1.0, 0.5, 0.0, -0.5])
+    found = run.over("q", places)
+    np.testing.assert_allclose(found.t, np.arccos(places), atol=1e-8)
+    np.testing.assert_allclose(found.x[0], places, atol=1e-12)
+    np.testing.assert_allclose(found.outputs["pull"], -places, atol=1e-8)
+    back = system_for(_spring()).simulate((0, -3), dense_output=True, **TOLERANCES).over("q", [0.5])
+    np.testing.assert_allclose(back.t, -np.arccos(0.5), atol=1e-8)
+
+
+def test_values_that_are_not_passed_once_are_refused(run):
+    with pytest.raises(em.ModelError, match=r"q does not reach -0\.995: it goes from 1 to -0\.989"):
+        run.over("q", [-0.995])
+    with pytest.raises(em.ModelError, match="unknown coordinate 'z'"):
+        run.over("z", [0.5])
+    there_and_back = system_for(_spring()).simulate((0, 6), dense_output=True, **TOLERANCES)
+    with pytest.raises(em.ModelError, match=r"q turns back at t = 3\.\d+, and passes some values twice"):
+        there_and_back.over("q", [0.5])
+    with pytest.raises(em.ModelError, match="dense_output=True"):
+        system_for(_spring()).simulate((0, 1)).over("q", [0.9])

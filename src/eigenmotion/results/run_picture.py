@@ -18,8 +18,21 @@ from .trajectory import Trajectory
 _MOST_PANELS = 6
 
 
-def run_picture(rows: Trajectory, names: Sequence[str], times: Sequence[Vector] | None, drawing: Drawing | None) -> Any:
+def run_picture(
+    rows: Trajectory,
+    names: Sequence[str],
+    places: Sequence[Vector] | None,
+    drawing: Drawing | None,
+    over: str | None = None,
+) -> Any:
     """Return the figure of some columns of the table of a motion; () for coordinates, states and outputs.
+
+    Parameters
+    ----------
+    places
+        For each event, where it happened on the horizontal axis; None for a model without events.
+    over
+        The column on the horizontal axis; None for the time.
 
     Raises
     ------
@@ -29,10 +42,14 @@ def run_picture(rows: Trajectory, names: Sequence[str], times: Sequence[Vector] 
     model, columns = rows.model, table(rows)
     if missing := set(names) - set(columns) | set(names) & {"t"}:
         raise ModelError(f"{model.name}: {unknown('column', missing, [name for name in columns if name != 't'])}")
-    panels = _Panels(columns, units_of_columns(rows))
-    chosen = panels.chosen(names) if names else panels.standard(rows)
-    happened = times if times is not None else [np.empty(0)] * len(model.events)
+    units = units_of_columns(rows)
+    panels = _Panels({name: values for name, values in columns.items() if name != over}, units)
+    rates = list(columns)[rows.n + 1 : 2 * rows.n + 1]  # over its only coordinate, a model may have nothing else
+    chosen = panels.chosen(names) if names else panels.standard(rows) or panels.chosen(rates)
+    happened = places if places is not None else [np.empty(0)] * len(model.events)
     along = with_unit("time $t$", plain_text(time_unit(model.units))), rows.t
+    if over is not None:
+        along = with_unit(label(over), plain_text(units.get(over, ""))), columns[over]
     return motion_over_time(
         model.name.replace("_", " "), along, chosen, dict(zip(model.events, happened, strict=True)), drawing
     )
@@ -50,7 +67,7 @@ class _Panels:
         first = len(shown) - model.n_states
         states, outputs = shown[first:], shown[first - len(model.outputs) : first]
         kind = "coordinates and states" if states else "coordinates"
-        motion = self.grouped(kind, [*shown[1 : rows.n + 1], *states])
+        motion = self.grouped(kind, [name for name in (*table(rows),)[1 : rows.n + 1] if name in shown] + states)
         alone = [name for name in outputs if name not in self.units]
         measured = self.grouped("outputs", [name for name in outputs if name in self.units])
         if len(alone) < _MOST_PANELS:

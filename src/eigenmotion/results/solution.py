@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.named_values import Vector, vector
+from ..arguments.named_values import Vector, unknown, vector
 from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError
 from ..files import write
@@ -20,7 +20,7 @@ from ..presentation.tables import as_csv
 from ..presentation.units import time_unit, with_unit
 from ..runtime import CompiledModel, StopReason
 from . import motion_table
-from .between_rows import between
+from .between_rows import between, passages
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times, still
 from .pictures.moving_shapes import Drawing, require_drawing
 from .run_picture import run_picture
@@ -290,6 +290,39 @@ class Solution(dict[str, Any]):
         found = rows.at(np.atleast_1d(times), np.ascontiguousarray(y.T))
         return Solution(found, fields | {"t": found.t, "y": y})
 
+    def over(self, name: str, values: ArrayLike) -> "Solution":
+        """Return the motion where a coordinate passes values (k,), in their order in the run, as `at` does for times.
+
+        Raises
+        ------
+        ModelError
+            There is no such coordinate, it turns back during the run, or does not reach a value; or as `at`.
+
+        Examples
+        --------
+        A pendulum that turns over, at quarters of its first turn:
+
+        >>> import numpy as np
+        >>> import eigenmotion as em
+        >>> from eigenmotion.models.pendulum import model
+        >>> sol = em.build(model).simulate((0.0, 2.0), x0={"theta": 0.0}, v0={"theta": 8.0}, dense_output=True)
+        >>> turn = sol.over("theta", np.linspace(0.0, 2 * np.pi, 5))
+        >>> (turn.x[0] / np.pi).round(9)
+        array([0. , 0.5, 1. , 1.5, 2. ])
+        """
+        k, sol = self._coordinate(name), self["sol"]
+        if sol is None:
+            raise ModelError("over: the run has no function of time; simulate(..., dense_output=True) keeps one")
+        wanted = np.atleast_1d(vector(values, "values"))
+        return self.at(passages(name, lambda t: sol.rows(t)[:, k], np.asarray(sol.ts), wanted))
+
+    def _coordinate(self, name: str) -> int:
+        rows = self._named_rows("over")
+        known = rows.model.coordinates[: rows.n]
+        if name not in known:
+            raise ModelError(f"{rows.model.name}: {unknown('coordinate', [name], known)}")
+        return known.index(name)
+
     def table(self) -> dict[str, Vector]:
         """Return column -> (k,): t, coordinates, rates (marked '), multipliers, energy, outputs, states.
 
@@ -358,8 +391,8 @@ class Solution(dict[str, Any]):
             )
         return self._rows
 
-    def plot(self, *names: str) -> Any:
-        """Return a figure of columns of `table` over time, with the events and the mechanism; needs the extra `plot`.
+    def plot(self, *names: str, over: str | None = None) -> Any:
+        """Return a figure of columns of `table`, with the events and the mechanism; needs the extra `plot`.
 
         Lines are smooth with dense_output, else they join the rows.
 
@@ -367,6 +400,8 @@ class Solution(dict[str, Any]):
         ----------
         names
             Columns, each on its own axes. Without names: coordinates and states, and the outputs.
+        over
+            The coordinate on the horizontal axis; None for the time.
 
         Raises
         ------
@@ -387,7 +422,11 @@ class Solution(dict[str, Any]):
         first, last = float(rows.t[0]), float(rows.t[-1])
         smooth = rows if self["sol"] is None else self.at(np.linspace(first, last, _SMOOTH))._named_rows("plot")
         drawn = self.drawn(np.linspace(first, last, _DRAWN)) if self["drawing"] is not None else None
-        return run_picture(smooth, names, self["t_events"], drawn)
+        if over is None:
+            return run_picture(smooth, names, self["t_events"], drawn)
+        k = self._coordinate(over)
+        places = None if self["y_events"] is None else [y[:, k] for y in self["y_events"]]
+        return run_picture(smooth, names, places, drawn, over)
 
     def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
         """Return the run as a matplotlib animation; needs the extra `plot`.

@@ -9,6 +9,7 @@ import click
 import numpy as np
 
 from eigenmotion.arguments.methods import AUTO, IMPLICIT, METHODS
+from eigenmotion.arguments.named_values import spelled
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.presentation.figures import save as save_figure
@@ -49,6 +50,8 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--rows", type=click.IntRange(min=2), default=None, metavar="N",
               help="With --save: N rows at equal distances. Default: a row for each step.")  # fmt: skip
 @click.option("--every", type=ABOVE_ZERO, default=None, metavar="DT", help="With --save: a row every DT seconds.")
+@click.option("--over", default=None, metavar="NAME",
+              help="A coordinate in place of the time, for --rows and --every, and on the axis of --plot.")  # fmt: skip
 @shaping
 def command(
     model: Path,
@@ -64,6 +67,7 @@ def command(
     target: Path | None,
     rows: int | None,
     every: float | None,
+    over: str | None,
     **shape: Any,
 ) -> int:
     """Simulate MODEL and print a summary.
@@ -74,6 +78,7 @@ def command(
     check_results(plot, animate, ("--save", target, SAVERS))
     _check_rows(target, rows, every)
     request = Shape(**shape).request(model)
+    _check_over(over, [spelled(q) for q in request.model.coordinates], plot, rows or every)
     if animate and not request.model.drawing:
         require_drawing(None, request.model.name)
     arguments = values(request.model, settings)
@@ -90,11 +95,11 @@ def command(
         seconds = time.perf_counter() - start
     click.echo(summary(system, solution, seconds))
     if plot:
-        click.echo(f"drawn to {save_figure(solution.plot(), plot)}")
+        click.echo(f"drawn to {save_figure(solution.plot(over=over), plot)}")
     if animate:
         click.echo(f"moves in {save_animation(solution.animate(), animate)}")
     if target:
-        save(_spaced(solution, rows, every), target)
+        save(_spaced(solution, rows, every, over), target)
         click.echo(f"saved to {target}")
     return _exit_code(solution)
 
@@ -116,15 +121,28 @@ def _check_rows(target: Path | None, rows: int | None, every: float | None) -> N
         raise click.UsageError(f"{'--rows' if rows else '--every'} is for the rows of a file: give --save FILE too")
 
 
-def _spaced(solution: Solution, rows: int | None, every: float | None) -> Solution:
-    """Return the motion at N times, or every so many seconds up to the end that the run reached."""
-    first, last = solution.t[0], solution.t[-1]
+def _check_over(over: str | None, coordinates: list[str], *uses: object) -> None:
+    """Check the coordinate of --over, and that there is a use for it."""
+    if over is None:
+        return
+    if over not in coordinates:
+        raise click.UsageError(f"--over {over}: the coordinates are {', '.join(coordinates)}")
+    if not any(uses):
+        raise click.UsageError("--over is for --plot, or for the rows of a file: give --rows or --every too")
+
+
+def _spaced(solution: Solution, rows: int | None, every: float | None, over: str | None) -> Solution:
+    """Return the motion at N places, or at every so much, of the time or a coordinate, up to where the run ended."""
+    first, last = (solution.t if over is None else solution.table()[over])[[0, -1]].tolist()
     if rows:
-        return solution.at(np.linspace(first, last, rows))
-    if every:
-        count = np.floor((last - first) / every * (1.0 + 1e-12))
-        return solution.at(np.minimum(first + every * np.arange(count + 1), last))
-    return solution
+        places = np.linspace(first, last, rows)
+    elif every:
+        count = np.floor(abs(last - first) / every * (1.0 + 1e-12))
+        places = first + np.copysign(every, last - first) * np.arange(count + 1)
+        places = np.clip(places, min(first, last), max(first, last))
+    else:
+        return solution
+    return solution.at(places) if over is None else solution.over(over, places)
 
 
 def _exit_code(solution: Solution) -> int:

@@ -44,7 +44,7 @@ def driven_motion(
     for row, (text, names, values) in enumerate(lines):
         axes = figure.add_subplot(places[row, 0], sharex=axes)
         draw_lines(axes, t, values, names)
-        name_lines(axes, values, names, heights[row])
+        name_lines(axes, values[:, -1], names, heights[row])
         axes.set(ylabel=text, title=name.replace("_", " ") if row == 0 else "")
         axes.tick_params(labelbottom=row == len(lines) - 1)
     axes.set_xlabel(time)

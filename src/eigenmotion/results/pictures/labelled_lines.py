@@ -28,15 +28,16 @@ def draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
     uncluttered(axes)
 
 
-def name_lines(axes: Any, x: Vector, names: Sequence[str], height: float) -> None:
+def name_lines(axes: Any, last: Vector, names: Sequence[str], height: float) -> None:
     """Write each name, with a piece of its line, behind the end of the line; names of close ends are moved apart.
 
+    last : (count,) values at the right end
     height : of the axes [inch]
     """
     from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
 
     low, high = axes.get_ylim()
-    ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
+    ends = np.clip(np.nan_to_num((last - low) / (high - low)), 0.0, 1.0)
     gap = min(_LINE / height, 1 / len(names))
     for line, name, end, place in zip(list(axes.get_lines()), names, ends, spread_labels(ends, gap), strict=True):
         look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}

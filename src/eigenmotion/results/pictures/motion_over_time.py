@@ -68,7 +68,13 @@ def _draw_panel(axes: Any, t: Vector, panel: Panel, height: float) -> None:
         return
     values = np.vstack([*lines.values()])
     draw_lines(axes, t, values, tuple(lines))
-    name_lines(axes, values, tuple(lines), height)
+    name_lines(axes, values[:, _right_end(t)], tuple(lines), height)
+
+
+def _right_end(t: Vector) -> int:
+    """Return the row at the right: the last one over the time, the largest value over a coordinate that turns back."""
+    steps = np.diff(t)
+    return -1 if (steps >= 0.0).all() or (steps <= 0.0).all() else int(np.argmax(t))
 
 
 def _finish(axes: Sequence[Any], along: tuple[str, Vector], title: str) -> None:
@@ -76,8 +82,10 @@ def _finish(axes: Sequence[Any], along: tuple[str, Vector], title: str) -> None:
     axes[0].set_title(title)
     for one in axes[:-1]:
         one.tick_params(labelbottom=False)
-    if t[0] != t[-1]:
+    if t[_right_end(t)] == t[-1] != t[0]:
         axes[0].set_xlim(t[0], t[-1])
+    elif t.min() != t.max():
+        axes[0].set_xlim(t.min(), t.max())
     axes[-1].set_xlabel(text)
     axes[0].get_figure().align_ylabels(axes)
 
