@@ -212,6 +212,124 @@ def test_observations_and_rewards_by_name():
     assert envs.step(np.zeros((3, 1)))[2].all()
 
 
+def test_what_a_start_leaves_out_is_the_models_again():
+    """Environments that have had other episodes start as new ones do: a start depends on its seed alone."""
+
+    def some(random):
+        """One of the parts, or none."""
+        part = random.integers(4)
+        parts = [("x0", "theta"), ("v0", "x"), ("parameters", "m")][part : part + 1]
+        return {name: {number: random.uniform(0.1, 0.2)} for name, number in parts}
+
+    def begun(envs, seed):
+        seen = envs.reset(seed=seed)[0].tolist()
+        return [seen, *(envs.step(np.full((3, 1), 2.0))[0].tolist() for _ in range(3))]
+
+    old = envs_of(3, start=some)
+    told = [begun(old, seed) for seed in range(12)]
+    assert told == [begun(envs_of(3, start=some), seed) for seed in range(12)]
+    firsts = {tuple(episode[0][0]) for episode in told}
+    assert (0.0, 0.0, 0.0, 0.0) in firsts
+    assert len(firsts) > 4
+
+
+@pytest.mark.parametrize("autoreset", ["next_step", "same_step", "disabled"])
+def test_a_refused_action_changes_nothing(autoreset):
+    """What follows is bit for bit what follows without it, also where episodes were to begin in that step."""
+    calm, tried = (envs_of(3, max_steps=4, autoreset=autoreset) for _ in range(2))
+    assert np.array_equal(calm.reset(seed=1)[0], tried.reset(seed=1)[0])
+    for _ in range(4 if autoreset == "disabled" else 11):
+        if not tried._done.all():
+            for wrong in (np.full((3, 1), np.nan), np.full((3, 1), 11.0)):
+                with pytest.raises(ModelError, match="u of environment 0"):
+                    tried.step(wrong)
+        with pytest.raises(ModelError, match=r"\(2, 1\)"):
+            tried.step(np.zeros((2, 1)))
+        one, two = (envs.step(np.full((3, 1), 2.0)) for envs in (calm, tried))
+        assert all(np.array_equal(a, b) for a, b in zip(one[:4], two[:4], strict=True))
+        assert tried.steppers.t.tolist() == calm.steppers.t.tolist()
+
+
+def test_an_action_is_ignored_where_an_episode_begins():
+    """Whatever it is, also for the reward function; those of the other environments are checked all the same."""
+    used = []
+
+    def reward(seen, actions):
+        used.append(actions.copy())
+        return actions[:, 0]
+
+    envs = envs_of(2, actions={"u": (1.0, 9.0)}, reward=reward, start=lambda random: {"x0": {"theta": 0.4}},
+                   terminated=lambda seen: seen[:, 0] > 0.01)  # fmt: skip
+    envs.reset(seed=1)
+    while not (over := envs.step(np.array([[9.0], [1.0]]))[2]).any():
+        pass
+    assert over.tolist() == [True, False]
+    for wrong in ([[np.nan], [np.nan]], [[2.0], [0.5]]):
+        with pytest.raises(ModelError, match="u of environment 1"):
+            envs.step(np.array(wrong))
+    seen, rewards, *_ = envs.step(np.array([[np.nan], [2.0]]))
+    assert seen[0].tolist() == [0.0, 0.4, 0.0, 0.0]
+    assert rewards.tolist() == [0.0, 2.0]
+    assert used[-1].tolist() == [[0.0], [2.0]]  # the input of the model where no action applies
+    assert envs.steppers.u[:, 0].tolist() == [0.0, 2.0]
+
+
+@pytest.mark.parametrize("part", ["reward", "terminated"])
+@pytest.mark.parametrize("autoreset", ["next_step", "same_step", "disabled"])
+def test_an_error_of_a_function_asks_for_a_reset(part, autoreset):
+    """The step was taken, and what it would have returned is lost; a reset gives the episodes of new environments."""
+    calls = []
+
+    def raises(seen, *actions):
+        calls.append(len(seen))
+        if len(calls) == 3:
+            raise ZeroDivisionError("of the user")
+        return np.zeros(len(seen))
+
+    envs, new = envs_of(2, autoreset=autoreset, **{part: raises}), envs_of(2)
+    envs.reset(seed=1)
+    for _ in range(2):
+        envs.step(np.zeros((2, 1)))
+    with pytest.raises(ZeroDivisionError, match="of the user"):
+        envs.step(np.zeros((2, 1)))
+    for _ in range(2):
+        with pytest.raises(gymnasium.error.ResetNeeded, match="since an error in a step"):
+            envs.step(np.zeros((2, 1)))
+    assert np.array_equal(envs.reset(seed=5)[0], new.reset(seed=5)[0])
+    for _ in range(3):
+        one, two = (some.step(np.ones((2, 1))) for some in (envs, new))
+        assert np.array_equal(one[0], two[0])
+        assert np.array_equal(one[3], two[3])
+
+
+def test_after_an_error_a_reset_of_some_continues_no_other():
+    """The other environment begins an episode of its own in the next step."""
+    fails = []
+    envs = envs_of(2, reward=lambda seen, actions: fails[0] if fails else seen[:, 0])
+    envs.reset(seed=1)
+    envs.step(np.ones((2, 1)))
+    fails.append(np.zeros(3))
+    with pytest.raises(ModelError, match="result of reward"):
+        envs.step(np.ones((2, 1)))
+    fails.clear()
+    envs.reset(seed=1, options={"reset_mask": np.array([True, False])})
+    envs.step(np.ones((2, 1)))
+    assert envs.steppers.t.tolist() == [0.02, 0.0]
+
+
+@pytest.mark.parametrize("part", ["reward", "terminated"])
+def test_functions_return_one_result_an_environment(part):
+    for result in (False, np.zeros(1), np.zeros((3, 1)), np.zeros((1, 3)), np.zeros(2)):
+        envs = envs_of(3, **{part: lambda seen, *actions, result=result: result})
+        envs.reset(seed=1)
+        words = rf"cart_pole: the result of {part} has shape .*, but must have \(3,\)"
+        with pytest.raises(ModelError, match=words):
+            envs.step(np.zeros((3, 1)))
+    envs = envs_of(3, **{part: lambda seen, *actions: [False, True, False]})
+    envs.reset(seed=1)
+    assert envs.step(np.zeros((3, 1)))[2 if part == "terminated" else 1].tolist() == [0, 1, 0]
+
+
 def test_what_is_refused():
     for options, words in (
         ({"actions": {}}, "give bounds"),

@@ -156,17 +156,30 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
         """Advance all environments by a period with actions (K, a).
 
         Returns observations (K, d), rewards (K,), and whether episodes are terminated or truncated, (K,) each. With
-        autoreset in the next step, an environment whose episode is over begins another one in place of a step.
+        autoreset in the next step, an environment whose episode is over begins another one in place of a step, and its
+        action is ignored.
 
         Raises
         ------
         gymnasium.error.ResetNeeded
-            There has been no reset; or an episode is over, and there is no autoreset.
+            There has been no reset, or none since an error in a step; or an episode is over, and there is no autoreset.
         ModelError
-            An action is outside of its bounds, or not a number.
+            An action is outside of its bounds, or not a number, and no environment has changed. Or the result of
+            `reward` or `terminated` has the wrong shape: the step has been taken, as with any error of theirs, and all
+            environments need a reset.
         """
-        waiting = self._begin_step()
-        self._set_inputs(actions, waiting)
+        waiting = self._waiting()
+        used = self._checked(actions, waiting)
+        if waiting.any():
+            self._restart(waiting)
+        try:
+            return self._advance(used, waiting)
+        except BaseException:  # the motion has gone on, but nobody learns how: no episode can be continued
+            self._begun, self._done[:] = False, True
+            raise
+
+    def _advance(self, actions: Vector, waiting: Flags) -> tuple[Vector, Vector, Flags, Flags, dict[str, Any]]:
+        self._inputs[:, self._of.actions.columns] = actions
         self._steps[~waiting] += 1
         self.steppers.advance(self._steps * self._of.period, self._inputs)
         seen = self._of.observations.of(self.steppers)
@@ -177,39 +190,46 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
             seen, info = self._reset_now(seen, info)
         return seen, rewards, terminated, truncated, info
 
-    def _begin_step(self) -> Flags:
+    def _waiting(self) -> Flags:
         """Return which environments begin an episode in place of a step."""
         if not self._begun:
-            raise ResetNeeded("call reset() before step()")
+            raise ResetNeeded("call reset() before step(): there was none yet, or none since an error in a step")
         waiting = self._done.copy()
-        if waiting.any():
-            if self._mode is AutoresetMode.DISABLED:
-                over = ", ".join(map(str, np.flatnonzero(waiting)[:10]))
-                raise ResetNeeded(f"the episodes of these environments are over, and they were not reset: {over}")
-            self._restart(waiting)
+        if self._mode is AutoresetMode.DISABLED and waiting.any():
+            over = ", ".join(map(str, np.flatnonzero(waiting)[:10]))
+            raise ResetNeeded(f"the episodes of these environments are over, and they were not reset: {over}")
         return waiting
 
-    def _set_inputs(self, actions: Vector, waiting: Flags) -> None:
+    def _checked(self, actions: Vector, waiting: Flags) -> Vector:
+        """Return the actions (K, a) in use: those of waiting environments are ignored, for their inputs at rest."""
         of, given = self._of.actions, np.asarray(actions, dtype=np.float64)
         if given.shape != (self.num_envs, len(of.names)):
             raise ModelError(f"actions have shape {given.shape}, but must be {(self.num_envs, len(of.names))}")
-        if not (inside := (given >= of.low) & (given <= of.high)).all():
+        if waiting.any():
+            given = np.where(waiting[:, None], self._rest[:, of.columns], given)
+        inside = (given >= of.low) & (given <= of.high) | waiting[:, None]
+        if not inside.all():
             k, column = np.argwhere(~inside)[0].tolist()
             raise ModelError(
                 f"the action {of.names[column]} of environment {k} is {given[k, column]}, but must be between "
                 f"{of.low[column]} and {of.high[column]}: clip actions where they are chosen"
             )
-        self._inputs[:, of.columns] = given
-        self._inputs[waiting] = self._rest[waiting]
+        return given
 
     def _rewards(self, seen: Vector, actions: Vector) -> Vector:
         reward = self._of.reward
         if isinstance(reward, str):
             return self.steppers.outputs[reward]
-        rewards = np.asarray(reward(seen, np.asarray(actions, dtype=np.float64)), dtype=np.float64)
-        if rewards.shape != (self.num_envs,):
-            raise ModelError(f"the reward has shape {rewards.shape}, but must be ({self.num_envs},): one a row of seen")
-        return rewards
+        return self._one_each(np.asarray(reward(seen, actions), dtype=np.float64), "reward")
+
+    def _one_each(self, result: NDArray[Any], name: str) -> NDArray[Any]:
+        """Return what a function of the observations returned, if it has the shape (K,)."""
+        if result.shape != (self.num_envs,):
+            raise ModelError(
+                f"{self.steppers.model.name}: the result of {name} has shape {result.shape}, but must have "
+                f"({self.num_envs},): return one a row of the observations"
+            )
+        return result
 
     def _ends(self, seen: Vector) -> tuple[Flags, Flags, dict[str, Any]]:
         """Return which episodes are terminated or truncated, with the reasons of failures."""
@@ -218,7 +238,8 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
             failed[self.steppers.failed] = True
         terminated = ended & ~failed
         if self._of.terminated is not None:
-            terminated |= np.asarray(self._of.terminated(seen), dtype=bool) & ~failed & (self._steps > 0)
+            told = self._one_each(np.asarray(self._of.terminated(seen), dtype=bool), "terminated")
+            terminated |= told & ~failed & (self._steps > 0)
         truncated = failed.copy()
         if self._of.max_steps:
             truncated |= (self._steps >= self._of.max_steps) & ~terminated

@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 Reward = Callable[[Vector, Vector], Any]
 """Function of the observations (K, d) after a step and the actions (K, a) of it: rewards (K,)."""
 Start = Callable[[np.random.Generator], Mapping[str, Mapping[Any, float]]]
-"""Function of a generator of random numbers: {"x0": ..., "v0": ..., "parameters": ...}, numbers by name."""
+"""Function of a generator of random numbers: {"x0": ..., "v0": ..., "parameters": ...}, numbers by name.
+
+What it leaves out is that of the model.
+"""
 
 _PARTS = ("x0", "v0", "parameters")
 
@@ -129,13 +132,15 @@ class Starts:
             positions, dict(zip(system.coordinates, v, strict=False)), system.parameters,
         )  # fmt: skip
         self._draw, self._name = start, system.name
+        self._defaults = [np.array([*numbers.values()], dtype=np.float64) for numbers in values]
+        self._tables = [np.repeat(default[:, None], count, axis=1) for default in self._defaults]
         self.columns = {
-            part: {name: np.full(count, float(value)) for name, value in numbers.items()}
-            for part, numbers in zip(_PARTS, values, strict=True)
+            part: dict(zip(numbers, table, strict=True))
+            for part, numbers, table in zip(_PARTS, values, self._tables, strict=True)
         }
 
     def draw(self, k: int, random: np.random.Generator) -> None:
-        """Draw the start of environment k.
+        """Draw the start of environment k; what the function leaves out is that of the model again.
 
         Raises
         ------
@@ -148,6 +153,8 @@ class Starts:
         if not isinstance(drawn, Mapping) or set(drawn) - set(_PARTS):
             raise ModelError(f"{self._name}: start() returned {shown(drawn)}: return numbers by name in a mapping with "
                              f"the keys {', '.join(_PARTS)}")  # fmt: skip
+        for table, default in zip(self._tables, self._defaults, strict=True):
+            table[:, k] = default
         for part, numbers in drawn.items():
             columns = self.columns[part]
             for name, value in by_name(numbers, tuple(columns), f"number of start()[{part!r}]").items():

@@ -54,7 +54,7 @@ def gym_env(
         A function of the observations (K, d) that returns (K,) booleans.
     start
         A function of the environment's random generator that returns numbers by name in {"x0": ..., "v0": ...,
-        "parameters": ...}, of which each may be left out. Default: the model's start.
+        "parameters": ...}; what it leaves out is that of the model. Default: the model's start.
     max_steps
         The number of steps after which an episode is truncated.
     autoreset
