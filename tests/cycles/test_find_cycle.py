@@ -342,3 +342,68 @@ def test_too_few_runs():
     found = em.find_cycle(van_der_pol(), x0={"x": 1.0}, period=6.0, max_runs=4)
     assert not found.success
     assert "4 runs were not enough" in found.message
+
+
+def refused(cycle: em.Cycle, inputs: dict | None = None) -> None:
+    """The motion closes once, does not come back after the second period, and is no success."""
+    T = cycle.period
+    run = cycle.system.simulate((0.0, 2 * T), x0=cycle.x0, v0=cycle.v0, inputs=inputs, rtol=1e-10, t_eval=[0, T, 2 * T])
+    assert run.x[0][1] == pytest.approx(run.x[0][0], abs=1e-7)
+    assert abs(run.x[0][2] - run.x[0][0]) > 1e-3
+    assert not cycle.success
+    assert cycle.stable is None
+    assert "the forcing does not repeat after period" in cycle.message
+
+
+def test_a_period_that_is_not_that_of_the_forcing():
+    refused(em.find_cycle(duffing(), period=4.0))
+    twice = em.find_cycle(duffing(), x0={"x": 0.3}, period=4 * np.pi / 1.2)
+    assert twice.success
+
+
+@cache
+def pushed() -> System:
+    u = dynamicsymbols("u")
+    return system_for(
+        Model(name="pushed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+              forces=[u - c * x.diff()], parameters={c: 0.3}, inputs={u: 0.0}), "lagrange")  # fmt: skip
+
+
+def test_a_signal_that_does_not_repeat():
+    times = np.linspace(0.0, 10.0, 101)
+    wave = {"u": (times, np.sin(2 * times))}
+    refused(em.find_cycle(pushed(), period=3.0, inputs=wave), wave)
+    once = np.linspace(0.0, np.pi, 101)
+    for samples in (once, np.append(once, once[1:] + np.pi)):  # as far as it is known
+        cycle = em.find_cycle(pushed(), period=np.pi, inputs={"u": (samples, np.sin(2 * samples))})
+        assert cycle.success
+    steps = em.Signal(np.arange(0.0, 8.0, 0.5), [1.0, -1.0] * 8, kind="hold")
+    assert em.find_cycle(pushed(), period=1.0, inputs={"u": steps}).success
+    refused(em.find_cycle(pushed(), period=1.5, inputs={"u": steps}), {"u": steps})
+
+
+def test_kicks_of_other_sizes():
+    """Kicks once a second, of three sizes in turn: accelerations and events repeat after a second, sizes do not."""
+    kick = 1 + sin(2 * np.pi * em.t / 3) / 2
+    model = Model(name="kicked", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[-c * x.diff()], parameters={c: 0.3},
+                  events={"kick": Event(sin(2 * np.pi * em.t), direction=1, reset={x.diff(): x.diff() + kick})},
+                  initial={x: 0.5})  # fmt: skip
+    system = system_for(model, "lagrange")
+    once = em.find_cycle(system, period=1.0, t=0.5)
+    assert not once.success
+    assert "the second period does not close" in once.message
+    assert em.find_cycle(system, period=3.0, t=0.5).success
+
+
+def test_a_prescribed_support():
+    """At y = sin(t)^3 the support and its speed are 0 at 0 and at pi, and go to the other side after it."""
+    y, load = dynamicsymbols("y load")
+    model = Model(name="supported", coordinates=[y, load], kinetic_energy=(y.diff() ** 2 + load.diff() ** 2) / 2,
+                  potential_energy=(load - y) ** 2, forces=[0, -c * load.diff()], parameters={c: 0.3},
+                  holonomic_constraints=[y - sin(em.t) ** 3])  # fmt: skip
+    system = system_for(model, "lagrange")
+    half = em.find_cycle(system, period=np.pi)
+    assert not half.success
+    assert "accelerations a period later differ" in half.message
+    assert em.find_cycle(system, period=2 * np.pi).success

@@ -314,6 +314,49 @@ def test_a_family_is_followed_by_what_is_free():
         em.follow(em.find_cycle(system, x0={"theta": 1.0}), "l", to=2.0)
 
 
+def test_a_number_is_no_period_of_a_forcing_that_changes():
+    """With a period that stays, motions close once along w, but the forcing is another one a period later."""
+    start = em.find_cycle(duffing(), x0={"x": 0.3}, period=2 * np.pi / 1.2)
+    with pytest.raises(ModelError, match=r"at w = .*the forcing does not repeat.*period='2\*pi/w'"):
+        em.follow(start, "w", to=1.3)
+    assert em.follow(start, "A", to=0.32).success
+
+
+def test_a_forcing_that_is_absent_at_the_start():
+    model = Model(name="driven", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[(1 - x**2) * x.diff() + a * cos(3 * em.t)], parameters={a: 0.0})  # fmt: skip
+    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 2.0}, v0={"x": 0.0})
+    with pytest.raises(ModelError, match=r"the forcing does not repeat.*Begin where the forcing acts"):
+        em.follow(start, "a", to=0.5)
+
+
+@pytest.mark.parametrize("shift", [0.0, 1.0])
+def test_an_impact_moves_onto_the_start(shift):
+    """A ball bounces once a period on a table a sin(2 pi t + shift): the fold, at a = u / (2 pi), is a hit at phase 0.
+
+    u is the speed of the table at the hit, g (1 - e) / (2 (1 + e)).
+    """
+    e, g, top = 0.5, 9.81, 9.81 / 2
+    table = a * sin(2 * np.pi * em.t + shift)
+    model = Model(name="on_table", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=g * x,
+                  parameters={a: 0.3}, events={"hit": em.Event(x - table, direction=-1, impact=(x - table, e))},
+                  initial={x: 0.2, x.diff(): 2.0})  # fmt: skip
+    u = top * (1 - e) / (1 + e)
+    phase = np.arccos(u / (0.3 * 2 * np.pi))
+    left = 1 - ((phase - shift) / (2 * np.pi)) % 1
+    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.3 * np.sin(phase) + top * left - g / 2 * left**2},
+                          v0={"x": top - g * left}, period=1.0)  # fmt: skip
+    assert start.success
+    branch = em.follow(start, "a", to=0.2)
+    if shift:
+        assert kinds(branch)[0] == "fold"
+        assert branch.special[0].parameter == pytest.approx(u / (2 * np.pi), rel=1e-8)
+    else:
+        assert not branch.success
+        assert "event 'hit' moves onto the start of the period" in branch.message
+        assert "find_cycle at another t" in branch.message
+
+
 def test_wrong_arguments():
     start = em.find_equilibrium(ziegler(), [0.0, 0.0])
     with pytest.raises(ModelError, match="unknown name to follow"):

@@ -5,10 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError
 from ..cycles.multipliers import multipliers_of
 from ..cycles.newton import Search, equations, extent_of, noise, on_section, phases, still
 from ..cycles.periodic_problem import Problem
 from ..cycles.returns import NoReturnError, Return, returned
+from ..cycles.time_dependence import event_at_start, unrepeated
 from .curve import NoPointError, Sample, Spectrum
 
 _SMALLEST = 0.03
@@ -35,7 +37,8 @@ class CycleCurve:
             q = on_section(problem, section, problem.projected(w[:-2], problem.prepared), period)
             here = returned(problem, section, q, period)
         except NoReturnError as error:
-            raise NoPointError(str(error)) from error
+            meets = self._meets_event(problem, w[:-2], period)
+            raise NoPointError(meets or str(error)) from error
         if failure := still(problem, here, self.first, extent_of(problem, self.first, self.first.scale)):
             raise NoPointError(failure)
         return self._sample(problem, here, float(w[-1]))
@@ -66,9 +69,18 @@ class CycleCurve:
         return Spectrum(found.values, found.errors, found.stable)
 
     def obstacle(self, before: Sample, after: Sample) -> str:
-        """Return that a cycle has shrunk to an equilibrium between two points, or that its events change, or ""."""
+        """Return that a cycle has shrunk to an equilibrium between two points, or that its events change, or "".
+
+        Raises
+        ------
+        ModelError
+            The motion closes, but the forcing is another one in the next period.
+        """
         a, b, problem = before.detail, after.detail, self.search.problem
+        self._check_repeats(after)
         if a.order != b.order:
+            if meets := self._meets_event(self.problem(after.parameter), b.q, b.period):
+                return meets
             names = problem.c.events
             orders = " to ".join(", ".join(names[k] for k in one) or "none" for one in (a.order, b.order))
             return f"the order of events in a period changes there, from {orders}"
@@ -76,6 +88,25 @@ class CycleCurve:
         if (a.flow / a.scale)[own] @ (b.flow / a.scale)[own] < 0.0:
             return "the cycle shrinks to an equilibrium there"
         return ""
+
+    def _meets_event(self, problem: Problem, q: Vector, period: float) -> str:
+        """Return that an event that acts has moved onto the start of the period, or ""."""
+        if self.search.section.event is not None:
+            return ""
+        event = event_at_start(problem, q, period)
+        if event is None:
+            return ""
+        other = "at another t" if problem.clock else "from another state of the motion"
+        name = problem.c.events[event]
+        return f"event {name!r} moves onto the start of the period there. Begin elsewhere: call find_cycle {other}"
+
+    def _check_repeats(self, sample: Sample) -> None:
+        problem = self.problem(sample.parameter)
+        if failure := unrepeated(problem, self.search.section, sample.detail):
+            remedy = "Give find_cycle the period as an expression of parameters, such as period='2*pi/w'"
+            if not problem.clock:
+                remedy = "At the start, nothing depended on time. Begin where the forcing acts, and give its period"
+            raise ModelError(f"{problem.c.name}: at {problem.by} = {sample.parameter:.9g}, {failure}. {remedy}")
 
 
 def curve_of(search: Search, q: Vector, period: float, by: str, extent: float) -> CycleCurve:

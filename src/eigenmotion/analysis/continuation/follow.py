@@ -67,7 +67,8 @@ def follow(
     ------
     ModelError
         The start was not found; unknown names; `to` is the value at the start; the start is one of a family; contacts
-        or frictions of an equilibrium; a stated symmetry depends on the parameter.
+        or frictions of an equilibrium; a stated symmetry depends on the parameter; the forcing's period depends on it,
+        but that of the cycle is a number.
 
     Notes
     -----

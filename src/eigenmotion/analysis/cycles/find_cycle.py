@@ -63,7 +63,8 @@ def find_cycle(
         A guess of the start, over the model's `initial`; x0 may also name states.
     period
         [s] A guess, or None: the first return. If equations depend on time, by an input that is a signal for example,
-        the period is required and exact: that of the forcing or a multiple. With an event as section, the guess says
+        the period is required and exact: that of the forcing or a multiple. It is checked: the motion must repeat in
+        the next period, too, as far as the samples of a signal reach. With an event as section, the guess says
         how often the event happens in a period.
     section
         The name of an event of the model: motions start right after it and end right after it. Or the name of a

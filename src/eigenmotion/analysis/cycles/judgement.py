@@ -11,6 +11,7 @@ from .newton import Found, Search, growth, noise, size
 from .periodic_problem import Problem
 from .returns import NoReturnError, Return, Section, returned, run
 from .segments import chain_of, joined
+from .time_dependence import unrepeated
 
 _LATER = 0.31830988
 """Part of a period by which the other run begins later, if equations do not depend on time."""
@@ -47,6 +48,9 @@ def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycl
         return _cycle(problem, check, message, nothing, False)
     if size(problem, check) > 10.0 * noise(problem, check):
         message = f"not converged: another run does not close, by {size(problem, check):.3g} of the motion"
+        return _cycle(problem, check, message, nothing, False)
+    if problem.clock and (failure := unrepeated(other, section, check, found.nodes)):
+        message = f"no cycle: {failure}. Give the period of the forcing, or a multiple"
         return _cycle(problem, check, message, nothing, False)
     multipliers = multipliers_of(other, check)
     return _cycle(problem, check, _words(problem, check, multipliers) + note, multipliers, True)

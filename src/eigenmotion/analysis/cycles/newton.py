@@ -14,7 +14,7 @@ _UNDECIDED = 0.3
 """Singular values below this part of the distance that is to be closed count less."""
 _WORSE = 1.5
 """Growth of the distance in a motion's own units above which a step is halved: it leads to an equilibrium."""
-_NEXT_TO = 1e-3
+NEXT_TO = 1e-3
 """Part of a period within which a start is next to an event."""
 _STILL = 1e-6
 """Part of the first motion's extent below which the search has reached an equilibrium."""
@@ -176,7 +176,7 @@ def on_section(problem: Problem, section: Section, q: Vector, period: float) -> 
         flow = problem.flow(q, problem.t, problem.prepared)
         now, then = (problem.event(one, section.event) for one in (q, q + ahead * flow))
         after = -now * ahead / (then - now)
-        if not abs(after) < _NEXT_TO * period:
+        if not abs(after) < NEXT_TO * period:
             return q
         q = q + after * flow
     return q
