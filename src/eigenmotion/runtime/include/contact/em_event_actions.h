@@ -120,6 +120,15 @@ EM_NOINLINE void em_find_released(em_acting *a) {
     if (cones) em_find_released_cones(a);
 }
 
+/* ahead <- if switches are released, the error of the time of an event; and four times more each time that the same
+ * event happens again without time passing, until the forces after it can be told from rounding. */
+EM_NOINLINE void em_find_ahead(em_acting *a, const em_pile *pile) {
+    double times = 0.0;
+    for (int k = 0; k < N_SWITCHES; ++k)
+        if (a->released[k]) times = fmax(times, pow(4.0, fmin(pile[switches[k].event].count, 20.0) - 1.0));
+    a->ahead = times * EM_SIMULTANEOUS_SPACINGS * DBL_EPSILON * fabs(a->t);
+}
+
 /* Whether a friction may have a normal force: from a contact at rest, a constraint, or the terms of its limit. */
 EM_NOINLINE int em_may_have_normal_force(const em_acting *a, const em_all_rows *r, const em_switch *friction) {
     const int norm = em_norm_of(friction);
@@ -253,6 +262,7 @@ EM_EXPORT int em_act_on_all(em_acting *a, em_pile *pile) {
     if (N_SWITCHES > 0 || N_IMPACTS > 0) {
         if (em_all_rows_at(a->t, a->x, a->v, a->c, &r, a->fault)) return -1;
         em_find_released(a);
+        em_find_ahead(a, pile);
         if (a->starts && em_move_outside_contacts(a, &r)) return -1;
         em_find_closed(a, &r);
         em_find_rest_rates(a, &r);

@@ -56,6 +56,7 @@ typedef struct em_acting {
     int moved;                         /* whether velocities, or positions, have jumped */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int released[EM_SOME_SWITCHES];    /* switches that held and have fired */
+    double ahead;                      /* with released switches: a time within the error of the event's (em_find_ahead) */
     double last[2 * EM_SOME_SWITCHES]; /* of released cones: the direction opposite to their forces */
     double rest_rate[EM_SOME_ROWS];    /* rates below which rows are at rest */
     double separation_rate[EM_SOME_SWITCHES]; /* rates below which contacts stay closed, unless an impact has separated
@@ -167,14 +168,12 @@ EM_NOINLINE int em_is_at_rest(const em_acting *a, const em_all_rows *r, int k) {
     return em_along_switch(s, r->rate) <= fmax(em_along_switch(s, a->rest_rate), a->separation_rate[k]);
 }
 
-/* Sets up the problem of the rows at rest. 0, or -1 and *fault. */
-EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
-    double free_a[N], gamma[EM_SOME_ROWS], level[EM_LEVELS * EM_SOME_SWITCHES];
-    const int shared = em_shared_normal(r);
-    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, EM_SHARED_LOAD, NAN);
-    em_begin_mixed(r, s);
-    motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
-    levels(a->t, a->x, a->v, a->c, a->u, level);
+/* q <- the accelerations of the rows without forces along the choice rows, and size <- their terms. 0, or -1 and
+ * *fault. */
+EM_NOINLINE int em_free_row_accelerations(const em_acting *a, double t, const double *x, const double *v,
+                                          const em_all_rows *r, em_mixed *s) {
+    double free_a[N], gamma[EM_SOME_ROWS];
+    motion_bias(t, x, v, r->c, a->u, free_a, gamma);
     em_forward(N, r->root.L, r->root.r, free_a);
     for (int row = 0; row < N_ROWS; ++row) {
         s->q[row] = gamma[row], s->size[row] = fabs(gamma[row]);
@@ -184,6 +183,31 @@ EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mix
         }
         if (!isfinite(s->q[row])) return em_fail(a->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     }
+    return 0;
+}
+
+/* q and size, for the mode after the event. Where a force has reached zero, or its limit, its sign at the time of the
+ * event is that of the error of this time, and terms that cancel leave no size. The motion goes on through it: so they
+ * are those a little later in the motion that holds. 0, or -1 and *fault. */
+EM_NOINLINE int em_row_accelerations_after(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+    double x[N], v[N], acceleration[N], lambda[EM_SOME_ROWS];
+    em_all_rows later;
+    em_fault none;
+    if (!(a->ahead > 0.0) || a->moved || em_acceleration(a->t, a->x, a->v, a->c, a->u, EM_LEAST_NORM, acceleration, lambda, &none))
+        return em_free_row_accelerations(a, a->t, a->x, a->v, r, s);
+    for (int k = 0; k < N; ++k) x[k] = a->x[k] + a->ahead * a->v[k], v[k] = a->v[k] + a->ahead * acceleration[k];
+    if (em_all_rows_at(a->t + a->ahead, x, v, a->c, &later, &none)) return em_free_row_accelerations(a, a->t, a->x, a->v, r, s);
+    return em_free_row_accelerations(a, a->t + a->ahead, x, v, &later, s);
+}
+
+/* Sets up the problem of the rows at rest. 0, or -1 and *fault. */
+EM_NOINLINE int em_mode_problem(const em_acting *a, const em_all_rows *r, em_mixed *s) {
+    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    const int shared = em_shared_normal(r);
+    if (shared >= 0) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, shared, EM_SHARED_LOAD, NAN);
+    em_begin_mixed(r, s);
+    levels(a->t, a->x, a->v, a->c, a->u, level);
+    if (em_row_accelerations_after(a, r, s)) return -1;
     for (int k = 0; k < N_SWITCHES; ++k) {
         const em_switch *const one = &switches[k];
         const int at_rest = em_is_at_rest(a, r, k);
