@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sympy import sqrt, symbols
+from sympy import cos, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import Event, Model, ModelError, System
+from eigenmotion import Event, Model, ModelError, System, t
 from eigenmotion.arguments.differentiation import names_of
 
 from ..support.generation import system_for, system_of
@@ -88,18 +88,18 @@ def ball() -> System:
 
 def test_closed_form_after_a_bounce():
     """z(t) = e s (t - t_1) - g (t - t_1)^2 / 2 after t_1 = sqrt(2 h / g), with s = g t_1."""
-    t, height, gravity, bounce = symbols("t h G E", positive=True)
+    time, height, gravity, bounce = symbols("t h G E", positive=True)
     first = sqrt(2 * height / gravity)
-    place = bounce * gravity * first * (t - first) - gravity * (t - first) ** 2 / 2
-    values = {t: 0.7, height: 1.0, gravity: 9.81, bounce: 0.9}
+    place = bounce * gravity * first * (time - first) - gravity * (time - first) ** 2 / 2
+    values = {time: 0.7, height: 1.0, gravity: 9.81, bounce: 0.9}
     _, pullback = em.vjp(ball(), (0.0, 0.7), by=["z", "g", "e", "m"], t_eval=[0.7], **TIGHT)
-    for of, cotangents in ((place, {"dx": [[1.0]]}), (place.diff(t), {"dv": [[1.0]]})):
+    for of, cotangents in ((place, {"dx": [[1.0]]}), (place.diff(time), {"dv": [[1.0]]})):
         right = [float(of.diff(name).subs(values)) for name in (height, gravity, bounce)]
         np.testing.assert_allclose(list(pullback(**cotangents).values()), [*right, 0.0], rtol=1e-9, atol=1e-13)
-    weight = 2.0 * place.diff(t)
+    weight = 2.0 * place.diff(time)
     right = [
         *(float(weight.diff(name).subs(values)) for name in (height, gravity, bounce)),
-        float(place.diff(t).subs(values)),
+        float(place.diff(time).subs(values)),
     ]
     np.testing.assert_allclose(list(pullback(outputs={"weight": [1.0]}).values()), right, rtol=1e-9)
     np.testing.assert_allclose(list(pullback(outputs={"force": [1.0]}).values()), [0.0, -2.0, 0.0, -9.81], atol=1e-12)
@@ -146,3 +146,34 @@ def test_mistakes_of_cotangents(wrong: dict[str, Any], words: str):
     _, pullback = em.vjp(ball(), (0.0, 1.0), by=["z"], t_eval=[1.0])
     with pytest.raises(ModelError, match=words):
         pullback(**wrong)
+
+
+@pytest.mark.parametrize("small", [1e-2, 1e-6, 1e-12])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+def test_a_small_quantity_beside_a_large_one(small: float, method: str):
+    """Forces q cos t + p x cos 200 t: steps resolve what p does, however small it is beside q."""
+    x, q, p = dynamicsymbols("x"), *symbols("q p", positive=True)
+    system = system_for(
+        Model(name="two_forces", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+              forces=[q * cos(t) + p * x * cos(200 * t)], parameters={q: 1.0, p: 1.0}, initial={x: 1.0}),
+        "lagrange")  # fmt: skip
+    options = {"t_eval": [3.0], "parameters": {"p": small}}
+    exact = system.simulate((0, 3), sensitivities=["p"], rtol=1e-12, atol=1e-14, max_step=0.005, **options)
+    _, pullback = em.vjp(system, (0, 3), by=["q", "p", "x", "x'"], rtol=1e-8, method=method, **options)
+    assert pullback(dx=[[1.0]])["p"] == pytest.approx(exact.sensitivity["p"].dx[0, 0], rel=1e-5)
+
+
+def test_rows_before_events_and_at_the_end():
+    """No row lies after the last event, or the run ends at one."""
+    for at in ([0.1, 0.2], [0.5], [0.1, 1.2]):
+        found, right, size = both(ball(), 1.2, ["z", "e"], t_eval=at, **TIGHT)
+        assert (np.abs(found - right) <= 1e-8 * size + 1e-14).all()
+
+
+def test_what_simulate_refuses_or_says():
+    with pytest.raises(ModelError, match="backwards"):
+        em.vjp(ball(), (1.0, 0.0), by=["z"])
+    for memory in (np.nan, -1.0, "much"):
+        with pytest.raises(ModelError, match="megabytes"):
+            em.vjp(ball(), (0.0, 1.0), by=["z"], memory=memory)
+    assert em.vjp(ball(), (0.0, 0.1), by=["z"], memory=np.inf)[0].success

@@ -7,12 +7,14 @@ from typing import Any, NamedTuple
 from ..arguments.differentiation import differentiated
 from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.tasks import TO_DERIVE, Task
-from ..codegen.model.normalise import ModelError
+from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
+from ..results.multiplier_uniqueness import with_shared
 from ..results.solution import Solution
 from ..runtime import CompiledModel
 from ..runtime.checkpoints import CheckpointedRun
 from .compiled_run import solution_of
+from .initial_state.consistency import check_direction
 from .method_selection import automatic_of_run
 from .sensitivity.adjoint import Adjoint, steps_within
 from .sensitivity.run_path import path_of
@@ -49,9 +51,13 @@ def derivable_run(
     if misspelt or not isinstance(compiled, CompiledModel):
         raise refused(call, system, (), misspelt, (*_DEFAULTS, "method", "by", "memory"))
     given = _DEFAULTS | options | {"dense_output": False}
-    task, _ = task_of_run(system, compiled, t_span, *(given[name] for name in _ORDER))
+    if not (isinstance(memory, int | float) and memory >= 0.0):
+        raise ModelError(f"{compiled.name}: memory is {shown(memory)}; give a number of megabytes, 0 or more")
+    task, shared = task_of_run(system, compiled, t_span, *(given[name] for name in _ORDER))
     named = method_of(method, NAMES)
     chosen: Method = automatic_of_run(task)[0] if named == AUTO else METHODS[named]
+    if task.t_end < task.t_start:
+        check_direction(compiled, task.t_start, task.t_end)
     varied = directions(differentiated(compiled, by, given["v0"]), task)
     task = task._replace(dense=TO_DERIVE)
     run = CheckpointedRun(task, chosen.number, steps_within(task, varied, memory))
@@ -59,5 +65,8 @@ def derivable_run(
     if not solution.success:
         raise ModelError(f"{compiled.name}: the run has no gradient, because it failed. {solution.message}")
     solution["sol"] = None
+    if shared:
+        solution["not_unique"] = shared
+        solution["message"] = with_shared(solution["message"], compiled, shared)
     path = path_of(task, solution, run)
     return DerivableRun(task, solution, Adjoint(task, chosen, varied, run, path, run.checkpoints))

@@ -1,8 +1,8 @@
 """Adjoint of a run: gradients of functions of its rows, by the transpose of its derivative.
 
 The derivative of a run is a product of linear maps: steps of the variational equations, projections, events. A pass in
-a few random directions (probes) chooses the steps, records the maps (em_derivative_tape.h) and checks each transpose. A
-long run goes in parts: from the last to the first, each is run again from its checkpoint, and its maps are recorded.
+random directions chooses the steps and records the maps (em_derivative_tape.h); one of them, the probe, checks each
+transpose. A long run goes in parts: from the last to the first, each is run again from its checkpoint and recorded.
 """
 
 from collections.abc import Iterator
@@ -24,8 +24,9 @@ from .collocation_mesh import NODES
 from .run_path import Path
 from .sensitivities import TOGETHER, Directions, remedied, variations_of
 
-_PROBES = 3
-"""Random directions of a pass; four columns, with that of the motion itself, fill a vector of the processor."""
+_COLUMNS = 3
+"""Columns of a pass: a direction from the start on (the probe), and two that are drawn at every step, so that steps
+resolve what the probe has little of; with the motion itself they fill a vector of the processor."""
 _APART = 1e-7
 """Difference of <w, D s> and <D^T w, s> for a probe s, relative to the sum of the sizes of its terms."""
 _DENSE = 10
@@ -50,7 +51,7 @@ def steps_within(task: Task, varied: Directions, megabytes: float) -> int:
     """Return the number of steps of a run whose dense output and maps need this memory; a map a step, or fewer."""
     n, size = task.model.n, NODES * task.model.n
     maps = size * (size + 1) + (NODES + 3) * n * (2 * n + len(varied.names))
-    return max(16, int(megabytes * 1e6 / 8.0 / (maps + _DENSE * task.model.n_state)))
+    return max(16, int(min(megabytes, 1e9) * 1e6 / 8.0 / (maps + _DENSE * task.model.n_state)))
 
 
 @dataclass(frozen=True)
@@ -89,9 +90,10 @@ class Adjoint:
 
     @cached_property
     def probes(self) -> Vector:
-        """(names, probes): random, as large as the values of what they change."""
-        sizes = _sizes(self.task, self.varied)[:, None]
-        return np.random.default_rng(0).standard_normal((len(self.varied.names), _PROBES)) * sizes
+        """(names, columns): the first is random, as large as the values of what it changes; the others are zero."""
+        made = np.zeros((len(self.varied.names), _COLUMNS))
+        made[:, 0] = np.random.default_rng(0).standard_normal(len(made)) * _sizes(self.task, self.varied)
+        return made
 
     def pull(self, rows: Vector) -> Vector:
         """Return the gradient (names,) for cotangents (k, 2 n) of x and v at the rows of the run.
@@ -135,7 +137,7 @@ class Adjoint:
     def _random_start(self, path: Path) -> Vector:
         n, size = self.task.model.n, np.abs(path.z[0])
         size = np.maximum(size, np.repeat([size[:n].max(), size[n:].max()], n))
-        random = np.random.default_rng(1).standard_normal((2 * n, _PROBES)) * np.where(size > 0.0, size, 1.0)[:, None]
+        random = np.random.default_rng(1).standard_normal((2 * n, _COLUMNS)) * np.where(size > 0.0, size, 1.0)[:, None]
         return self._tangent(path, random, self.varied.P @ self.probes)
 
     def _tangent(self, path: Path, S: Vector, P: Vector) -> Vector:
@@ -187,14 +189,14 @@ def _check(part: Part, at_stops: Vector, within: Vector, start: Vector, along: V
     """Raise EvaluationError if the transpose differs from the derivative along the probes."""
     found = part.tape.variations
     pairs = (found.at_stops, at_stops), (found.at_rows, within)
-    terms = [S * W[:, :, None] for S, W in pairs]
-    back = [found.at_stops[0] * start[:, None], given * along[:, None]]
-    off = np.abs(sum(one.sum(axis=(0, 1)) for one in terms) - sum(one.sum(axis=0) for one in back))
-    size = sum(np.abs(one).sum(axis=(0, 1)) for one in terms) + sum(np.abs(one).sum(axis=0) for one in back)
-    if not (off <= _APART * size).all():
+    terms = [np.where(W != 0.0, S[:, :, 0] * W, 0.0) for S, W in pairs]  # rows at stops, or after the end, have no S
+    back = [found.at_stops[0, :, 0] * start, given[:, 0] * along]
+    off = abs(sum(one.sum() for one in terms) - sum(one.sum() for one in back))
+    size = sum(np.abs(one).sum() for one in (*terms, *back))
+    if not off <= _APART * size:
         raise EvaluationError(
-            f"{found.model.name}: the gradient is uncertain: along random directions it differs from the derivative by "
-            f"{float((off / size).max()):.1g} of its terms. Take `sensitivities` of `simulate` in its place",
+            f"{found.model.name}: the gradient is uncertain: along a random direction it differs from the derivative "
+            f"by {off / size:.1g} of its terms. Take `sensitivities` of `simulate` in its place",
             StopReason.NON_FINITE_STATE,
         )
 

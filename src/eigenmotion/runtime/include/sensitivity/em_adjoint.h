@@ -115,16 +115,20 @@ static int em_record_tape(em_taped_pass *taped, int basis, const double *P) {
     em_variations *const w = &taped->of, *const over = &taped->of_basis;
     const int n = w->model->n, width = 2 * n + basis;
     double *const all = calloc((size_t)w->n_forcing * width, sizeof *all);
-    if (!all) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    taped->tape = (em_tape){.n = n, .basis = basis, .width = width, .random = 1};
+    taped->tape.work = calloc((size_t)(EM_VARIATION_NODES + 4) * n * width, sizeof *P);
+    taped->tape.size = calloc((size_t)n * width, sizeof *P);
+    taped->tape.acts = calloc((size_t)n * width, sizeof *taped->tape.acts);
+    if (!all || !taped->tape.work || !taped->tape.size || !taped->tape.acts) return free(all), em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     for (int i = 0; i < w->n_forcing; ++i) memcpy(all + (size_t)i * width + 2 * n, P + (size_t)i * basis, basis * sizeof *P);
     *over = *w;
     over->columns = width, over->P = all, over->S = NULL, over->poll = NULL;
-    taped->tape = (em_tape){.n = n, .basis = basis, .width = width};
     int status = em_pass_begin(&taped->pass, w);
     if (status == 0 && (status = em_pass_begin(&taped->basis, over))) w->fault = over->fault;
     if (status == 0) {
         taped->pass.tape = &taped->tape, taped->pass.over_basis = &taped->basis;
         taped->basis.records_for = &taped->pass;
+        em_sample_forcings(&taped->pass);
         status = em_pass_integrate(&taped->pass);
     }
     over->P = NULL;

@@ -13,6 +13,11 @@
 
 #include "sensitivity/em_variation_rows.h"
 
+#define EM_SHORTEST_FORCING 1e-2 /* in steps of the run: what shorter steps would resolve of df/dp is rounding */
+#define EM_FORCING_ROUNDING 1e-12 /* the least relative error of df/dp that steps are shortened for */
+
+enum { EM_FORCING_SAMPLES = 16 };
+
 typedef enum em_map_kind { EM_NO_MAP, EM_MATRIX_MAP, EM_STEP_MAP, EM_READING } em_map_kind;
 
 /* One factor. `at`: its numbers on the tape. A step: from `from` over h, rows first to last - 1; a reading: stop
@@ -26,6 +31,9 @@ typedef struct em_map {
 /* Factors in the order of the pass. width: of a matrix, 2 n + basis. */
 typedef struct em_tape {
     int n, basis, width;
+    uint64_t random;      /* the state of a generator */
+    double *work, *size;  /* (nodes + 4, n, width); (n, width): the size of df/dp along the run */
+    int *acts;            /* (n, width) whether df/dp is more than rounding */
     em_map *maps;
     double *numbers;
     size_t n_maps, maps_capacity, n_numbers, numbers_capacity;
@@ -34,6 +42,9 @@ typedef struct em_tape {
 static void em_tape_close(em_tape *tape) {
     free(tape->maps);
     free(tape->numbers);
+    free(tape->work);
+    free(tape->size);
+    free(tape->acts);
     *tape = (em_tape){0};
 }
 
@@ -154,6 +165,120 @@ static void em_along_basis(const em_pass *p, const double *J, double *to) {
     for (const int(*at)[2] = q->nonzeros; at < q->nonzeros + q->n_nonzeros; ++at)
         for (int i = 0; i < n; ++i)
             to[i * width + (*at)[1]] += J[i * arguments + 2 * n + (*at)[0]] * q->P[(*at)[0] * q->columns + (*at)[1]];
+}
+
+/* --- the error of a step, of directions that the pass does not follow --- */
+
+/* D (n, n_arguments) <- the rounding of all terms that cancel in an acceleration, as far as they depend on a parameter
+ * (em_add_parameter_cancellation); masses times accelerations, too. */
+static void em_cancellation_by_parameters(const em_pass *p, double *D) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, width = model->n_arguments, first = 2 * n + model->n_inputs;
+    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
+    memset(D, 0, (size_t)n * width * sizeof *D);
+    for (int i = 0; i < n; ++i) {
+        double sum = fabs(p->a[(EM_VARIATION_NODES - 1) * n + i]);
+        for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g] * p->c[g]);
+        for (int g = 0; g < model->n_parameters; ++g)
+            if (p->c[g] != 0.0) D[i * width + first + g] = EM_ROUNDINGS * EM_CANCELLATION * sum / fabs(p->c[g]);
+    }
+}
+
+/* to (n, width) <- |D| (n, n_arguments) along the basis, coupled by M; work (n, width) follows it. */
+static void em_rounding_along_basis(const em_pass *p, double t, const double *z, const double *D, double *to) {
+    const em_pass *const q = p->over_basis;
+    const int n = p->n, arguments = p->of->model->n_arguments, width = p->tape->width;
+    memset(to, 0, (size_t)n * width * sizeof *to);
+    for (const int(*at)[2] = q->nonzeros; at < q->nonzeros + q->n_nonzeros; ++at)
+        for (int i = 0; i < n; ++i)
+            to[i * width + (*at)[1]] += D[i * arguments + 2 * n + (*at)[0]] * fabs(q->P[(*at)[0] * q->columns + (*at)[1]]);
+    em_couple_rounding(p, em_pass_clock(p, t), z, width, to + n * width, to);
+}
+
+/* size (n, width) <- the largest |df/dp| of the basis at z at t, and what is rounding of it: p->J, p->a there. */
+static void em_sample_forcing(em_pass *p, double t, const double *z) {
+    enum { LAST = EM_VARIATION_NODES - 1 };
+    em_variations *const w = p->of;
+    em_tape *const tape = p->tape;
+    const int n = p->n, arguments = w->model->n_arguments, entries = n * tape->width;
+    double D[n * arguments];
+    em_fault none;
+    em_pass_inputs(p, t);
+    if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, p->a + LAST * n, p->lambda,
+                                     p->J + LAST * n * arguments, p->dlambda, &none)) return;
+    em_along_basis(p, p->J + LAST * n * arguments, tape->work);
+    em_cancellation_by_parameters(p, D);
+    em_rounding_along_basis(p, t, z, D, tape->work + entries);
+    for (int i = 0; i < entries; ++i) {
+        const double size = fabs(tape->work[i]);
+        if (isfinite(size)) tape->size[i] = fmax(tape->size[i], size);
+        if (size > tape->work[entries + i]) tape->acts[i] = 1;
+    }
+}
+
+/* Samples df/dp of the basis along the run: its size, and where it is more than rounding. */
+static void em_sample_forcings(em_pass *p) {
+    const em_variations *const w = p->of;
+    double z[2 * p->n];
+    for (int s = 0; w->run && s <= EM_FORCING_SAMPLES; ++s) {
+        const double t = w->t[0] + (w->t[w->n_stops - 1] - w->t[0]) * s / EM_FORCING_SAMPLES;
+        if (em_motion_at(p, t, z) == 0) em_sample_forcing(p, t, z);
+    }
+    p->of->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+}
+
+/* The largest error of df/dp of the basis as a series in a step, relative to its size along the run, in tolerances
+ * (em_variation_error.h). What is rounding all along the run is left out. */
+static double em_forcing_error(em_pass *p, double from, double to) {
+    enum { NODES = EM_VARIATION_NODES };
+    const em_tape *const tape = p->tape;
+    const int n = p->n, width = tape->width, arguments = p->of->model->n_arguments, within = em_has_rows(p, from, to);
+    double *const F = tape->work, most = 0.0;
+    const em_run *const run = p->of->run;
+    if (fabs(to - from) <= EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h)) return 0.0;
+    em_along_basis(p, p->J0, F);
+    for (int j = 0; j < NODES; ++j) em_along_basis(p, p->J + j * n * arguments, F + (size_t)(j + 1) * n * width);
+    for (int b = 2 * n; b < width; ++b) {
+        em_series_size size = {0.0, 0.0, 0.0, 0.0};
+        for (int i = 0; i < n; ++i) {
+            if (!tape->acts[i * width + b]) continue;
+            double part[4] = {0.0}, whole = fmax(fabs(F[i * width + b]), tape->size[i * width + b]);
+            for (int j = 0; j < NODES; ++j) {
+                const double f = F[((j + 1) * n + i) * width + b];
+                for (int d = 0; d < 3; ++d) part[d] += p->of->series[(5 + d) * NODES + j] * f;
+                part[3] += p->origin[j] * f;
+                whole = fmax(whole, fabs(f));
+            }
+            part[3] = 0.5 * (F[i * width + b] - part[3]);
+            const double per = 1.0 / (whole + DBL_MIN);
+            size.five = fmax(size.five, per * fabs(part[0])), size.six = fmax(size.six, per * fabs(part[1]));
+            size.seven = fmax(size.seven, per * fabs(part[2])), size.eight = fmax(size.eight, per * fabs(part[3]));
+        }
+        most = fmax(most, em_direction_error(&size, within));
+    }
+    return most / fmax(p->of->tolerance, EM_FORCING_ROUNDING);
+}
+
+/* S, in the columns after the global probe <- directions at random: the steps must resolve all motions, also those of
+ * which the probe has little. The scale of x is that of the motion within a step of this length. Constraints hold along
+ * them. */
+static void em_set_local_probes(em_pass *p, double t) {
+    const em_variations *const w = p->of;
+    em_fault none;
+    const int n = p->n, k = p->columns;
+    const double h = p->h > 0.0 ? p->h : 1.0;
+    for (int i = 0; i < n; ++i) {
+        double scale = fmax(fabs(p->z[i]), fmax(h * fabs(p->z[n + i]), h * h * fabs(p->a0[i])));
+        if (!(scale > 0.0)) scale = 1.0;
+        for (int j = EM_GLOBAL_PROBES; j < p->of->columns; ++j)
+            for (int half = 0; half < 2; ++half) {
+                p->tape->random = p->tape->random * 6364136223846793005u + 1442695040888963407u;
+                const double draw = (double)(p->tape->random >> 11) * 0x1p-52 - 1.0;
+                p->S[(half * n + i) * k + j] = scale * (half ? 1.0 / h : 1.0) * (draw < 0.0 ? draw - 0.5 : draw + 0.5);
+            }
+    }
+    if (w->stabilise && p->m > 0)
+        w->model->tangent(em_pass_clock(p, t), p->z, p->z + n, p->c, w->least_norm, k, p->S, p->P, &none);
 }
 
 /* Appends the step that has just been solved, whose rows are first to last - 1. */

@@ -35,8 +35,9 @@ static void em_begin_narrow(em_pass *p) {
 }
 
 /* Initialises a step: S0, K0, T0, with J0 known. */
-static void em_begin_directions(em_pass *p) {
+static void em_begin_directions(em_pass *p, double t) {
     const int n = p->n, k = p->columns;
+    if (p->tape) em_set_local_probes(p, t);
     for (int i = 0; i < 2 * n; ++i) p->S[i * k + k - 1] = 0.0;
     (p->wide ? em_begin_wide : em_begin_narrow)(p);
     memcpy(p->S0, p->S, 2 * (size_t)n * k * sizeof *p->S0);
@@ -49,7 +50,7 @@ static int em_begin_span(em_pass *p, double t) {
     em_pass_inputs(p, t);
     if (w->model->motion_derivatives(em_pass_clock(p, t), p->z, p->z + p->n, p->c, p->u, w->least_norm, p->a0, p->lambda, p->J0,
                                      p->dlambda, &w->fault)) return -1;
-    em_begin_directions(p);
+    em_begin_directions(p, t);
     return 0;
 }
 
@@ -95,7 +96,7 @@ static int em_keep_step(em_pass *p, double from, double to) {
     memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
     memcpy(p->z, z, 2 * n * sizeof *z);
     if (p->own_motion && em_is_run_step_end(w->run, to) && em_motion_at(p, to, p->z)) return -1;
-    em_begin_directions(p);
+    em_begin_directions(p, to);
     w->t_reached = to;
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
 }
@@ -121,9 +122,9 @@ static double em_step_growth(double error) {
 static double em_error_of(em_pass *p, double from, double to) {
     double (*const error)(em_pass *, double, int, const double *) = p->wide ? em_error_wide : em_error_narrow;
     const int within = em_has_rows(p, from, to);
-    const double found = error(p, to - from, within, NULL);
-    if (found <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return found;
-    return error(p, to - from, within, p->K_rounding);
+    const double forced = p->tape ? em_forcing_error(p, from, to) : 0.0, found = error(p, to - from, within, NULL);
+    if (found <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return fmax(found, forced);
+    return fmax(error(p, to - from, within, p->K_rounding), forced);
 }
 
 /* The roughness of the accelerations in a step, relative to that of a smooth motion; if it exceeds one, without its

@@ -79,7 +79,8 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
  * the larger change. */
 static int em_stay_simultaneous(const em_pass *p, const double *one, const double *other) {
     if (p->records_for) return 1; /* the pass with the tape decides, whose directions can happen */
-    for (int column = 0; column + 1 < p->columns; ++column)
+    const int columns = p->tape ? EM_GLOBAL_PROBES : p->columns - 1;
+    for (int column = 0; column < columns; ++column)
         if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
     return 1;
 }

@@ -19,6 +19,8 @@ enum {
     EM_FORCE_JUMPS, EM_UNRESOLVED
 };
 
+enum { EM_GLOBAL_PROBES = 1 }; /* of a pass with a tape: columns from the start on; the others are drawn at every step */
+
 enum { EM_CHART_CHANGE = -1 }; /* in place of the event of a mark: a change of rotation parameters */
 
 enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which elimination is cheaper */ };

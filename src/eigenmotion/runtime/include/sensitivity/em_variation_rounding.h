@@ -124,24 +124,24 @@ static void em_add_parameter_cancellation(em_pass *p, double t, const double *z,
     }
 }
 
-/* K_rounding (n, columns) <- |M^-1| |M| K_rounding: accelerations solve one linear system, so that each is as uncertain
- * as those with which M couples it (Skeel's condition number). */
-static void em_couple_rounding(em_pass *p, double t, const double *z, double *K_rounding) {
+/* rounding (n, k) <- |M^-1| |M| rounding: accelerations solve one linear system, so that each is as uncertain as those
+ * with which M couples it (Skeel's condition number). work (n, k). */
+static void em_couple_rounding(const em_pass *p, double t, const double *z, int k, double *work, double *rounding) {
     const em_model *const model = p->of->model;
-    const int n = p->n, k = p->columns;
+    const int n = p->n;
     double M[n * n], L[n * n], r[n], column[n];
     if (!model->mass_matrix) return;
     (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, z, p->c, M);
     if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) >= 0) return;
-    memset(p->W, 0, (size_t)n * k * sizeof *p->W);
+    memset(work, 0, (size_t)n * k * sizeof *work);
     for (int i = 0; i < n; ++i)
-        for (int q = 0; q < n; ++q) em_add_to(k, fabs(M[i * n + q]), K_rounding + q * k, p->W + i * k);
-    memset(K_rounding, 0, (size_t)n * k * sizeof *K_rounding);
+        for (int q = 0; q < n; ++q) em_add_to(k, fabs(M[i * n + q]), rounding + q * k, work + i * k);
+    memset(rounding, 0, (size_t)n * k * sizeof *rounding);
     for (int q = 0; q < n; ++q) {
         for (int i = 0; i < n; ++i) column[i] = i == q;
         em_forward(n, L, r, column);
         em_backward(n, L, r, column);
-        for (int i = 0; i < n; ++i) em_add_to(k, fabs(column[i]), p->W + q * k, K_rounding + i * k);
+        for (int i = 0; i < n; ++i) em_add_to(k, fabs(column[i]), work + q * k, rounding + i * k);
     }
 }
 
@@ -175,7 +175,7 @@ static int em_rounding_of(em_pass *p, double t, double *K_rounding) {
     em_add_cancellation(p, em_pass_clock(p, t), z, K_rounding);
     if (p->n_again >= EM_ROUNDING_RETRIES) {
         em_add_parameter_cancellation(p, em_pass_clock(p, t), z, K_rounding);
-        em_couple_rounding(p, em_pass_clock(p, t), z, K_rounding);
+        em_couple_rounding(p, em_pass_clock(p, t), z, p->columns, p->W, K_rounding);
         em_add_propagated_rounding(p, t, K_rounding);
     }
     return 0;
