@@ -44,7 +44,7 @@ def functions_in(name: str) -> tuple[str, ...]:
 def moving(name: str, seed: int, scale: float = 1.0):
     """A state beside the start of a model, at random inputs; in a small scale, limits of a controller are not met."""
     system, random = system_of(name), np.random.default_rng(seed)
-    x, v = system.begin()
+    x, v = (one.copy() for one in system.begin())  # its own are those of the system
     n = system.n
     x[:n] += 0.1 * random.standard_normal(n) * (not system.m)
     v = v + 0.3 * random.standard_normal(len(v))
