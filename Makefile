@@ -17,7 +17,7 @@ TYPES  := build/types/eigenmotion
 DOCS   := $(VENV)/.docs
 # Robots of many joints take minutes to build for a page
 LIVE   ?= $(filter-out humanoid quadruped,$(basename $(notdir $(MODELS))))
-WORKED := docs/made/tutorial.done
+WORKED := docs/made/tutorial.done docs/made/index.done
 SHOWN  := $(LIVE:%=docs/made/%.done)
 
 # Of small matrices, as all are here, threads only wait for each other (tests/__init__.py says so to pytest, too)

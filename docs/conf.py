@@ -11,6 +11,7 @@ author = copyright = "eigenmotion developers"
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
     "sphinx_click",
     "sphinx_copybutton",
     "docstrings",
@@ -27,6 +28,7 @@ copybutton_prompt_is_regexp = True
 default_role = "code"
 highlight_language = "none"  # drawings of mechanisms are no Python
 smartquotes = False  # quotes and dashes are code more often than not
+autosummary_generate = False  # tables only: api.md documents everything itself
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 maximum_signature_line_length = 88
@@ -34,6 +36,7 @@ python_use_unqualified_type_names = True
 
 html_theme = "furo"
 html_title = "eigenmotion"
+html_logo = html_favicon = "_static/logo.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 

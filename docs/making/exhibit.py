@@ -1,4 +1,4 @@
-"""Make what the gallery shows of models: a picture, a page on which it moves, and what a run takes.
+"""Make what the gallery shows of models: a page on which it moves, and what a run takes (`cards.py` draws pictures).
 
 python docs/making/exhibit.py four_bar dual_link
 """
@@ -10,8 +10,6 @@ from time import perf_counter
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.results.pictures.animation import still
-from eigenmotion.results.pictures.moving_shapes import Drawing
 
 ROOT = Path(__file__).parents[2]
 MADE = ROOT / "docs" / "made"
@@ -21,24 +19,12 @@ SPAN, TOLERANCE, RUNS = 10.0, 1e-9, 5
 def exhibit(name: str) -> None:
     """Make all of it for models/NAME.py."""
     path = ROOT / "models" / f"{name}.py"
-    for folder in (MADE / "extra" / "live", MADE / "extra" / "pictures"):
-        folder.mkdir(parents=True, exist_ok=True)
+    (MADE / "extra" / "live").mkdir(parents=True, exist_ok=True)
     system = em.build(path)
     solution = system.simulate((0.0, SPAN), rtol=TOLERANCE, atol=TOLERANCE)
     (MADE / f"{name}.json").write_text(json.dumps(_cost(system, solution)))
-    if solution.drawing is not None:
-        _photograph(solution.drawing, MADE / "extra" / "pictures" / f"{name}.png")
     if main(["page", str(path), "-o", str(MADE / "extra" / "live" / f"{name}.html")]) != 0:
         sys.exit(f"there is no page of {name}")
-
-
-def _photograph(drawing: Drawing, path: Path) -> None:
-    """Write the mechanism at the end, without axes: it is shown small."""
-    figure = still(drawing)
-    for axes in figure.axes:
-        axes.set_axis_off()
-        axes.set_title("")
-    figure.savefig(path, dpi=100, bbox_inches="tight")
 
 
 def _cost(system: em.System, solution: em.Solution) -> dict[str, object]:

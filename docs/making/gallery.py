@@ -9,9 +9,13 @@ from sphinx.application import Sphinx
 
 DOCS = Path(__file__).parents[1]
 MODELS = DOCS.parent / "models"
-MADE, GALLERY = DOCS / "made", DOCS / "gallery"
+MADE, GALLERY, CARDS = DOCS / "made", DOCS / "gallery", DOCS / "_static" / "cards"
 
 _INDEX = """\
+---
+hide-toc: true
+---
+
 # Gallery
 
 Every mechanism here is one file of `models/`, with an oracle that tests hold it against, and moves on its page under
@@ -39,13 +43,15 @@ When a [double pendulum](double_pendulum.md) that is let go at rest first flips 
 ```
 """
 _PAGE = """\
+---
+hide-toc: true
+---
+
 # {title}
 
 {summary}
 
-```{{live}} {name}
-:height: 900
-```
+{moving}
 
 {cost}
 
@@ -68,7 +74,17 @@ eigenmotion page models/{name}.py
 :language: python
 ```
 """
-_CARD = '<a class="card" href="{name}.html">{picture}<strong>{title}</strong><span>{summary}</span></a>'
+_LIVE = """\
+```{{live}} {name}
+:height: 900
+```"""
+_STILL = """\
+![The mechanism at the end of a motion](../_static/cards/{name}.webp)
+
+This site has no live page of it, which takes minutes to build; the last command below makes one."""
+_CARD = """\
+<a class="card" href="{name}.html"><img src="../_static/cards/{name}.webp" alt="" loading="lazy">
+<strong>{title}</strong><span>{summary}</span></a>"""
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
@@ -105,7 +121,7 @@ def _page(name: str) -> str:
     title = name.replace("_", " ")
     return _PAGE.format(
         title=title[0].upper() + title[1:], name=name, summary=summary, description=_rst(description),
-        cost=_cost(name), path=f"../../models/{name}.py", generated=_generated(name),
+        cost=_cost(name), moving=_moving(name), path=f"../../models/{name}.py", generated=_generated(name),
     )  # fmt: skip
 
 
@@ -134,7 +150,21 @@ def _cost(name: str) -> str:
 
 
 def _card(name: str) -> str:
+    """Return the card of a model; its picture is one of those that `cards.py` draws.
+
+    Raises
+    ------
+    FileNotFoundError
+        A model has no picture yet.
+    """
+    if not (CARDS / f"{name}.webp").is_file():
+        raise FileNotFoundError(f"{name} has no card: run python docs/making/cards.py {name}, and commit what it draws")
     summary, _ = _docstring(name)
-    picture = MADE / "extra" / "pictures" / f"{name}.png"
-    shown = f'<img src="../pictures/{name}.png" alt="" loading="lazy">' if picture.exists() else ""
-    return _CARD.format(name=name, title=name.replace("_", " "), summary=summary, picture=shown)
+    title = name.replace("_", " ")
+    return _CARD.format(name=name, title=title[0].upper() + title[1:], summary=summary)
+
+
+def _moving(name: str) -> str:
+    """Return the live page of a model where it has been made, else its picture."""
+    made = (MADE / "extra" / "live" / f"{name}.html").is_file()
+    return (_LIVE if made else _STILL).format(name=name)
