@@ -40,12 +40,11 @@ def _members(name: str, thing: type, options: Any) -> list[str]:
     told = {member: re.split(r"\n\n|(?<=\.)\s", words)[0] for member, words in reversed(rows) if words}
     if len(told) <= _FEW:
         return []
-    return [
-        ".. list-table::", "   :class: fields members", "   :widths: 25 75", "",
-        *(line for member in dict(rows) if member in told for line in (
-            f"   * - :py:obj:`{member} <{name}.{member}>`", "     - " + _no_list(_escaped(told[member].replace("\n", " "))),
-        )), "",
-    ]  # fmt: skip
+    table = [".. list-table::", "   :class: fields members", "   :widths: 25 75", ""]
+    for member in dict.fromkeys(member for member, _ in rows if member in told):
+        what = _no_list(_escaped(told[member].replace("\n", " ")))
+        table += [f"   * - :py:obj:`{member} <{name}.{member}>`", f"     - {what}"]
+    return [*table, ""]
 
 
 def _public(name: str, value: Any) -> bool:
