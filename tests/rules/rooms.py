@@ -283,7 +283,6 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "codegen.choices",
         "progress",
         "arguments",
-        "presentation",
         "results",
         "simulation",
         "system",
@@ -291,6 +290,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building",
         "reference",
     ),
+    "report.output": ("presentation", "building", "report"),
     "stability.expectation": ("codegen.model.symbolic", "arguments", "reference"),
     "stability.models": ("models", "codegen.model", "stability.expectation"),
     "stability.cases": (
@@ -367,6 +367,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "system",
         "building",
         "report",
+        "report.output",
         "stability",
         "cli",
     ),

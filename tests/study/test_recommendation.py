@@ -10,8 +10,9 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.reference.motion import scaled_error
-from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine, recommendation, write_report
-from eigenmotion.report.curves import _LOOKS as looks
+from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine
+from eigenmotion.report.output import recommendation, write_report
+from eigenmotion.report.output.looks import dashes
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
@@ -76,10 +77,10 @@ def test_order_and_cost_of_a_made_up_curve():
     assert replace(curve, points=tuple(replace(p, nsteps=70) for p in points)).order(1e-16) is None
 
 
-def test_every_implicit_method_has_looks_of_its_own():
-    """Without them it is drawn in grey, as peers are that nobody knows."""
-    assert set(IMPLICIT) <= set(looks.keys())
-    assert len({looks[name][1:] for name in IMPLICIT}) == len(IMPLICIT)
+def test_methods_of_one_kind_differ_in_their_lines():
+    """Their colour is the same."""
+    for methods in (IMPLICIT, METHODS, ("DOP853", "LSODA", "Radau"), ("Adams", "BDF")):
+        assert len({dashes(method) for method in methods}) == len(methods)
 
 
 @pytest.fixture(scope="module")
@@ -120,7 +121,7 @@ def test_page_of_a_stiff_model(stiff, drawn, monkeypatch, tmp_path):
     """Its pictures, of which `test_report` has those of another model, at night."""
     pytest.importorskip("matplotlib")
     if not drawn:
-        monkeypatch.setattr("eigenmotion.report.files.pictures", lambda found: [])
+        monkeypatch.setattr("eigenmotion.report.output.files.pictures", lambda charts, everything: [])
     write_report([stiff], tmp_path)
     page = (tmp_path / "report.html").read_text()
     assert "Set: k = 1e+09, d = 100000, q = 0.01." in page

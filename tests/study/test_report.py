@@ -19,7 +19,8 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.cli.simulation import report as cli
-from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine, recommendation
+from eigenmotion.report import Budget, Findings, Measurement, ReportOptions, examine
+from eigenmotion.report.output import recommendation
 from eigenmotion.report.recommend import recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
 
@@ -165,7 +166,7 @@ def folder(called):
 
 def test_the_files(folder):
     names = {path.name for path in folder.iterdir()}
-    pictures = {f"dual_link_{kind}.{ending}" for kind in ("time", "methods", "order") for ending in ("png", "svg")}
+    pictures = {f"dual_link_{kind}.{ending}" for kind in ("time", "order") for ending in ("png", "svg")}
     assert names == {"report.html", "report.json", "report.csv", *pictures}
     for name in pictures:
         content = (folder / name).read_bytes()
@@ -201,7 +202,7 @@ def test_the_numbers_as_csv(folder, found):
 
 def test_the_page_needs_nothing_else(folder):
     page = (folder / "report.html").read_text()
-    assert page.count("<svg") == 3
+    assert page.count("<svg") == 2 * 4  # charts, each wide and narrow, with few and with all curves
     addresses = re.findall(r'(?:src|href)\s*=\s*"([^"]*)"', page)
     assert all(address.startswith("#") for address in addresses)
     assert "@import" not in page
@@ -239,16 +240,36 @@ def test_the_advice_in_words(found):
     assert "No run reaches" in " ".join(recommendation(hopeless))
 
 
-def test_the_command_writes_and_advises(called):
+def test_the_command_writes_and_advises(called, found):
     assert called.asked == [("dual_link", ReportOptions(error=1e-6, t_end=3.0))]
-    assert "formulation" in called.said
+    chosen = recommendation(found)
+    first, *rest = called.said.splitlines()
+    assert first == f"dual_link: {chosen[0]}"
+    assert len(first) < 120
+    assert [line.strip() for line in rest[:-1]] == list(chosen[1:])
     assert (called.folder / "report.html").is_file()
+
+
+def test_the_advice_on_several_models_is_printed_first(found, monkeypatch, capsys, tmp_path):
+    drawn = []
+    monkeypatch.setattr(
+        cli, "examine", lambda model, ask, progress: replace(found, subject=SimpleNamespace(model=model))
+    )
+    monkeypatch.setattr(
+        cli, "write_report", lambda reports, folder, everything: drawn.append(everything) or (folder / "report.html",)
+    )
+    models = [PENDULUM, str(MODELS / "double_pendulum.py")]
+    assert main(["report", *models, "--all", "-o", str(tmp_path)]) == 0
+    first, second, third, *_ = capsys.readouterr().out.splitlines()
+    advice = recommendation(found)[0]
+    assert [first, second, third] == [f"pendulum: {advice}", f"double_pendulum: {advice}", "pendulum:"]
+    assert drawn == [True]
 
 
 def test_the_command_sets_arguments_of_models(found, monkeypatch, tmp_path, capsys):
     names = []
     monkeypatch.setattr(cli, "examine", lambda model, ask, progress: names.append(model.name) or found)
-    monkeypatch.setattr(cli, "write_report", lambda reports, folder: (folder / "report.html",))
+    monkeypatch.setattr(cli, "write_report", lambda reports, folder, everything: (folder / "report.html",))
     assert main(["report", str(MODELS / "chain.py"), "-D", "n=2", "-o", str(tmp_path)]) == 0
     assert names == [em.load_model(MODELS / "chain.py", n=2).name]
 
@@ -256,8 +277,8 @@ def test_the_command_sets_arguments_of_models(found, monkeypatch, tmp_path, caps
 def test_the_command_sets_parameters_and_starts(found, monkeypatch, tmp_path):
     asked = []
     monkeypatch.setattr(cli, "examine", lambda model, ask, progress: asked.append(ask.settings) or found)
-    monkeypatch.setattr(cli, "write_report", lambda reports, folder: (folder / "report.html",))
-    monkeypatch.setattr(cli, "recommendation", lambda found: ())
+    monkeypatch.setattr(cli, "write_report", lambda reports, folder, everything: (folder / "report.html",))
+    monkeypatch.setattr(cli, "recommendation", lambda found: ("",))
     settings = ["--set", "k=2e3", "--set", "theta=0.25", "--set", "theta'=1", "--set", "r'=-1"]
     assert main(["report", str(MODELS / "elastic_pendulum.py"), *settings, "-o", str(tmp_path)]) == 0
     assert asked == [{"parameters": {"k": 2e3}, "x0": {"theta": 0.25}, "v0": {"theta": 1.0, "r": -1.0}}]

@@ -114,6 +114,26 @@ def test_slow_runs_are_timed_from_the_first(clock, monkeypatch):
     assert first.seconds == pytest.approx(0.02)
 
 
+def test_a_run_that_raises_as_it_is_timed_has_no_time(clock):
+    """Runs of SciPy end after some seconds: one that took a little less at first may take more when it is timed."""
+
+    def attempt(tolerance: float) -> Attempt:
+        runs = []
+
+        def run() -> None:
+            runs.append(tolerance)
+            if tolerance < 1e-2 and len(runs) > 1:
+                raise TimeoutError("stopped after 5 s")
+            clock.now += 0.001
+
+        return Attempt(run, lambda times, done: Track(np.zeros((2, 1)), np.zeros((2, 1)), nfev=1, nsteps=1))
+
+    sound, stopped = measured_of(Solver("peer", "", "slow", (1e-1, 1e-3), attempt))
+    assert (sound.message, sound.seconds) == ("", pytest.approx(0.001))
+    assert (stopped.seconds, stopped.error_max) == (None, None)
+    assert stopped.message == "TimeoutError as it was timed: stopped after 5 s"
+
+
 def _peers() -> Peers:
     model = model_of("pendulum")
     return peers.peers(classical(model), peers.Start(np.array([*model.initial_x, *model.initial_v]), 1.0))

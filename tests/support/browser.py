@@ -105,6 +105,11 @@ class Browser:
         self.ask("new Promise((done) => { const wait = () => window.eigenmotion?.motion || "
                  "document.querySelector('#word.failure') ? done(true) : setTimeout(wait, 20); wait(); })")  # fmt: skip
 
+    def visit(self, path: Path) -> None:
+        """Open a file that is no page of a model, and wait until it is loaded."""
+        self.call("Page.navigate", url=path.resolve().as_uri())
+        self.ask("new Promise((done) => document.readyState === 'complete' ? done(1) : addEventListener('load', done))")
+
     def ask(self, expression: str) -> Any:
         """Return the value of an expression in the page."""
         found = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)

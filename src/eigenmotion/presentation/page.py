@@ -11,11 +11,11 @@ from .figures import Picture
 
 
 def render(package: str, **values: object) -> str:
-    """Render page.html.jinja of a package, which uses base.html.jinja and table.html.jinja of this package."""
+    """Render page.html.jinja of a package, which uses templates of its own, and those of this package."""
 
     def load(name: str) -> str:
-        place = package if name == "page.html.jinja" else __package__
-        return files(place).joinpath(name).read_text(encoding="utf-8")
+        own = files(package).joinpath(name)
+        return (own if own.is_file() else files(__package__).joinpath(name)).read_text(encoding="utf-8")
 
     environment = Environment(
         loader=FunctionLoader(load), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True

@@ -3,7 +3,5 @@
 from .examine import Findings as Findings
 from .examine import ReportOptions as ReportOptions
 from .examine import examine as examine
-from .files import write_report as write_report
 from .measure import Budget as Budget
 from .measure import Measurement as Measurement
-from .text import recommendation as recommendation

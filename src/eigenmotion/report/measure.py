@@ -203,9 +203,18 @@ def _time(pending: list[_Pending], turn: int) -> None:
     try:
         for one in pending:
             if one.measurement.error_end is not None and (turn < SLOW_TURNS or one.first < SLOW):
-                one.samples += _samples(one.attempt.run, one.first)
+                _add_samples(one)
     finally:
         gc.enable()
+
+
+def _add_samples(one: _Pending) -> None:
+    """Add the times of one turn. A run that raises now, as when it passes its limit of time, has no time."""
+    try:
+        one.samples += _samples(one.attempt.run, one.first)
+    except Exception as error:
+        message = f"{type(error).__name__} as it was timed: {error}".splitlines()[0]
+        one.measurement, one.samples = replace(one.measurement, error_end=None, error_max=None, message=message), []
 
 
 def _samples(run: Callable[[], object], expected: float) -> list[float]:

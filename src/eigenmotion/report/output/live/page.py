@@ -3,28 +3,50 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..presentation.figures import Picture
-from ..presentation.page import render
-from ..presentation.tables import Row, Table
-from ..presentation.text import number, seconds
-from .examine import Findings
-from .measure import SLOW, SLOW_TURNS, Measurement
-from .peers import LONGEST
-from .recommend import LEVELS, Curve
-from .solvers import IMPLICIT, MOST_STEPS, OURS
-from .text import recommendation, spread
+from ....presentation.page import render
+from ....presentation.tables import Row, Table
+from ....presentation.text import number, seconds
+from ....presentation.units import time_unit, unit_of, with_unit
+from ...examine import Findings
+from ...measure import SLOW, SLOW_TURNS, Measurement
+from ...peers import LONGEST
+from ...recommend import LEVELS, Curve
+from ...solvers import IMPLICIT, MOST_STEPS, OURS
+from ..chart import Chart
+from ..choice import RULE
+from ..looks import INKS
+from ..text import recommendation, spread, units_of
+from .drawing import NARROW, WIDE, Drawn, drawn, run_in_words
 
 _YARDSTICK = (OURS, "eigenfactor", "dop853")
 
 
 @dataclass(frozen=True, slots=True)
+class LiveChart:
+    """A chart of the page: wide and narrow, with few and with all curves; the run in its panel at first."""
+
+    title: str
+    text: str
+    count: int
+    drawings: tuple[Drawn, ...]
+    run: Mapping[str, str]
+    is_recommended: bool
+
+
+@dataclass(frozen=True, slots=True)
 class ModelSection:
-    """The section of one model."""
+    """The section of one model.
+
+    has_call : whether the second sentence of the advice is a call
+    runs : the runs of the charts in words; charts refer to them by number
+    """
 
     name: str
     about: str
     advice: tuple[str, ...]
-    pictures: tuple[Picture, ...]
+    has_call: bool
+    runs: tuple[Mapping[str, str], ...]
+    charts: tuple[LiveChart, ...]
     reaching: Table
     ratios: Table
     costs: Table
@@ -36,19 +58,31 @@ class ModelSection:
     measurements: Table
 
 
-def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Picture]], machine: Mapping[str, str]) -> str:
-    """Render the page; `drawings` are the pictures of each model."""
-    sections = [_section(findings, drawn) for findings, drawn in zip(reports, drawings, strict=True)]
-    return render(__package__, sections=sections, machine=machine)
+def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Chart]], machine: Mapping[str, str]) -> str:
+    """Render the page; `drawings` are the charts of each model."""
+    sections = [_section(findings, charts) for findings, charts in zip(reports, drawings, strict=True)]
+    return render(__package__, sections=sections, machine=machine, rule=RULE, inks=list(INKS.values()))
 
 
-def _section(findings: Findings, drawn: Sequence[Picture]) -> ModelSection:
+def _live(chart: Chart, runs: dict[int, int], words: Sequence[Mapping[str, str]]) -> LiveChart:
+    drawings = tuple(drawn(chart, runs, layout, every) for layout in (WIDE, NARROW) for every in (False, True))
+    points = [m for line in chart.few for *_, m in line.points]
+    first = next((m for m in points if m == chart.recommended), points[0] if points else None)
+    run = words[runs[id(first)]] if first else {"label": "nothing was measured"}
+    return LiveChart(chart.title, chart.text, len(chart.every), drawings, run, first == chart.recommended is not None)
+
+
+def _section(findings: Findings, charts: Sequence[Chart]) -> ModelSection:
     reference = findings.reference
+    timed = [m for m in findings.measurements if m.seconds is not None]
+    numbers, words = {id(m): k for k, m in enumerate(timed)}, tuple(map(run_in_words, timed))
     return ModelSection(
         name=findings.name,
         about=_about(findings),
         advice=recommendation(findings),
-        pictures=tuple(drawn),
+        has_call=findings.recommendation.chosen is not None,
+        runs=words,
+        charts=tuple(_live(chart, numbers, words) for chart in charts),
         reaching=_reaching(findings),
         ratios=_ratios(findings),
         costs=_costs(findings),
@@ -58,19 +92,30 @@ def _section(findings: Findings, drawn: Sequence[Picture]) -> ModelSection:
         absent=(*findings.absent, *findings.skipped),
         reference=f"{reference.how} Estimate: {number(float(reference.errors[-1]))} at the end, "
         f"{number(float(reference.errors.max()))} at the most.",
-        measurements=_measurements(findings.measurements),
+        measurements=_measurements(findings),
     )
 
 
 def _about(findings: Findings) -> str:
-    system = findings.subject.systems[0]
-    given = [f"{name}{mark} = {value:g}" for kind, mark in (("parameters", ""), ("inputs", ""), ("x0", ""), ("v0", "'"))
-             for name, value in findings.options.settings.get(kind, {}).items()]  # fmt: skip
+    system, units = findings.subject.systems[0], units_of(findings)
+    names = ", ".join(with_unit(name, unit_of(units, name)) for name in system.coordinates)
+    end = f"{findings.options.t_end:g} {time_unit(units)}".rstrip()
+    given = _given(findings)
     return (
-        f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "
-        f"Motion: t = 0 ... {findings.options.t_end:g}, errors at {len(findings.reference.t)} equidistant times. "
+        f"Coordinates: {system.n}, {names}. Constraint rows: {system.m}, {system.h} of them holonomic. "
+        f"Motion: t = 0 ... {end}, errors at {len(findings.reference.t)} equidistant times. "
         + (f"Set: {', '.join(given)}." if given else "Parameters and start: the model's own.")
     )
+
+
+def _given(findings: Findings) -> list[str]:
+    """Return the settings as text, each with its unit."""
+    units, settings = units_of(findings), findings.options.settings
+    kinds = (("parameters", "", 0), ("inputs", "", 0), ("x0", "", 0), ("v0", "'", 1))
+    return [
+        f"{name}{mark} = {value:g} {unit_of(units, name, order)}".rstrip()
+        for kind, mark, order in kinds for name, value in settings.get(kind, {}).items()
+    ]  # fmt: skip
 
 
 def _limits(findings: Findings) -> str:
@@ -132,13 +177,15 @@ def _builds(findings: Findings) -> Table:
     return Table(("formulation", "derivation", "generation (with it)", "compilation", "states"), tuple(rows))
 
 
-def _measurements(measurements: Sequence[Measurement]) -> Table:
+def _measurements(findings: Findings) -> Table:
+    units = units_of(findings)
+    work = " ".join(unit for unit in (unit_of(units, "energy"), time_unit(units)) if unit_of(units, "energy"))
     head = (
         "solver", "tolerance", "error at the end", "largest error", "of velocities", "run time", "quartiles", "repeats",
-        "right-hand sides", "ns each", "steps", "rejected", "|A v + b|", "|phi|", "energy (62)", "factor residual",
-        "remark",
+        "right-hand sides", "ns each", "steps", "rejected", "|A v + b|", "|phi|", with_unit("energy (62)", work),
+        "factor residual", "remark",
     )  # fmt: skip
-    return Table(head, tuple(map(_measurement, measurements)))
+    return Table(head, tuple(map(_measurement, findings.measurements)))
 
 
 def _measurement(m: Measurement) -> Row:

@@ -1,9 +1,10 @@
 """Recommendation of a report as text."""
 
-from ..presentation.text import number, seconds
-from .examine import Findings
-from .measure import Measurement
-from .solvers import OURS
+from ...presentation.text import number, seconds
+from ...presentation.units import Units
+from ..examine import Findings
+from ..measure import Measurement
+from ..solvers import OURS
 
 STEADY = 1.25
 """Largest ratio of the quartiles of repeated calls on an idle machine."""
@@ -21,9 +22,8 @@ def recommendation(findings: Findings) -> tuple[str, ...]:
         return (_not_reached(findings), *_caution(findings))
     best = advice.chosen
     choice = (
-        f"For an error of {advice.requested:g}, largest on the way, on this machine: formulation {best.formulation}, "
-        f"method {best.method}, rtol = atol = {best.tolerance:.1e}: error {number(best.error_max)} in "
-        f"{seconds(best.seconds)} ({spread(best)})."
+        f"formulation {best.formulation}, method {best.method}, rtol = atol = {best.tolerance:.1e}: error "
+        f"{number(best.error_max)} in {seconds(best.seconds)} (asked: {advice.requested:g})."
     )
     given = "".join(f", {name}={dict(numbers)}" for name, numbers in findings.options.settings.items())
     call = (
@@ -31,7 +31,19 @@ def recommendation(findings: Findings) -> tuple[str, ...]:
         f'(0, {findings.options.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
         f"atol={best.tolerance:.1e})"
     )
-    return (choice, call, *_as_fast(findings), *_others(findings), *_spread(best), *_caution(findings))
+    return (choice, call, _measured(best), *_as_fast(findings), *_others(findings), *_spread(best), *_caution(findings))
+
+
+def _measured(best: Measurement) -> str:
+    return (
+        f"The error is the largest on the way; the time is the median of {best.repeats} calls on this machine, with "
+        f"quartiles {spread(best)}."
+    )
+
+
+def units_of(findings: Findings) -> Units:
+    """Return the units of the model's quantities: name -> word; None if it has none."""
+    return dict(findings.subject.model.units) or None
 
 
 def _not_reached(findings: Findings) -> str:

@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
-from ..presentation.tables import as_csv, as_json
-from .examine import Findings
-from .formulations import Built
-from .measure import Measurement
-from .recommend import LEVELS, Curve, Recommendation
+from ...presentation.tables import as_csv, as_json
+from ..examine import Findings
+from ..formulations import Built
+from ..measure import Measurement
+from ..recommend import LEVELS, Curve, Recommendation
 
 _COLUMNS = tuple(field.name for field in fields(Measurement))
 
@@ -32,6 +32,7 @@ def _model(findings: Findings) -> dict[str, Any]:
     return {
         "name": findings.name, "n": system.n, "m": system.m, "h": system.h, "t_end": findings.options.t_end,
         "settings": {name: dict(numbers) for name, numbers in findings.options.settings.items()},
+        "units": dict(findings.subject.model.units),
         "x_start": findings.start[: system.n].tolist(), "v_start": findings.start[system.n :].tolist(),
         "rows": len(reference.t),
         "norm": "max over coordinates of |x - x_ref| / (1 + |x_ref|)",
