@@ -47,7 +47,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
 }
 
 _DEFAULTS: dict[str, Any] = {
-    "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
+    "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "methods": (), "error_estimate": None,
     "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
 """Values of fields that a run does not set. Most runs set none, and a dict of half the size takes half the time."""
@@ -115,7 +115,8 @@ class Solution(dict[str, Any]):
     not_unique : the constraint rows whose multipliers are not unique (those of least norm are returned)
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
     sensitivity : name -> dx, dv (n, k) and dt_events, for each name in `sensitivities`
-    method : the name of the method that ran
+    method : the name of the method that ran, or the last of them
+    methods : of method="auto" that has changed its method, (start time, name) of each; else ()
     stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; how it ended, what to do
 
     Computed on first access, and included in `in` and `keys()`:

@@ -84,6 +84,8 @@ cdef extern from "eigenmotion.h" nogil:
         const double *prepared
         const em_signal *inputs
         em_method method
+        int changes
+        em_method other
         double rtol
         const double *atol
         double first_step
@@ -104,6 +106,8 @@ cdef extern from "eigenmotion.h" nogil:
         em_rows *after
         em_rows charts
         em_rows segments
+        em_rows methods
+        int waits
         em_dense_step *dense_steps
         double *dense_table
         size_t n_dense

@@ -43,7 +43,7 @@ cdef class IncrementalRun(Run):
 
     cdef em_increments part
 
-    def __init__(self, task, int method):
+    def __init__(self, task, int method, *_):
         if self.run.model.open == NULL:
             raise TypeError(f"{self.model.name}: its table has no open: where it is written by hand, it gives what "
                             "em_handle.h has")
@@ -65,6 +65,9 @@ cdef class IncrementalRun(Run):
         """Advance to t. Return whether the run has reached it and can continue."""
         with nogil:
             advance_run(&self.part, t)
+        if self.run.waits and not self.part.over:
+            self.change_while_it_waits(self.part.state, t, self.part.most_steps)
+            self.part.over = self.run.fault.status != 0
         if self.pending is not None:
             raise self.pending
         return not self.part.over

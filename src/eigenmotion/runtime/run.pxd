@@ -13,6 +13,9 @@ cdef class Run:
     cdef object pending   # exception raised by a signal handler
 
     cdef begin(self, task, int method)
+    cdef may_change(self, int other)
+    cdef simulate_by_either(self)
+    cdef change_while_it_waits(self, void *state, double t, long most_steps)
     cdef const double *hold(self, array, tuple shape, str name) except NULL
     cdef hold_inputs(self, tuple inputs)
     cdef table(self, em_rows *rows)

@@ -43,6 +43,8 @@ cdef class Run:
         An `eigenmotion.arguments.tasks.Task`.
     method
         em_method; see `eigenmotion.arguments.methods`.
+    other
+        The em_method to which the run may change at an accepted step (em_method_change.h); -1: none.
 
     Attributes
     ----------
@@ -50,17 +52,50 @@ cdef class Run:
         A StopReason.
     """
 
-    def __cinit__(self, task, int method, *_):
+    def __cinit__(self, task, int method, other=-1, *_):
         if task is not None:
             self.begin(task, method)
+            self.may_change(other)
 
     def __init__(self, *_):
-        cdef int status
-        with nogil:
-            status = self.run.model.simulate(&self.run)
+        if self.run.changes:
+            self.simulate_by_either()
+        else:
+            with nogil:
+                self.run.model.simulate(&self.run)
         if self.pending is not None:
             raise self.pending
-        self.stop = _REASONS[status]
+        self.stop = _REASONS[<int> self.run.fault.status]
+
+    cdef may_change(self, int other):
+        """Let the run change its method, unless its model is written by hand, without the functions that continue a run."""
+        if other >= 0 and self.run.model.open != NULL:
+            self.run.changes, self.run.other = 1, <em_method> other
+
+    cdef simulate_by_either(self):
+        cdef void *state = self.run.model.open(&self.run)
+        if state == NULL:
+            return
+        try:
+            with nogil:
+                self.run.model.advance(state, self.run.t_end, 0)
+            self.change_while_it_waits(state, self.run.t_end, self.run.max_steps)
+        finally:
+            self.run.model.close(state)
+
+    cdef change_while_it_waits(self, void *state, double t, long most_steps):
+        """Load what the other method needs where the run waits for it, and advance to t."""
+        while self.run.waits:
+            self.model.need_method(self.run.other)
+            self.run.max_steps = most_steps - self.run.n_steps
+            with nogil:
+                self.run.model.advance(state, t, 0)
+
+    @property
+    def methods(self):
+        """(time, em_method) of each change of the method."""
+        cdef em_rows *rows = &self.run.methods
+        return [(rows.t[k], int(rows.y[k])) for k in range(rows.count)]
 
     cdef begin(self, task, int method):
         cdef em_run *run = &self.run
@@ -214,6 +249,8 @@ def _restored_run(Prepared prepared not None, int method, int stabilise, int lea
     cdef Run made = Run.__new__(Run, None, method)
     cdef em_run *run = &made.run
     prepared.model.need_method(method)
+    if len(steps) != count * sizeof(em_dense_step):
+        raise ValueError(f"{prepared.model.name}: a run of another version, whose dense output has another form")
     made.model, made.keep_alive = prepared.model, [prepared]
     run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
     run.stabilise, run.least_norm = stabilise, least_norm

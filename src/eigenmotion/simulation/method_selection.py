@@ -38,16 +38,26 @@ _NONE = np.empty(0)
 def automatic_of_run(task: Task) -> tuple[Method, str]:
     """Return a stiff method and the reason as text if the motion is stiff at its start; else `automatic` and "".
 
-    Stiffness that begins later, for example in a contact, is not detected here: the message of an explicit run reports
-    it. Nor is it detected in runs with controllers, whose first values are not known yet.
+    Stiffness that begins later, for example in a contact, is found by the run itself, which then changes its method
+    (em_method_change.h). So is that of runs with controllers, whose first values are not known yet.
     """
     fast = 0.0 if task.inputs.sampled else _dying_rate(task)
     if not fast:
-        return automatic(task.model, task.rtol, task.least_norm != 0), ""
+        return automatic(task.model, task.rtol, _may_depend(task)), ""
     return _STIFF, (
         f" method='auto' took {_STIFF.name}, since the scene is stiff: at its start something dies out at a rate of "
         f"{fast:.2g} / s, {_APART:g} times as fast as what lasts, or more."
     )
+
+
+def _may_depend(task: Task) -> bool:
+    """Return whether constraint rows may depend on each other in the run; without rows, the option means nothing."""
+    return task.model.m > 0 and task.least_norm != 0
+
+
+def other_than(method: Method, task: Task) -> Method:
+    """Return the method to which a run by `method` may change: the stiff one, or from it to an explicit one."""
+    return automatic(task.model, task.rtol, _may_depend(task)) if method.implicit else _STIFF
 
 
 def _dying_rate(task: Task) -> float:

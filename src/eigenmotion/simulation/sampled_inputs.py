@@ -107,9 +107,9 @@ class ControllerRecord:
 class ControlledRun:
     """An incremental run with its controllers."""
 
-    def __init__(self, task: Task, method: int) -> None:
+    def __init__(self, task: Task, method: int, other: int = -1) -> None:
         self.task, self.records = open_controllers(task)
-        self.run = IncrementalRun(self.task, method)
+        self.run = IncrementalRun(self.task, method, other)
         self._schedule = Schedule(
             task.t_start, [one.controlled.sampled for one in self.records], self._call, self._apply
         )

@@ -20,7 +20,7 @@ from ..runtime import CompiledModel
 from .compiled_run import run_compiled
 from .error_estimate import with_error_estimate
 from .initial_state.consistency import check_direction
-from .method_selection import automatic_of_run
+from .method_selection import automatic_of_run, other_than
 from .sampled_inputs import check_forwards
 from .sensitivity.sensitivities import directions, sensitivity
 from .task_of_run import task_of_run
@@ -147,6 +147,7 @@ def _run(
     shared : the constraint rows whose multipliers are not unique
     """
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
+    run = run_changing if named == AUTO else run_task
     if task.inputs.sampled:
         _check_sampled(task, estimate_error)
     if task.t_end < task.t_start:
@@ -156,10 +157,10 @@ def _run(
         variables = directions(differentiated(task.model, sensitivities, v0), task)
         dense, task = task.dense, task._replace(dense=task.dense or TO_DERIVE)
     if estimate_error is False:
-        solution = run_task(task, chosen)
+        solution = run(task, chosen)
     else:
         checker = None if estimate_error is True else _checker(estimate_error)
-        solution = with_error_estimate(task, chosen, checker, run_task)
+        solution = with_error_estimate(task, chosen, checker, run)
     if why:
         solution["message"] += why
     if shared:
@@ -190,9 +191,14 @@ def _checker(argument: Any) -> CompiledModel:
     return checker
 
 
-def run_task(task: Task, method: Method) -> Solution:
-    """Run a checked task."""
-    result = run_compiled(task, method)
+def run_changing(task: Task, method: Method) -> Solution:
+    """Run a checked task by a method that is kept only where it costs less than another."""
+    return run_task(task, method, other_than(method, task))
+
+
+def run_task(task: Task, method: Method, other: Method | None = None) -> Solution:
+    """Run a checked task; `other` is the method to which the run may change."""
+    result = run_compiled(task, method, other)
     if task.dense and task.t_start == task.t_end and result.success and len(result.t):
         row = result.y.T[:1]  # there are no steps to interpolate in
         result["sol"] = DenseOutput(result.t, partial(_standing, row))

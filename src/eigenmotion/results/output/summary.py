@@ -25,7 +25,7 @@ def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
         ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
         *_events(system, solution),
         *_invariants(system, solution),
-        ("cost", f"{solution.cost}, by {solution.method}"),
+        ("cost", f"{solution.cost}, by {_methods(solution)}"),
         ("time", f"{_duration(seconds - checking)} for the run"),
         *_estimate(solution),
         *_not_unique(system, solution),
@@ -34,6 +34,10 @@ def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
     if not solution.success:
         lines.append(f"{'':<22} {solution.message}")
     return "\n".join([*lines, "", _final_state(system, solution)])
+
+
+def _methods(solution: Solution) -> str:
+    return " and ".join(dict.fromkeys(name for _, name in solution.methods)) or solution.method
 
 
 def _events(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]:

@@ -99,6 +99,7 @@ typedef struct em_dense_step {
     double t, h;
     int mode, kept; /* kept: as em_run's, within the step */
     size_t segment;     /* index in em_run's segments */
+    em_method method;   /* that made the step */
 } em_dense_step;
 
 /* How dependent constraint rows are handled: as a fault; by multipliers of least norm; or by the latter if they
@@ -115,7 +116,10 @@ typedef struct em_run {
     const double *y_start;       /* (n_state), published meaning */
     const double *prepared;      /* (n_prepared), from em_model.prepare */
     const em_signal *inputs;     /* (n_inputs) or NULL */
-    em_method method;
+    em_method method;            /* changes with `other` if the run changes its method */
+    int changes;                 /* whether it may: at accepted steps, from an explicit method to an implicit one, or
+                                    back (em_method_change.h) */
+    em_method other;             /* the method to which it may change */
     double rtol;
     const double *atol;          /* (n): of x_k [u_k] and of its velocity [u_k / s] */
     double first_step;           /* 0: chosen automatically */
@@ -142,6 +146,10 @@ typedef struct em_run {
     em_rows segments;                /* width n_prepared + 1: segments between events that change the mode, of models
                                         that have modes: the time of its start, its constants (`prepared` is the
                                         last), its first row of `rows` */
+    em_rows methods;             /* width 1: changes of the method: the method from then on */
+    int waits;                   /* whether the run has stopped at a step because the other method is implicit and
+                                    costs less. It changes when it is advanced again, for which the model needs
+                                    motion_jacobian */
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
     size_t n_dense, dense_capacity;

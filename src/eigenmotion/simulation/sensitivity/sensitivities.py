@@ -109,7 +109,7 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
         once, or the event function only touches zero.
     """
     path, parts = path_of(task, solution), partial(parts_of, task.model)
-    S, shifts, fault = _varied(task, solution, varied, path, TOGETHER.get(method.name, 3.0))
+    S, shifts, fault = _varied(task, solution, varied, path, _together(solution, method))
     if fault is not None and solution.success:  # otherwise the message of the failed run says why
         raise ModelError(remedied(task.model, fault))
     rows = S[path.of_rows].T  # (columns, 2 n, k)
@@ -119,6 +119,11 @@ def sensitivity(task: Task, solution: Solution, varied: Directions, method: Meth
         name: Sensitivity.of(*parts(one), [shifts[marks, column] for marks in path.of_events])
         for column, (name, one) in enumerate(zip(varied.names, rows, strict=True))
     }
+
+
+def _together(solution: Solution, method: Method) -> float:
+    """Return the initial step of the variational equations, in steps of the run."""
+    return 1.0 if solution["methods"] else TOGETHER.get(method.name, 3.0)
 
 
 def remedied(c: CompiledModel, fault: EvaluationError) -> str:

@@ -80,7 +80,7 @@ static int em_append_crossings(em_run_state *w, double *t_stop, int *terminal) {
 /* Records an accepted step; *t_stop is the time of a terminal event that ends it. */
 static int em_record(em_run_state *w, double *t_stop, int *terminal) {
     const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run),
-                                w->run->segments.count};
+                                w->run->segments.count, w->run->method};
     em_fault fault;
     if (w->n_events > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;

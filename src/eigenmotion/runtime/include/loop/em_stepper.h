@@ -11,6 +11,7 @@
 #define EM_STEPPER_H
 
 #include "loop/em_time_event_jump.h"
+#include "loop/em_method_change.h"
 #include "loop/em_restart.h"
 #include "loop/em_subnormals.h"
 #include "stepper/em_run_memory.h"
@@ -62,8 +63,11 @@ static void em_run_state_prepare(em_run_state *w) {
 
 /* An initialised run state, not yet at a state; or NULL. */
 static em_run_state *em_run_state_create(const em_model *model, em_run *run) {
-    em_run_state *const w = em_run_state_allocate(model, em_scheme_of(run->method));
+    em_scheme both = em_scheme_of(run->method);
+    if (run->changes) both.at_nodes |= em_scheme_of(run->other).at_nodes, both.radau_iia = &EM_RADAU9_TABLEAU; /* tables for either */
+    em_run_state *const w = em_run_state_allocate(model, both);
     if (w == NULL) return NULL;
+    w->scheme = em_scheme_of(run->method);
     w->run = run;
     w->requested_least_norm = run->least_norm;
     em_run_state_prepare(w);
@@ -123,7 +127,8 @@ static int em_accepted_step(em_run_state *w) {
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
     if (w->model->n_rotations > 0 && em_change_chart(w, &changed)) return EM_END;
-    return w->t == w->pieces_end && em_enter_interval(w) ? em_enter_next_interval(w) : EM_CONTINUE;
+    if (w->t == w->pieces_end) return em_enter_interval(w) ? em_enter_next_interval(w) : EM_CONTINUE;
+    return w->run->changes && !changed ? em_consider_method(w) : EM_CONTINUE;
 }
 
 /* --- the handle --- */
@@ -146,7 +151,8 @@ static int em_advance(em_run_state *w, double t_goal) {
     const uint64_t subnormals = em_flush_subnormals();
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
-    while (!w->ended && w->t != w->t_goal) w->ended = em_accepted_step(w);
+    if (w->run->waits) w->run->waits = 0, w->ended = em_change_method(w);
+    while (!w->ended && w->t != w->t_goal && !w->run->waits) w->ended = em_accepted_step(w);
     em_restore_subnormals(subnormals);
     return w->ended;
 }

@@ -20,7 +20,7 @@ EM_EXPORT int em_interpolate(const em_model *model, const em_run *run, size_t st
     const em_dense_step *at = &run->dense_steps[step];
     const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * (size_t)model->n_state;
     double inside[model->n_state], memory[em_padded(model->dynamics->n_memory)];
-    const em_scheme scheme = em_scheme_of(run->method);
+    const em_scheme scheme = em_scheme_of(at->method);
     em_fault fault;
     em_run then;
     int mode = at->mode;

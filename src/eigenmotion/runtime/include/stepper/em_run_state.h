@@ -104,6 +104,15 @@ typedef struct em_implicit {
                                                 they are averaged */
 } em_implicit;
 
+/* What the choice of the method carries from step to step (em_method_change.h). */
+typedef struct em_choice {
+    double t, cost;    /* at the start of a window of steps; cost in right-hand sides */
+    double rate;       /* cost per unit of time of the explicit method when it was left, 0: unknown */
+    int strained;      /* explicit steps that stability limited */
+    int steps, windows; /* implicit steps in the window, and windows since the change */
+    int patience;      /* doublings of the number of strained steps before the next change */
+} em_choice;
+
 /* Everything a run carries from step to step. `_new` is at the end of the current step. Saved are its first part,
  * the first parts of `nodes` and of `stages`, and all tables but the last (em_run_memory.h). */
 struct em_run_state {
@@ -143,6 +152,7 @@ struct em_run_state {
     int refused;                               /* it ended because the motion cannot start */
     int stale;                                 /* K[0] and g are out of date */
     size_t next_t_eval;
+    em_choice choice;
     int plain;                                 /* whether the stages of the step are (em_is_plain) */
     em_run *run;                               /* from here on: belongs to the process, not to the motion */
     const em_model *model;

@@ -78,6 +78,7 @@ EM_COLD_PATH EM_EXPORT void em_release(const em_model *model, em_run *run) {
     for (int i = 0; run->after != NULL && i < model->n_events; ++i) em_rows_free(&run->after[i]);
     em_rows_free(&run->charts);
     em_rows_free(&run->segments);
+    em_rows_free(&run->methods);
     free(run->events);
     free(run->after);
     free(run->dense_steps);

@@ -1,0 +1,142 @@
+/* em_method_change.h: change of the method at an accepted step, of runs whose method is chosen automatically.
+ *
+ * Such a run has an explicit and an implicit method, and keeps the one that costs less per unit of time. Costs are
+ * counted in right-hand sides, never timed: the same run changes at the same steps.
+ *
+ * From the explicit method to the implicit one: once stability, not the error, has limited so many steps that they cost
+ * as much as a trial of the implicit method, and at least as many would follow. So a trial in vain costs no more than
+ * what the run has taken until then. Back: the largest eigenvalue of the Jacobian gives the step that stability would
+ * allow. If explicit steps of that size, or of the present one if that is shorter, cost clearly less, the run changes
+ * back; each return doubles the number of steps before the next trial. */
+#ifndef EM_METHOD_CHANGE_H
+#define EM_METHOD_CHANGE_H
+
+#include "loop/em_chart_change.h"
+
+#define EM_CLEARLY_LESS 0.7      /* of the cost: else a change does not pay */
+#define EM_STABLE_SIZE 4.0       /* of explicit steps, times the largest eigenvalue; EM_DOP853_STABLE */
+#define EM_EXPLICIT_STEP 12.0    /* right-hand sides of an explicit step */
+#define EM_RATES_PER_SLOPES 1.0  /* cost of the Jacobian, in right-hand sides, for each coordinate; and a constant */
+#define EM_RATES_PER_FACTORS 0.5 /* the same of the stages' factors */
+
+enum {
+    EM_STRAINED_STEPS = 48,  /* explicit steps that cost as much as a trial of the implicit method */
+    EM_STRAINED_NODES = 10,  /* the same if a step has nodes */
+    EM_STEPS_AHEAD = 200,    /* fewer explicit steps to the end do not pay for a change */
+    EM_NODES_AHEAD = 50,
+    EM_WINDOW = 8,           /* implicit steps whose cost is counted */
+    EM_LONGEST_PATIENCE = 6, /* doublings */
+    EM_POWERS = 24           /* of the Jacobian; the growth over two thirds of them counts */
+};
+
+/* What the run has cost so far, in right-hand sides. */
+static double em_cost_so_far(const em_run_state *w) {
+    const em_run *const run = w->run;
+    const double each = 1.0 + w->n;
+    return (double)run->n_rhs + each * (EM_RATES_PER_SLOPES * (double)run->n_jacobians + EM_RATES_PER_FACTORS * (double)run->n_factors);
+}
+
+static void em_begin_window(em_run_state *w) {
+    w->choice.t = w->t;
+    w->choice.cost = em_cost_so_far(w);
+    w->choice.steps = 0;
+}
+
+/* next (2 n) <- (v, K x + D v) for z = (x, v). Returns its length. */
+static double em_apply_slopes(const em_run_state *w, const double *z, double *next) {
+    const em_implicit *const q = &w->stages;
+    const int n = w->n;
+    double squares = 0.0;
+    memcpy(next, z + n, (size_t)n * sizeof *z);
+    for (int i = 0; i < n; ++i) {
+        next[n + i] = 0.0;
+        for (int k = 0; k < n; ++k) next[n + i] += q->K[i * n + k] * z[k] + q->D[i * n + k] * z[n + k];
+    }
+    for (int i = 0; i < 2 * n; ++i) squares += next[i] * next[i];
+    return sqrt(squares);
+}
+
+/* The size of the largest eigenvalue of the motion [1 / time], at the last Jacobian, by power iteration: within some
+ * per cent, less if others are as large. */
+static double em_fastest_rate(const em_run_state *w) {
+    double z[2 * w->n], next[2 * w->n], grown = 0.0;
+    for (int i = 0; i < 2 * w->n; ++i) z[i] = cos(1.0 + i);
+    for (int power = 0; power < EM_POWERS; ++power) {
+        const double size = em_apply_slopes(w, z, next);
+        if (!(size > 0.0) || !isfinite(size)) return size;
+        if (power > 0 && power >= EM_POWERS / 3) grown += log(size);
+        for (int i = 0; i < 2 * w->n; ++i) z[i] = next[i] / size;
+    }
+    return exp(grown / (EM_POWERS - EM_POWERS / 3));
+}
+
+/* Records the method from w->t on. */
+static int em_note_method(em_run_state *w) {
+    em_run *const run = w->run;
+    run->methods.width = 1;
+    double *const row = em_rows_next(&run->methods, &w->reason);
+    if (row == NULL) return em_end_with(w, w->reason);
+    *row = (double)run->method;
+    em_rows_keep(&run->methods, w->t);
+    return EM_CONTINUE;
+}
+
+/* Continues by the other method, from the same motion with the same signs of events. Returns as a step. */
+static int em_change_method(em_run_state *w) {
+    em_run *const run = w->run;
+    const em_method left = run->method;
+    double row[w->n_state];
+    if (em_publish(w->model, run, w->mode, w->t, w->y, w->memory, row, &w->reason)) return em_end_with(w, w->reason);
+    run->method = run->other, run->other = left;
+    w->scheme = em_scheme_of(run->method);
+    w->stretch = pow(w->rtol, -1.0 / (w->scheme.control.error_order + 1));
+    em_discard_steps(w);
+    memcpy(w->y, row, sizeof row);
+    w->stiff = 0, w->last_error = 0.0;
+    if (em_enter_mode(w) < 0 || em_enter_interval(w) < 0) return em_end_with(w, w->reason);
+    if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
+    if (w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g)) return em_end_with(w, w->reason);
+    w->choice.strained = w->choice.windows = 0;
+    em_begin_window(w);
+    return em_note_method(w);
+}
+
+/* After an explicit step: whether the implicit method should be tried. */
+static int em_explicit_is_strained(em_run_state *w) {
+    em_choice *const c = &w->choice;
+    const int nodes = w->scheme.at_nodes, many = (nodes ? EM_STRAINED_NODES : EM_STRAINED_STEPS) << c->patience;
+    c->strained = w->stiff ? c->strained + 1 : c->strained > 2 ? c->strained - 2 : 0;
+    if (c->strained == 0) em_begin_window(w);
+    if (c->strained < many) return 0;
+    const double ahead = fabs(w->run->t_end - w->t) / fabs(w->h);
+    if (!(ahead > em_max(many, nodes ? EM_NODES_AHEAD : EM_STEPS_AHEAD))) return 0;
+    c->rate = (em_cost_so_far(w) - c->cost) / fabs(w->t - c->t);
+    return 1;
+}
+
+/* After an implicit step: whether the explicit method would cost less. The first window has the short steps after a
+ * change; in the next two, the cost of the explicit method before it counts, too. */
+static int em_implicit_is_dear(em_run_state *w) {
+    em_choice *const c = &w->choice;
+    if (++c->steps < EM_WINDOW) return 0;
+    const double span = fabs(w->t - c->t), rate = (em_cost_so_far(w) - c->cost) / span, fastest = em_fastest_rate(w);
+    const double size = em_min(EM_STABLE_SIZE / fastest, span / c->steps);
+    const double last = c->windows < 3 && c->rate > 0.0 ? c->rate : INFINITY;
+    const int dear = em_min(EM_EXPLICIT_STEP / size, last) < EM_CLEARLY_LESS * rate && c->windows > 0;
+    ++c->windows;
+    em_begin_window(w);
+    if (!dear) return 0;
+    c->patience += c->patience < EM_LONGEST_PATIENCE;
+    w->h_next = em_min(w->h_next, size);
+    return 1;
+}
+
+/* After an accepted step: changes the method if the other one costs less. A run waits before it takes the implicit
+ * method: the caller may have to load derivatives. Returns as a step. */
+static int em_consider_method(em_run_state *w) {
+    em_run *const run = w->run;
+    if (w->scheme.radau_iia == NULL) return run->waits = em_explicit_is_strained(w), EM_CONTINUE;
+    return em_implicit_is_dear(w) ? em_change_method(w) : EM_CONTINUE;
+}
+
+#endif
