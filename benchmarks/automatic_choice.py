@@ -15,6 +15,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
+from itertools import pairwise
 from math import exp, inf, log
 from time import thread_time
 from typing import Any
@@ -39,7 +40,7 @@ MOST_STEPS = 100_000
 SAMPLE, ROUNDS = 2e-3, 4
 
 
-def arm(segments: int = 10, stiffness: float = 200.0, damping: float = 0.5) -> Model:
+def arm(segments: int = 10, stiffness: float = 2000.0, damping: float = 5.0) -> Model:
     """Return a flexible arm that falls: point masses on links, with springs and dampers in the joints."""
     theta = dynamicsymbols(f"theta_1:{segments + 1}")
     m, l, k, d, g = symbols("m l k d g", positive=True)
@@ -54,7 +55,7 @@ def arm(segments: int = 10, stiffness: float = 200.0, damping: float = 0.5) -> M
     return Model(
         name=f"flexible_arm_{segments}", coordinates=list(theta), kinetic_energy=T,
         potential_energy=V + k * sum(bend**2 for bend in bends) / 2, forces=forces,
-        parameters={m: 0.1, l: 0.1, k: stiffness, d: damping, g: 9.81}, initial={angle: 0.0 for angle in theta},
+        parameters={m: 0.1, l: 0.1, k: stiffness, d: damping, g: 9.81}, initial=dict.fromkeys(theta, 0.0),
     )  # fmt: skip
 
 
@@ -109,7 +110,7 @@ SCENES = (
     _of("four_bar", 5.0), _of("furuta_pendulum", 5.0), _of("heavy_top", 5.0), _of("polar_particle", 5.0),
     _of("rigid_body", 10.0), _of("rolling_disk", 5.0), _of("rotating_hoop", 10.0), _of("rotating_spring", 10.0),
     _of("slider_crank", 5.0), _of("chaplygin_sleigh", 5.0), _of("snakeboard", 5.0), _of("driven_pendulum", 5.0),
-    _of("veering", 10.0), _of("governor", 5.0), _of("cart_pendulums", 3.0), _of("chain", 2.0),
+    _of("veering", 10.0), _of("governor", 5.0, stiff=True), _of("cart_pendulums", 3.0), _of("chain", 2.0),
     _of("quick_return_shaper", 5.0), _of("lugre_oscillator", 5.0), _of("bicycle", 2.0),
     Scene("flexible_arm", arm, 3.0, **_STIFF),
     Scene("softer_arm", partial(arm, 6, 20.0, 0.02), 3.0, **_STIFF),
@@ -201,7 +202,7 @@ def seconds_at(points: Sequence[Point], error: float) -> float:
     best = inf
     front = [p for p in points if not any(q.error <= p.error and q.seconds < p.seconds for q in points)]
     front.sort(key=lambda point: point.error)
-    for one, other in zip(front, [*front[1:], Point(inf, 0.0)], strict=True):
+    for one, other in pairwise([*front, Point(inf, 0.0)]):
         if one.error <= error < other.error:
             if other.error == inf:
                 return one.seconds

@@ -1,7 +1,7 @@
 """method="auto" during a run: it changes where stiffness begins or ends, and nothing else changes.
 
-The motions are known: x'' = -sin t - D(t) (x' - cos t) has the solution sin t for every damping D. Beside it, y swings as
-cos 3 t, and a ball bounces without loss between parabolas.
+The motions are known: x'' = -sin t - D(t) (x' - cos t) has the solution sin t for every damping D. Beside it, y swings
+as cos 3 t, and a ball bounces without loss between parabolas.
 """
 
 import pickle
@@ -36,7 +36,8 @@ def model(bounces: bool = False) -> Model:
     D = d * (1 + sign * tanh((t - T) / w)) / 2
     more = {"contacts": {"floor": Contact(z, restitution=1.0)}} if bounces else {}
     return Model(
-        name="prescribed_damping", coordinates=[x, y, z], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
+        name="prescribed_damping", coordinates=[x, y, z],
+        kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
         potential_energy=Rational(9, 2) * y**2 + (Rational(981, 100) * z if bounces else 0),
         forces={x: -sin(t) - D * (x.diff() - cos(t))}, events={"half": Event(x - Rational(1, 2))},
         parameters={d: 1e4, sign: 1.0, T: SWITCH, w: 0.1}, initial={y: 1.0, x.diff(): 1.0, z: HEIGHT}, **more,

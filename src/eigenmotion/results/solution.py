@@ -47,8 +47,8 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
 }
 
 _DEFAULTS: dict[str, Any] = {
-    "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "methods": (), "error_estimate": None,
-    "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
+    "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "methods": (),
+    "error_estimate": None, "error_cost": None, "not_unique": (), "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
 """Values of fields that a run does not set. Most runs set none, and a dict of half the size takes half the time."""
 

@@ -55,9 +55,9 @@ def _may_depend(task: Task) -> bool:
     return task.model.m > 0 and task.least_norm != 0
 
 
-def other_than(method: Method, task: Task) -> Method:
-    """Return the method to which a run by `method` may change: the stiff one, or from it to an explicit one."""
-    return automatic(task.model, task.rtol, _may_depend(task)) if method.implicit else _STIFF
+def other_than(method: Method) -> Method:
+    """Return the method to which a run by `method` may change: the stiff one, or from it to dop853."""
+    return METHODS["dop853"] if method.implicit else _STIFF
 
 
 def _dying_rate(task: Task) -> float:

@@ -75,8 +75,9 @@ def simulate(
         "rk34", "dopri5", "dop853": Runge-Kutta. "ra15": eight Radau nodes in parallel, order 15, often the fastest for
         smooth motions and tight tolerances. "radau5", "radau9": implicit, for stiff scenes, Radau IIA of orders 5 and 9
         on the motion (x, v). "auto": "radau9" if the scene is stiff at its start, else "dop853" or "ra15", depending on
-        tolerance, formulation and processor; `Solution.method` names it. All are compiled; upper or lower case. For
-        solvers of SciPy and SUNDIALS use `System.rhs` and `System.jacobian`.
+        tolerance, formulation and processor; it changes during the run where the other kind costs less
+        (`Solution.methods`, docs/stiff.md). All are compiled; upper or lower case. For solvers of SciPy and SUNDIALS
+        use `System.rhs` and `System.jacobian`.
     rtol, atol
         The error of a step in x_k and v_k is below atol_k + rtol |.|. atol: a number, or a mapping coordinate -> number
         (also for the velocity; 1e-9 for others).
@@ -193,7 +194,7 @@ def _checker(argument: Any) -> CompiledModel:
 
 def run_changing(task: Task, method: Method) -> Solution:
     """Run a checked task by a method that is kept only where it costs less than another."""
-    return run_task(task, method, other_than(method, task))
+    return run_task(task, method, other_than(method))
 
 
 def run_task(task: Task, method: Method, other: Method | None = None) -> Solution:

@@ -7,7 +7,7 @@
  * as much as a trial of the implicit method, and at least as many would follow. So a trial in vain costs no more than
  * what the run has taken until then. Back: the largest eigenvalue of the Jacobian gives the step that stability would
  * allow. If explicit steps of that size, or of the present one if that is shorter, cost clearly less, the run changes
- * back; each return doubles the number of steps before the next trial. */
+ * back; each return from a short trial doubles the number of steps before the next one. */
 #ifndef EM_METHOD_CHANGE_H
 #define EM_METHOD_CHANGE_H
 
@@ -16,8 +16,10 @@
 #define EM_CLEARLY_LESS 0.7      /* of the cost: else a change does not pay */
 #define EM_STABLE_SIZE 4.0       /* of explicit steps, times the largest eigenvalue; EM_DOP853_STABLE */
 #define EM_EXPLICIT_STEP 12.0    /* right-hand sides of an explicit step */
-#define EM_RATES_PER_SLOPES 1.0  /* cost of the Jacobian, in right-hand sides, for each coordinate; and a constant */
-#define EM_RATES_PER_FACTORS 0.5 /* the same of the stages' factors */
+#define EM_NODE_RATE (EM_LANES > 2 ? 0.3 : 1.0) /* cost of a right-hand side on lanes, in scalar ones; */
+#define EM_STAGE_RATE 1.5        /* of one in an implicit stage, with its share of the linear equations; */
+#define EM_SLOPES_RATE 8.0       /* of a Jacobian; */
+#define EM_FACTORS_RATE 6.0      /* and of the factors of all stages: measured on models of 2 to 10 coordinates */
 
 enum {
     EM_STRAINED_STEPS = 48,  /* explicit steps that cost as much as a trial of the implicit method */
@@ -25,15 +27,17 @@ enum {
     EM_STEPS_AHEAD = 200,    /* fewer explicit steps to the end do not pay for a change */
     EM_NODES_AHEAD = 50,
     EM_WINDOW = 8,           /* implicit steps whose cost is counted */
+    EM_DEAR_WINDOWS = 2,     /* windows in a row in which explicit steps would have cost less */
+    EM_SHORT_TRIAL = 3,      /* windows, the fewest: a trial that lasted no longer was in vain */
     EM_LONGEST_PATIENCE = 6, /* doublings */
     EM_POWERS = 24           /* of the Jacobian; the growth over two thirds of them counts */
 };
 
-/* What the run has cost so far, in right-hand sides. */
+/* What the run has cost so far, in right-hand sides, if the present method made all steps: differences are used. */
 static double em_cost_so_far(const em_run_state *w) {
     const em_run *const run = w->run;
-    const double each = 1.0 + w->n;
-    return (double)run->n_rhs + each * (EM_RATES_PER_SLOPES * (double)run->n_jacobians + EM_RATES_PER_FACTORS * (double)run->n_factors);
+    const double rate = w->scheme.at_nodes ? EM_NODE_RATE : w->scheme.radau_iia ? EM_STAGE_RATE : 1.0;
+    return rate * (double)run->n_rhs + EM_SLOPES_RATE * (double)run->n_jacobians + EM_FACTORS_RATE * (double)run->n_factors;
 }
 
 static void em_begin_window(em_run_state *w) {
@@ -81,13 +85,15 @@ static int em_note_method(em_run_state *w) {
     return EM_CONTINUE;
 }
 
-/* Continues by the other method, from the same motion with the same signs of events. Returns as a step. */
+/* Continues by the other method, from the same motion with the same signs of events. The explicit method after an
+ * implicit one is dop853: the iteration for nodes converges slowly long before stability limits its steps. Returns as a
+ * step. */
 static int em_change_method(em_run_state *w) {
     em_run *const run = w->run;
     const em_method left = run->method;
     double row[w->n_state];
     if (em_publish(w->model, run, w->mode, w->t, w->y, w->memory, row, &w->reason)) return em_end_with(w, w->reason);
-    run->method = run->other, run->other = left;
+    run->method = run->other, run->other = w->scheme.radau_iia ? left : EM_DOP853;
     w->scheme = em_scheme_of(run->method);
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.control.error_order + 1));
     em_discard_steps(w);
@@ -96,7 +102,7 @@ static int em_change_method(em_run_state *w) {
     if (em_enter_mode(w) < 0 || em_enter_interval(w) < 0) return em_end_with(w, w->reason);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     if (w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g)) return em_end_with(w, w->reason);
-    w->choice.strained = w->choice.windows = 0;
+    w->choice.strained = w->choice.windows = w->choice.dear = 0;
     em_begin_window(w);
     return em_note_method(w);
 }
@@ -114,8 +120,8 @@ static int em_explicit_is_strained(em_run_state *w) {
     return 1;
 }
 
-/* After an implicit step: whether the explicit method would cost less. The first window has the short steps after a
- * change; in the next two, the cost of the explicit method before it counts, too. */
+/* After an implicit step: whether the explicit method would cost less, in windows in a row. The first has the short
+ * steps after a change; in the next two, the cost of the explicit method before it counts, too. */
 static int em_implicit_is_dear(em_run_state *w) {
     em_choice *const c = &w->choice;
     if (++c->steps < EM_WINDOW) return 0;
@@ -123,10 +129,11 @@ static int em_implicit_is_dear(em_run_state *w) {
     const double size = em_min(EM_STABLE_SIZE / fastest, span / c->steps);
     const double last = c->windows < 3 && c->rate > 0.0 ? c->rate : INFINITY;
     const int dear = em_min(EM_EXPLICIT_STEP / size, last) < EM_CLEARLY_LESS * rate && c->windows > 0;
+    c->dear = dear ? c->dear + 1 : 0;
     ++c->windows;
     em_begin_window(w);
-    if (!dear) return 0;
-    c->patience += c->patience < EM_LONGEST_PATIENCE;
+    if (c->dear < EM_DEAR_WINDOWS) return 0;
+    c->patience = c->windows > EM_SHORT_TRIAL ? 0 : c->patience + (c->patience < EM_LONGEST_PATIENCE);
     w->h_next = em_min(w->h_next, size);
     return 1;
 }

@@ -109,7 +109,8 @@ typedef struct em_choice {
     double t, cost;    /* at the start of a window of steps; cost in right-hand sides */
     double rate;       /* cost per unit of time of the explicit method when it was left, 0: unknown */
     int strained;      /* explicit steps that stability limited */
-    int steps, windows; /* implicit steps in the window, and windows since the change */
+    int steps, windows, dear; /* implicit steps in the window; windows since the change; the last ones in a row in
+                                 which explicit steps would have cost less */
     int patience;      /* doublings of the number of strained steps before the next change */
 } em_choice;
 
