@@ -10,7 +10,7 @@
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
 
-#include "loop/em_time_event_jump.h"
+#include "events/em_time_event_jump.h"
 #include "loop/em_method_change.h"
 #include "loop/em_restart.h"
 #include "loop/em_subnormals.h"
