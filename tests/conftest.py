@@ -36,7 +36,7 @@ LONGEST = ("test_build", "test_compiler_warnings", "test_default_flags", "test_d
            "test_page", "test_parts_on_demand", "test_proof", "test_proof_rounding", "test_quick_return_shaper",
            "test_random_contacts", "test_random_mechanisms", "test_reaction_rates", "test_report",
            "test_right_hand_side_on_lanes", "test_stability", "test_stability_contacts",
-           "test_sweep_stores")  # fmt: skip
+           "test_stability_limits", "test_sweep_stores")  # fmt: skip
 """Files that take a process 15 seconds or more: first, so that none of them is what all wait for at the end."""
 
 LEFT_OUT = pytest.StashKey[Counter[str]]()

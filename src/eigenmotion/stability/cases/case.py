@@ -35,6 +35,9 @@ class Trial:
     periods : number of periods in the span; 0 if they are few or have no meaning
     inputs : over the model's defaults
     nearby : whether perturbed starts are possible, to measure kappa (they are not if the motion begins in contact)
+    tolerance : of all methods, in place of those of the case
+    otherwise : what to compare with if `truth` is not reached, from the reason; None: a run that succeeds is wrong
+    may_lose_digits : whether runs are not judged where perturbations grow to the size of the motion
     """
 
     label: str
@@ -50,6 +53,9 @@ class Trial:
     periods: float = 0.0
     inputs: Mapping[str, Signal] = field(default_factory=dict)
     nearby: bool = True
+    tolerance: float | None = None
+    otherwise: Callable[[str], Truth] | None = None
+    may_lose_digits: bool = False
 
 
 @dataclass(frozen=True)

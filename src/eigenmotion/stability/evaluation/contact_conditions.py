@@ -86,7 +86,7 @@ class _ContactRun:
         """Return the slips (r, k); for a cone the magnitude, since its force opposes the slip by construction."""
         slips, outputs = self.outputs(self.frictions, "_slip"), self.solution.outputs
         aside = self.rows(outputs.get(f"{one.name}_aside", np.zeros(len(self.solution.t))) for one in self.frictions)
-        cones = np.array([[one.cone] for one in self.frictions], dtype=bool)
+        cones = np.array([one.cone for one in self.frictions], dtype=bool).reshape(-1, 1)
         return np.where(cones, np.hypot(slips, aside), slips)
 
     def forces(self) -> float:
@@ -96,7 +96,7 @@ class _ContactRun:
         rub, size = self.rubs(), max(_size(multipliers), 1e-300)
         beyond = np.maximum(
             -press.min(axis=0, initial=0.0),
-            ((rub - self.limits("_sticks")) * (self.stuck == 1)).max(axis=0, initial=0.0),
+            ((rub - self.limits_of("_sticks")) * (self.stuck == 1)).max(axis=0, initial=0.0),
         )
         wrong = np.flatnonzero(beyond > 1e-9 * size)
         return max((min(beyond[k] / size, self.others(int(k)) / size) for k in wrong), default=0.0)
@@ -109,7 +109,7 @@ class _ContactRun:
             np.hypot(lambdas[j], lambdas[j + one.cone] * one.cone) for j, one in zip(rows, self.frictions, strict=True)
         )
 
-    def limits(self, end: str) -> Vector:
+    def limits_of(self, end: str) -> Vector:
         """Return the forces (r, k) up to which frictions stick ("_sticks"), or with which they slide ("_limit")."""
         return np.asarray(self.outputs(self.frictions, end) * self.rows(map(self.pressing, self.frictions)))
 

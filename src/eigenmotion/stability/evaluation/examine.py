@@ -22,12 +22,18 @@ from .contact_conditions import largest_violation
 from .contact_outputs import with_contact_outputs
 from .error_indicators import indicators
 from .expected_rows import Expected, expected_of
-from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, classify
+from .judgement import bound_of, judged
+from .outcome import Cell, Outcome
 
 
 @dataclass(frozen=True, slots=True)
 class PointResult:
-    """A point of a case and its cells; `how`, `reference_error` and `kappa` are those of `Expected`."""
+    """A point of a case and its cells; `how`, `reference_error` and `kappa` are those of `Expected`.
+
+    left_out : runs for which no time was left
+    independent : whether the reference shares no code with the runs
+    span : of the motion [s]
+    """
 
     case: str
     point: str
@@ -36,15 +42,22 @@ class PointResult:
     kappa: float
     periods: float
     cells: tuple[Cell, ...]
+    left_out: int = 0
+    independent: bool = True
+    span: float = 0.0
 
 
-def examine(case: Case, value: float, planted: Mapping[Variant, System] | None = None) -> PointResult:
+def examine(
+    case: Case, value: float, planted: Mapping[Variant, System] | None = None, seconds: float = np.inf
+) -> PointResult:
     """Run every variant and method of a case at one value.
 
     Parameters
     ----------
     planted
         Systems to use instead of the built ones; tests plant faults in them.
+    seconds
+        Time for all runs, after which no more begin. The reference is not counted.
 
     Raises
     ------
@@ -56,10 +69,18 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
     built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
     expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
     chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
-    cells = tuple(_cell(case, model, expected, built[variant], variant, method) for variant, method in chosen)
-    return PointResult(
-        case.name, expected.trial.label, expected.how, expected.error, expected.kappa, expected.trial.periods, cells
+    until = time.monotonic() + seconds
+    cells = tuple(
+        _cell(case, model, expected, built[variant], variant, method)
+        for variant, method in chosen
+        if time.monotonic() < until
     )
+    trial = expected.trial
+    return PointResult(
+        case.name, trial.label, expected.how, expected.error, expected.kappa, trial.periods, cells,
+        left_out=len(chosen) - len(cells), independent=trial.truth.independent,
+        span=abs(float(trial.times[-1]) - trial.start),
+    )  # fmt: skip
 
 
 def program(case: Case, value: float, variant: Variant) -> System | str:
@@ -81,7 +102,7 @@ def _built(model: Model, options: tuple[tuple[str, str], ...], flags: str | None
 def _cell(
     case: Case, model: Model, expected: Expected, system: System | str, variant: Variant, method: str
 ) -> Cell:  # fmt: skip
-    tolerance = case.tolerances[method]
+    tolerance = expected.trial.tolerance or case.tolerances[method]
     blank = Cell(case.name, expected.trial.label, variant.label, method, tolerance)
     if isinstance(system, str):
         return replace(blank, reason="not offered", message=system)
@@ -110,7 +131,7 @@ def _with_conditions(compared: Cell, by: float) -> Cell:
 
 
 def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str, every_step: bool = False) -> Solution:
-    tolerance = case.tolerances[method]
+    tolerance = trial.tolerance or case.tolerances[method]
     options: dict[str, Any] = variant.run
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
@@ -131,12 +152,14 @@ def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str
 
 
 def _compared(done: Cell, expected: Expected, system: System, solution: Solution) -> Cell:
-    trial, bound = expected.trial, min(MARGIN * done.tolerance * (1 + expected.kappa), MEANINGLESS)
+    trial, bound = expected.trial, bound_of(expected, done.tolerance)
     if solution.stop is not StopReason.FINISHED or len(solution.t) != len(trial.times):
         message = f"{len(solution.t)} of {len(trial.times)} rows"
         return replace(done, outcome=Outcome.WRONG, reason="rows missing", message=message, bound=bound)
     error = expected.error_of(np.concatenate([solution.x, solution.v]).T)
     shown = indicators(trial, system, solution)
-    outcome = classify(error, bound, shown.largest, trial.periods)
-    reason = "" if np.isfinite(error) else "not finite"
-    return replace(done, outcome=outcome, reason=reason, error=error, bound=bound, shown=shown)
+    verdict = judged(expected, done.tolerance, error, shown.largest)
+    reason = verdict.reason if np.isfinite(error) else verdict.reason or "not finite"
+    return replace(
+        done, outcome=verdict.outcome, reason=reason, message=verdict.message, error=error, bound=bound, shown=shown
+    )

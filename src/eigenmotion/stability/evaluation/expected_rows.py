@@ -46,13 +46,19 @@ class Expected:
 
 def expected_of(trial: Trial, system: System | None) -> Expected:
     """Return the expected rows of a trial; the system, if any, projects perturbed starts onto its constraints."""
+    try:
+        return _expected(trial, system)
+    except NotReachedError as reason:
+        if trial.otherwise is None:
+            return _none(trial, str(reason))
+        return expected_of(replace(trial, truth=trial.otherwise(str(reason)), otherwise=None), system)
+
+
+def _expected(trial: Trial, system: System | None) -> Expected:
     start = np.concatenate([trial.x0, trial.v0])
     times = np.concatenate([[trial.start], trial.times])
     with np.errstate(all="ignore"):
-        try:
-            exact = trial.truth.rows(start, times, FINE)
-        except NotReachedError as reason:
-            return _none(trial, str(reason))
+        exact = trial.truth.rows(start, times, FINE)
         scale = np.tile(trial.units, 2) + np.max(np.abs(exact), axis=0)
         raw = Expected(trial, trial.truth.how, exact, scale, 0.0, 0.0)
         own = raw.error_of(trial.truth.rows(start, times, CHECK)) + trial.truth.own

@@ -20,11 +20,12 @@ Result = TypeVar("Result")
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """All points, in the order of the cases, and the run time [s]."""
+    """All points, in the order of the cases, and the run time [s]; `own` are cases that are not in `CASES`."""
 
     points: tuple[PointResult, ...]
     seconds: float
     workers: int
+    own: tuple[Case, ...] = ()
 
     @property
     def cells(self) -> tuple[Cell, ...]:
@@ -34,7 +35,8 @@ class Matrix:
     @property
     def cases(self) -> tuple[Case, ...]:
         """The cases that were examined."""
-        return tuple(CASES[name] for name in dict.fromkeys(point.case for point in self.points))
+        known = CASES | {case.name: case for case in self.own}
+        return tuple(known[name] for name in dict.fromkeys(point.case for point in self.points))
 
     def of(self, case: Case) -> tuple[PointResult, ...]:
         """Return the points of a case."""

@@ -26,6 +26,7 @@ class ReducedMotion:
     shown: Callable[[Vector], Vector]
     how: str = "the equation of what stays free, in extended precision"
     own: float = 1e-13
+    independent: bool = True
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
         return self.shown(self.inner.rows(self.begin(start), times, level))
@@ -38,6 +39,7 @@ class TabulatedMotion:
     table: Vector
     how: str
     own: float = 1e-10
+    independent: bool = True
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, the same at all levels
         return np.vstack([start, self.table[np.searchsorted(self.table[:, 0], times[1:]), 1:]])

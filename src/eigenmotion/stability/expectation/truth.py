@@ -29,6 +29,10 @@ class Truth(Protocol):
     def own(self) -> float:
         """Error by rounding, which the difference of two levels does not show."""
 
+    @property
+    def independent(self) -> bool:
+        """Whether it shares no code with the runs that are compared with it."""
+
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
         """Return the rows at a level of accuracy."""
 
@@ -40,6 +44,7 @@ class ClosedForm:
     function: Callable[[Vector, Vector], Vector]
     how: str
     own: float = 1e-12
+    independent: bool = True
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:  # noqa: ARG002, the same at all levels
         return self.function(start, times - times[0])
@@ -53,6 +58,7 @@ class Integrated:
     scale: Vector
     how: str = "extrapolated midpoint steps of order 14 in extended precision, on equations apart from the generator's"
     own: float = 1e-14
+    independent: bool = True
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
         values = self._integrated(_scaled(self, times), start / self.scale, np.abs(times - times[0]), level)

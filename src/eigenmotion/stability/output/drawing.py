@@ -1,20 +1,27 @@
 """Pictures of the matrix; each outcome has a pattern as well as a colour."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ...presentation.figures import BLACK, FORMULATIONS, ORANGE, Picture, blank, picture, uncluttered
 from ..cases.case import Case
 from ..evaluation.examine import PointResult
 from ..evaluation.matrix import Matrix
-from ..evaluation.outcome import Cell, Outcome
+from ..evaluation.outcome import OF_OWN_MODELS, Cell, Outcome
 from .text import LETTERS, mark
 
 _FACE = {
-    Outcome.RIGHT: "#9BD3C0", Outcome.REFUSED: "#E4E4E4", Outcome.DEGRADED: "#F0C35E", Outcome.WRONG: "#D55E00",
+    Outcome.RIGHT: "#9BD3C0", Outcome.AGREES: "#CFE8F5", Outcome.NO_DIGITS: "#F4F4F4", Outcome.REFUSED: "#E4E4E4",
+    Outcome.DEGRADED: "#F0C35E", Outcome.DIFFERS: "#CC79A7", Outcome.WRONG: "#D55E00",
 }  # fmt: skip
-_INK = {Outcome.RIGHT: "#0B3B2E", Outcome.REFUSED: "#444444", Outcome.DEGRADED: "#3A2A00", Outcome.WRONG: "#FFFFFF"}
-_HATCH = {Outcome.RIGHT: "", Outcome.REFUSED: "////", Outcome.DEGRADED: "....", Outcome.WRONG: "xx"}
+_INK = {
+    Outcome.RIGHT: "#0B3B2E", Outcome.AGREES: "#10405A", Outcome.NO_DIGITS: "#666666", Outcome.REFUSED: "#444444",
+    Outcome.DEGRADED: "#3A2A00", Outcome.DIFFERS: "#2E0018", Outcome.WRONG: "#FFFFFF",
+}  # fmt: skip
+_HATCH = {
+    Outcome.RIGHT: "", Outcome.AGREES: "", Outcome.NO_DIGITS: "--", Outcome.REFUSED: "////", Outcome.DEGRADED: "....",
+    Outcome.DIFFERS: "++", Outcome.WRONG: "xx",
+}  # fmt: skip
 _ORDER = list(Outcome)
 _DRIFT_LOOKS = {
     **dict(zip(FORMULATIONS, zip(FORMULATIONS.values(), ("-", "--", "-.", ":"), strict=True), strict=True)),
@@ -36,16 +43,16 @@ def overview(matrix: Matrix) -> Picture:
     """Draw each case and variant: the worst outcome, and the number of right runs."""
     cases = matrix.cases
     columns = list(dict.fromkeys(cell.variant for cell in matrix.cells))
-    figure, axes = _figure(3.4 + 1.15 * len(columns), 1.9 + 0.36 * len(cases))
+    figure, axes = canvas(3.4 + 1.15 * len(columns), 1.9 + 0.36 * len(cases))
     for row, case in enumerate(cases):
         for column, variant in enumerate(columns):
             cells = [c for point in matrix.of(case) for c in point.cells if c.variant == variant]
             if cells:
                 right = sum(c.outcome is Outcome.RIGHT for c in cells)
-                _tile(axes, column, row, _worst(cells), f"{right}/{len(cells)}")
-    _frame(axes, [c.replace(", ", ",\n").replace("schur ", "schur\n") for c in columns], [c.title for c in cases])
+                tile(axes, column, row, worst(cells), f"{right}/{len(cells)}")
+    frame(axes, [c.replace(", ", ",\n").replace("schur ", "schur\n") for c in columns], [c.title for c in cases])
     axes.set_title("worst outcome of all methods and values; numbers: right runs / all runs", fontsize=10)
-    _legend(figure)
+    legend(figure, matrix.cells)
     return picture(figure, "stability", "All cases", "Rows: cases. Columns: formulations and options.")
 
 
@@ -53,17 +60,17 @@ def detail(matrix: Matrix, case: Case) -> Picture:
     """Draw each run of a case: columns are values, rows are methods and variants."""
     points = matrix.of(case)
     rows = list(dict.fromkeys((c.method, c.variant) for point in points for c in point.cells))
-    figure, axes = _figure(4.6 + 0.62 * max(len(points), 6), 2.0 + 0.24 * len(rows))
+    figure, axes = canvas(4.6 + 0.62 * max(len(points), 6), 2.0 + 0.24 * len(rows))
     for column, point in enumerate(points):
         for cell in point.cells:
-            _tile(axes, column, rows.index((cell.method, cell.variant)), cell.outcome, mark(cell))
-    _frame(axes, [point.point for point in points], [f"{variant}, {method}" for method, variant in rows])
+            tile(axes, column, rows.index((cell.method, cell.variant)), cell.outcome, mark(cell))
+    frame(axes, [point.point for point in points], [f"{variant}, {method}" for method, variant in rows])
     for k in range(1, len(rows)):
         if rows[k][0] != rows[k - 1][0]:
             axes.axhline(k - 0.5, color="0.2", linewidth=1.2)
     axes.set_xlabel(case.axis)
     axes.set_title(case.title, fontsize=11)
-    _legend(figure)
+    legend(figure, [cell for point in points for cell in point.cells])
     return picture(figure, f"stability_{case.name}", case.title, f"{case.about} {_key(points)}")
 
 
@@ -100,13 +107,15 @@ def _key(points: Sequence[PointResult]) -> str:
     return "Numbers: power of ten of the error." + (f" Refused, {letters}." if letters else "")
 
 
-def _figure(width: float, height: float) -> tuple[Any, Any]:
+def canvas(width: float, height: float) -> tuple[Any, Any]:
+    """Return a figure and its axes."""
     figure = blank(width, height)
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     return figure, figure.add_subplot()
 
 
-def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> None:
+def tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> None:
+    """Draw one outcome with a text."""
     from matplotlib.patches import Rectangle  # noqa: PLC0415, an optional package
 
     corner = column - 0.47, row - 0.44
@@ -118,7 +127,8 @@ def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> 
     shown.set_in_layout(False)
 
 
-def _frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:
+def frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:
+    """Name columns and rows."""
     axes.set_xlim(-0.5, len(columns) - 0.5)
     axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.set_xticks(range(len(columns)), columns, fontsize=8)
@@ -127,15 +137,19 @@ def _frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:
     axes.spines[:].set_visible(False)
 
 
-def _legend(figure: Any) -> None:
+def legend(figure: Any, cells: Iterable[Cell]) -> None:
+    """Name the outcomes; those of users' models only if they occur."""
     from matplotlib.patches import Patch  # noqa: PLC0415, an optional package
 
+    present = {cell.outcome for cell in cells}
     handles = [
-        Patch(facecolor=_FACE[o], hatch=_HATCH[o], edgecolor="#FFFFFF", linewidth=0.0, label=str(o)) for o in Outcome
+        Patch(facecolor=_FACE[o], hatch=_HATCH[o], edgecolor="#FFFFFF", linewidth=0.0, label=str(o))
+        for o in Outcome
+        if o in present or o not in OF_OWN_MODELS
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize=9)
 
 
-def _worst(cells: Sequence[Cell]) -> Outcome:
+def worst(cells: Sequence[Cell]) -> Outcome:
     """Return the worst outcome of some cells."""
     return max((cell.outcome for cell in cells), key=_ORDER.index)

@@ -22,9 +22,10 @@ def write_matrix(matrix: Matrix, folder: Path) -> tuple[Path, ...]:
     return write_page(folder, texts, chain.from_iterable(drawn.values()))
 
 
-def numbers(matrix: Matrix, known: Mapping[str, str]) -> str:
-    """Return all results as JSON."""
+def numbers(matrix: Matrix, known: Mapping[str, str], more: Mapping[str, object] | None = None) -> str:
+    """Return all results as JSON, and more on top."""
     record = {
+        **(more or {}),
         "machine": known,
         "seconds": matrix.seconds,
         "workers": matrix.workers,

@@ -1,6 +1,6 @@
 """Page of the stability matrix."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ...presentation.figures import Picture
@@ -24,15 +24,23 @@ class CaseSection:
     tables: tuple[tuple[str, Table], ...]
 
 
-def page(matrix: Matrix, drawn: Mapping[str, tuple[Picture, ...]], machine: Mapping[str, str]) -> str:
-    """Render the page; `drawn` are the pictures of `pictures`."""
+def page(
+    matrix: Matrix,
+    drawn: Mapping[str, tuple[Picture, ...]],
+    machine: Mapping[str, str],
+    heading: str = "stiff and extreme cases",
+    lines: Sequence[str] | None = None,
+) -> str:
+    """Render the page; `drawn` are the pictures of `pictures`; cases without any have tables only."""
     sections = [
-        CaseSection("", drawn[""][0].title, drawn[""], ()), *(_section(matrix, c, drawn[c.name]) for c in matrix.cases),
-    ]  # fmt: skip
+        CaseSection("", drawn[""][0].title, drawn[""], ()),
+        *(_section(matrix, c, drawn.get(c.name, ())) for c in matrix.cases),
+    ]
     rules = [(str(outcome), rule) for outcome, rule in RULES.items()]
     return render(
-        __package__, summary=summary(matrix), rules=rules, sections=sections, machine=machine, directions=DIRECTIONS
-    )
+        __package__, summary=summary(matrix) if lines is None else lines, rules=rules, sections=sections,
+        machine=machine, directions=DIRECTIONS, heading=heading,
+    )  # fmt: skip
 
 
 def _section(matrix: Matrix, case: Case, drawn: tuple[Picture, ...]) -> CaseSection:

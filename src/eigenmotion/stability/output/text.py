@@ -5,7 +5,7 @@ from collections import Counter
 from ...presentation.text import number
 from ..cases.case import Case
 from ..evaluation.matrix import Matrix
-from ..evaluation.outcome import Cell, Outcome
+from ..evaluation.outcome import OF_OWN_MODELS, Cell, Outcome
 
 LETTERS = {
     "not offered": "F", "start refused": "X", "step size underflow": "S", "too many steps": "N",
@@ -17,10 +17,15 @@ LETTERS = {
 
 def summary(matrix: Matrix) -> tuple[str, ...]:
     """Return the number of each outcome, and the wrong cells."""
-    counts = ", ".join(f"{matrix.count(outcome)} {outcome}" for outcome in Outcome)
-    lines = [f"{len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: {counts}."]
+    lines = [f"{len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: {counted(matrix)}."]
     lines += [f"WRONG: {described(cell)}" for cell in matrix.cells if cell.outcome is Outcome.WRONG]
     return tuple(lines)
+
+
+def counted(matrix: Matrix) -> str:
+    """Return the number of runs of each outcome; outcomes of users' models only if they occur."""
+    counts = {outcome: matrix.count(outcome) for outcome in Outcome}
+    return ", ".join(f"{count} {outcome}" for outcome, count in counts.items() if count or outcome not in OF_OWN_MODELS)
 
 
 def described(cell: Cell) -> str:

@@ -1,0 +1,215 @@
+"""Examination of a user's model within a time budget: builds, search, and the points one after the other."""
+
+import multiprocessing
+import os
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import dataclass
+
+from ...building.errors import BuildError
+from ...building.request import request
+from ...codegen.choices import FORMULATIONS
+from ...codegen.model import Model, ModelError
+from ...progress import Progress
+from ..cases.case import Case
+from ..evaluation.examine import PointResult, examine
+from ..evaluation.matrix import Matrix
+from .families import families
+from .references import system_of
+from .singular_search import searches
+from .subject import Subject, subject
+
+BUDGET = 90.0
+"""[s] default time for an examination"""
+_BUILDS, _SEARCH, _PATIENCE, _POINT = 0.4, 0.06, 0.03, 0.1  # parts of the budget for builds, search, references, points
+_LEAST = 1.0  # [s]
+_PLACE = tuple[str, float]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """The result: the matrix, and what was not run.
+
+    unbuilt : formulations that do not exist for the model, and why
+    searched : in words, for singular positions
+    left_out : (case title, labels of points) that the budget did not allow
+    """
+
+    own: Subject
+    matrix: Matrix
+    budget: float
+    unbuilt: tuple[tuple[str, str], ...]
+    searched: tuple[str, ...]
+    left_out: tuple[tuple[str, tuple[str, ...]], ...]
+
+
+def limits_of(
+    model: Model, settings: Mapping[str, Mapping[str, float]] | None = None, *, t_end: float = 10.0,
+    budget: float = BUDGET, workers: int = 1, progress: Progress | None = None,
+) -> Limits:  # fmt: skip
+    """Drive a model to its limits.
+
+    Parameters
+    ----------
+    settings
+        parameters, inputs, x0, v0 of `simulate`, over those of the model.
+    t_end
+        [s] longest span of the runs that vary other things than the span.
+    budget
+        [s] after which no more runs begin; those that were not run are named.
+
+    Raises
+    ------
+    ModelError, BuildError
+        The model cannot be built, or its motion cannot start.
+
+    Examples
+    --------
+    >>> from eigenmotion.models.pendulum import model
+    >>> from eigenmotion.stability import Outcome, limits_of
+    >>> found = limits_of(model, budget=4.0)  # doctest: +SKIP
+    >>> found.matrix.count(Outcome.WRONG)  # doctest: +SKIP
+    0
+    """
+    begin = time.monotonic()
+    clock = _Clock(begin, budget, progress or (lambda *_: None))
+    formulations, unbuilt = _built(model, clock)
+    clock(f"motion of {model.name}")
+    own = subject(model, formulations, settings or {}, t_end, max(_LEAST, _PATIENCE * budget))
+    clock("singular positions")
+    searched = searches(own, max(_LEAST, _SEARCH * budget))
+    cases = families(own, [one.found for one in searched if one.found])
+    points = in_order(cases)
+    results = _examined(cases, points, clock, workers)
+    done = tuple(results[place] for case in cases for place in _sorted(case) if place in results)
+    matrix = Matrix(done, time.monotonic() - begin, workers, tuple(cases))
+    return Limits(own, matrix, budget, unbuilt, tuple(one.words for one in searched), _left_out(cases, results))
+
+
+@dataclass(frozen=True)
+class _Clock:
+    """The time since the beginning, and its part of the budget as progress."""
+
+    begin: float
+    budget: float
+    progress: Progress
+
+    @property
+    def until(self) -> float:
+        return self.begin + self.budget
+
+    def __call__(self, what: str) -> None:
+        self.progress(min(0.99, (time.monotonic() - self.begin) / self.budget), what)
+
+
+def in_order(cases: Sequence[Case]) -> list[_PLACE]:
+    """Return the points in the order in which they run: the first value of every case, then the second, and so on."""
+    longest = max(len(case.values) for case in cases)
+    return [(case.name, case.values[k]) for k in range(longest) for case in cases if k < len(case.values)]
+
+
+def _sorted(case: Case) -> list[_PLACE]:
+    return [(case.name, value) for value in sorted(case.values)]
+
+
+def _left_out(cases: Sequence[Case], results: Mapping[_PLACE, PointResult]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    left = [(c.title, tuple(f"{v:g}" for n, v in _sorted(c) if (n, v) not in results)) for c in cases]
+    return tuple((title, labels) for title, labels in left if labels)
+
+
+def _built(model: Model, clock: _Clock) -> tuple[tuple[str, ...], tuple[tuple[str, str], ...]]:
+    """Return the formulations that were built, the one that `build` chooses first; and the others with reasons."""
+    chosen = request(model).choices.formulation
+    names = dict.fromkeys((chosen, "lagrange", *FORMULATIONS))
+    ready, without = [], []
+    for name in names:
+        clock(f"building {name}")
+        spent = time.monotonic() - clock.begin
+        if ready and (spent > _BUILDS * clock.budget or not _in_time(model, name, _BUILDS * clock.budget - spent)):
+            without.append((name, "its build did not fit into the budget"))
+            continue
+        try:
+            system_of(model, name)
+            ready.append(name)
+        except (ModelError, BuildError) as error:
+            if name == chosen:
+                raise
+            without.append((name, str(error)))
+    return tuple(ready), tuple(without)
+
+
+def _in_time(model: Model, name: str, seconds: float) -> bool:
+    """Build in a process that is ended if it takes too long; the result is then in the cache."""
+    builder = _SPAWN.Process(target=_try_to_build, args=(model, name), daemon=True)
+    builder.start()
+    builder.join(seconds)
+    if builder.is_alive():
+        builder.terminate()
+        return False
+    return True
+
+
+_SPAWN = multiprocessing.get_context("spawn")
+
+
+def _try_to_build(model: Model, name: str) -> None:
+    try:
+        system_of(model, name)
+    except (ModelError, BuildError):  # the caller meets the same error
+        os._exit(0)
+
+
+def _examined(
+    cases: Sequence[Case], points: Sequence[_PLACE], clock: _Clock, workers: int
+) -> dict[_PLACE, PointResult]:
+    known = {case.name: case for case in cases}
+    results: dict[_PLACE, PointResult] = {}
+    each = max(_LEAST, _POINT * clock.budget)
+    for place, result in _stream(known, points, clock.until, each, workers):
+        results[place] = result
+        clock(f"{len(results)} of {len(points)} points, {known[place[0]].title}")
+    return results
+
+
+def _stream(
+    known: Mapping[str, Case], points: Sequence[_PLACE], until: float, each: float, workers: int
+) -> Iterator[tuple[_PLACE, PointResult]]:
+    """Yield the results; no point begins after `until`."""
+    if workers <= 1:
+        for name, value in points:
+            if time.monotonic() >= until:
+                return
+            yield (name, value), examine(known[name], value, seconds=each)
+        return
+    with ProcessPoolExecutor(workers, mp_context=_SPAWN, initializer=_take, initargs=(known,)) as pool:
+        yield from _fed(pool, iter(points), until, each, workers)
+
+
+def _fed(
+    pool: ProcessPoolExecutor, points: Iterator[_PLACE], until: float, each: float, workers: int
+) -> Iterator[tuple[_PLACE, PointResult]]:
+    running: dict[Future[PointResult], _PLACE] = {}
+    while True:
+        for place in _next(points, workers - len(running) if time.monotonic() < until else 0):
+            running[pool.submit(_examine, place, each)] = place
+        if not running:
+            return
+        for future in wait(running, return_when=FIRST_COMPLETED).done:
+            yield running.pop(future), future.result()
+
+
+def _next(points: Iterator[_PLACE], count: int) -> Iterable[_PLACE]:
+    return [place for _, place in zip(range(count), points, strict=False)]
+
+
+_KNOWN: dict[str, Case] = {}
+"""The cases, in processes of a pool"""
+
+
+def _take(known: Mapping[str, Case]) -> None:
+    _KNOWN.update(known)
+
+
+def _examine(place: _PLACE, each: float) -> PointResult:
+    return examine(_KNOWN[place[0]], place[1], seconds=each)

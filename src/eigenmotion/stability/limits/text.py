@@ -1,0 +1,122 @@
+"""Summary of the limits of a model, in a few lines: the worst first."""
+
+from collections.abc import Iterator
+
+from ..evaluation.outcome import Cell, Outcome
+from ..output.text import counted, described
+from .findings import GOOD, Range, Record, places, ranges, records
+from .survey import Limits
+
+_MOST = 5
+"""Runs that are named one by one"""
+
+
+def summary_of(found: Limits) -> tuple[str, ...]:
+    """Return the lines of the summary."""
+    return tuple(_lines(found))
+
+
+def _lines(found: Limits) -> Iterator[str]:
+    matrix = found.matrix
+    yield (
+        f"{found.own.model.name}: {len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: "
+        f"{counted(matrix)}."
+    )
+    for outcome in (Outcome.WRONG, Outcome.DIFFERS):
+        yield from _named(found, outcome)
+    if matrix.cells:
+        yield from _recommended(found)
+    yield from _groups(found, Outcome.DEGRADED)
+    yield from _groups(found, Outcome.REFUSED)
+    yield from _doubts(found)
+    yield from found.searched
+    yield from (f"not built: {name}: {why}" for name, why in found.unbuilt)
+    yield from _rest(found)
+
+
+def _named(found: Limits, outcome: Outcome) -> Iterator[str]:
+    cells = [cell for cell in found.matrix.cells if cell.outcome is outcome]
+    for cell in cells[:_MOST]:
+        yield f"{str(outcome).upper()}: {described(cell)}" + (f"; {cell.message}" if cell.message else "")
+    if len(cells) > _MOST:
+        yield f"{str(outcome).upper()}: and {len(cells) - _MOST} more runs, in {places(found.matrix, cells)}"
+
+
+def _recommended(found: Limits) -> Iterator[str]:
+    best = records(found.matrix)[0]
+    formulation, method = best.combination
+    word = _word(best)
+    if not best.bad:
+        yield f"use {formulation} with {method}: {word} in all {len(best.cells)} points"
+    else:
+        good = len(best.cells) - len(best.bad)
+        yield (
+            f"use {formulation} with {method}: {word} in {good} of {len(best.cells)} points, more than any other; "
+            f"not in {places(found.matrix, best.bad)}"
+        )
+    yield from _limits(ranges(found.matrix, best.combination))
+
+
+def _word(record: Record) -> str:
+    """Return what its good cells are."""
+    present = {cell.outcome for cell in record.cells}
+    words = [str(outcome) for outcome in GOOD if outcome in present]
+    return " or ".join({"agrees": "agrees with tight runs only"}.get(word, word) for word in words) or "right"
+
+
+def _limits(found: list[Range]) -> Iterator[str]:
+    """Yield the ranges of parameters: those with limits one by one, the others together."""
+    if not found:
+        yield "parameters: none was varied"
+        return
+    for one in found:
+        if one.limited:
+            why = "; ".join(text for text in (one.below, one.above) if text)
+            yield f"  {one.name} from {one.least:g} to {one.most:g} times its value ({why})"
+    spans: dict[tuple[float, float], list[str]] = {}
+    for one in found:
+        if not one.limited:
+            spans.setdefault((one.least, one.most), []).append(one.name)
+    for (least, most), names in spans.items():
+        yield f"  {', '.join(names)} from {least:g} to {most:g} times the value: no limit found"
+
+
+def _groups(found: Limits, outcome: Outcome) -> Iterator[str]:
+    """Yield the runs with an outcome, by reason."""
+    by_reason: dict[str, list[Cell]] = {}
+    for cell in found.matrix.cells:
+        if cell.outcome is outcome:
+            by_reason.setdefault(cell.reason, []).append(cell)
+    for reason, cells in sorted(by_reason.items(), key=lambda pair: -len(pair[1])):
+        methods = list(dict.fromkeys(cell.method for cell in cells))
+        variants = list(dict.fromkeys(cell.variant for cell in cells))
+        by = ", ".join(methods if len(methods) < len(variants) or len(methods) < _MOST else ["all methods"])
+        words = f", {reason}" if reason else ""
+        yield f"{outcome}{words} ({len(cells)} runs; {by}): {places(found.matrix, cells)}"
+
+
+def _doubts(found: Limits) -> Iterator[str]:
+    """Yield where there was no independent reference."""
+    points = [point for point in found.matrix.points if not point.independent]
+    if found.own.why:
+        yield (
+            f"no independent reference, because of {found.own.why}: no run is called right; runs are compared with two "
+            "tight runs by other formulations and methods"
+        )
+    elif points:
+        yield f"no independent reference in {len(points)} points: {places(found.matrix, points)}"
+
+
+def _rest(found: Limits) -> Iterator[str]:
+    """Yield what was not run."""
+    count = sum(len(labels) for _, labels in found.left_out)
+    runs = sum(point.left_out for point in found.matrix.points)
+    if count:
+        texts = [f"{title.replace('Parameter ', '')} {', '.join(labels)}" for title, labels in found.left_out]
+        rest = f"; and {len(texts) - _MOST} more cases" if len(texts) > _MOST else ""
+        yield f"not run, {count} points: {'; '.join(texts[:_MOST])}{rest}"
+    if runs:
+        points = [point for point in found.matrix.points if point.left_out]
+        yield f"not run, {runs} runs of points that took too long: {places(found.matrix, points)}"
+    if count or runs or any("budget" in why for _, why in found.unbuilt):
+        yield f"the budget of {found.budget:g} s was too short for these: raise --budget"
