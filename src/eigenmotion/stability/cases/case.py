@@ -51,7 +51,7 @@ class Trial:
     conserves: bool = True
     turns: Vector | None = None
     periods: float = 0.0
-    inputs: Mapping[str, Signal] = field(default_factory=dict)
+    inputs: Mapping[str, Signal | float] = field(default_factory=dict)
     nearby: bool = True
     tolerance: float | None = None
     otherwise: Callable[[str], Truth] | None = None

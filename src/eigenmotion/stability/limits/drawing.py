@@ -20,7 +20,8 @@ _ORDER = list(Outcome)
 def pictures_of(found: Limits) -> dict[str, tuple[Picture, ...]]:
     """Return case name -> pictures, of cases in which not every run is right; "" -> the overview."""
     shown = _by_outcome(found.matrix, found.matrix.cases, Outcome.NO_DIGITS)[:_MOST]
-    return {"": (overview(found),)} | {case.name: (detail(found.matrix, case),) for case in shown}
+    drawn: dict[str, tuple[Picture, ...]] = {case.name: (detail(found.matrix, case),) for case in shown}
+    return {"": (overview(found),)} | drawn
 
 
 def _by_outcome(matrix: Matrix, cases: Sequence[Case], least: Outcome) -> list[Case]:

@@ -10,6 +10,7 @@ from .families import PARAMETER
 
 GOOD = (Outcome.RIGHT, Outcome.AGREES, Outcome.NO_DIGITS)
 """Outcomes that say nothing against a run."""
+JUDGED_RIGHT = (Outcome.RIGHT, Outcome.AGREES)
 Combination = tuple[str, str]
 
 
@@ -25,10 +26,15 @@ class Record:
         return tuple(cell for cell in self.cells if cell.outcome not in GOOD)
 
     @property
+    def right(self) -> tuple[Cell, ...]:
+        """Runs that were compared, and are right; those without digits are not."""
+        return tuple(cell for cell in self.cells if cell.outcome in JUDGED_RIGHT)
+
+    @property
     def key(self) -> tuple[float, ...]:
-        """Order: faults, then degraded runs, refusals, and time."""
-        counts = [sum(c.outcome is one for c in self.cells) for one in (Outcome.WRONG, Outcome.DIFFERS)]
-        return (sum(counts), len(self.bad), sum(c.seconds for c in self.cells if c.outcome in GOOD))
+        """Order: few faults, many right runs, little time."""
+        faults = sum(cell.outcome in (Outcome.WRONG, Outcome.DIFFERS) for cell in self.cells)
+        return (faults, -len(self.right), sum(cell.seconds for cell in self.right))
 
 
 def records(matrix: Matrix) -> list[Record]:

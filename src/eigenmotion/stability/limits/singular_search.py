@@ -90,7 +90,7 @@ def _solutions(own: Subject, scaled: Callable[[Vector], Vector], until: float) -
         w = z[n:]
         with np.errstate(all="ignore"):
             values = np.concatenate([scaled(z[:n]) @ w, [w @ w - 1], _phi(own, z[:n])])
-        return np.nan_to_num(values, nan=1e6, posinf=1e6, neginf=-1e6)
+        return np.asarray(np.nan_to_num(values, nan=1e6, posinf=1e6, neginf=-1e6))
 
     for x in _places(own, low, high):
         if time.monotonic() > until:
@@ -117,7 +117,7 @@ def _phi(own: Subject, x: Vector) -> Vector:
     if system.h == 0 or own.model.contacts:
         return np.zeros(0)
     place = np.ascontiguousarray(x[None])
-    return np.asarray(system.compiled.position_rows(np.zeros(1), place, system.prepare(own.parameters))).ravel()
+    return np.array(system.compiled.position_rows(np.zeros(1), place, system.prepare(own.parameters))).ravel()
 
 
 def _open(own: Subject, x: Vector) -> float:

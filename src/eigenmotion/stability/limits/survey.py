@@ -12,7 +12,7 @@ from ...building.request import request
 from ...codegen.choices import FORMULATIONS
 from ...codegen.model import Model, ModelError
 from ...progress import Progress
-from ..cases.case import Case
+from ..cases.case import Case, power
 from ..evaluation.examine import PointResult, examine
 from ..evaluation.matrix import Matrix
 from .families import families
@@ -114,7 +114,7 @@ def _sorted(case: Case) -> list[_PLACE]:
 
 
 def _left_out(cases: Sequence[Case], results: Mapping[_PLACE, PointResult]) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    left = [(c.title, tuple(f"{v:g}" for n, v in _sorted(c) if (n, v) not in results)) for c in cases]
+    left = [(c.title, tuple(power(v) for n, v in _sorted(c) if (n, v) not in results)) for c in cases]
     return tuple((title, labels) for title, labels in left if labels)
 
 
@@ -122,7 +122,8 @@ def _built(model: Model, clock: _Clock) -> tuple[tuple[str, ...], tuple[tuple[st
     """Return the formulations that were built, the one that `build` chooses first; and the others with reasons."""
     chosen = request(model).choices.formulation
     names = dict.fromkeys((chosen, "lagrange", *FORMULATIONS))
-    ready, without = [], []
+    ready: list[str] = []
+    without: list[tuple[str, str]] = []
     for name in names:
         clock(f"building {name}")
         spent = time.monotonic() - clock.begin

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from ..evaluation.outcome import Cell, Outcome
 from ..output.text import counted, described
-from .findings import GOOD, Range, Record, places, ranges, records
+from .findings import JUDGED_RIGHT, Range, Record, places, ranges, records
 from .survey import Limits
 
 _MOST = 5
@@ -45,22 +45,23 @@ def _named(found: Limits, outcome: Outcome) -> Iterator[str]:
 def _recommended(found: Limits) -> Iterator[str]:
     best = records(found.matrix)[0]
     formulation, method = best.combination
-    word = _word(best)
-    if not best.bad:
-        yield f"use {formulation} with {method}: {word} in all {len(best.cells)} points"
+    lost = len(best.cells) - len(best.right) - len(best.bad)
+    unjudged = f", with no digits left to judge in {lost}" if lost else ""
+    if len(best.right) == len(best.cells):
+        yield f"use {formulation} with {method}: {_word(best)} in all {len(best.cells)} points"
     else:
-        good = len(best.cells) - len(best.bad)
+        where = f"; not in {places(found.matrix, best.bad)}" if best.bad else ""
         yield (
-            f"use {formulation} with {method}: {word} in {good} of {len(best.cells)} points, more than any other; "
-            f"not in {places(found.matrix, best.bad)}"
+            f"use {formulation} with {method}: {_word(best)} in {len(best.right)} of {len(best.cells)} points, as many "
+            f"as any other{unjudged}{where}"
         )
     yield from _limits(ranges(found.matrix, best.combination))
 
 
 def _word(record: Record) -> str:
-    """Return what its good cells are."""
-    present = {cell.outcome for cell in record.cells}
-    words = [str(outcome) for outcome in GOOD if outcome in present]
+    """Return what its right cells are."""
+    present = {cell.outcome for cell in record.right}
+    words = [str(outcome) for outcome in JUDGED_RIGHT if outcome in present]
     return " or ".join({"agrees": "agrees with tight runs only"}.get(word, word) for word in words) or "right"
 
 

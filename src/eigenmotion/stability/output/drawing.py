@@ -11,11 +11,11 @@ from ..evaluation.outcome import OF_OWN_MODELS, Cell, Outcome
 from .text import LETTERS, mark
 
 _FACE = {
-    Outcome.RIGHT: "#9BD3C0", Outcome.AGREES: "#CFE8F5", Outcome.NO_DIGITS: "#F4F4F4", Outcome.REFUSED: "#E4E4E4",
+    Outcome.RIGHT: "#9BD3C0", Outcome.AGREES: "#CFE8F5", Outcome.NO_DIGITS: "#E6DFF2", Outcome.REFUSED: "#E4E4E4",
     Outcome.DEGRADED: "#F0C35E", Outcome.DIFFERS: "#CC79A7", Outcome.WRONG: "#D55E00",
 }  # fmt: skip
 _INK = {
-    Outcome.RIGHT: "#0B3B2E", Outcome.AGREES: "#10405A", Outcome.NO_DIGITS: "#666666", Outcome.REFUSED: "#444444",
+    Outcome.RIGHT: "#0B3B2E", Outcome.AGREES: "#10405A", Outcome.NO_DIGITS: "#3D2F5C", Outcome.REFUSED: "#444444",
     Outcome.DEGRADED: "#3A2A00", Outcome.DIFFERS: "#2E0018", Outcome.WRONG: "#FFFFFF",
 }  # fmt: skip
 _HATCH = {
