@@ -23,7 +23,7 @@ from unittest.mock import patch
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
-from eigenmotion import load_model
+from eigenmotion import Model, load_model
 from eigenmotion.building import shared_library, verification
 from eigenmotion.building.build import build, load_part
 from eigenmotion.building.cache import LOCATION
@@ -69,7 +69,7 @@ def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
     return wrapped
 
 
-def stages(file: str, definitions: dict[str, int]) -> Seconds:
+def stages(load: Callable[[], Model]) -> Seconds:
     """Build a model with an empty cache, then each part that is built on demand; return the seconds of each stage.
 
     Compilations run in parallel; their times include waiting for a free core.
@@ -84,7 +84,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         stack.enter_context(patch.object(Toolchain, "compile_unit", unit_by_unit(seconds)))
         for place, name, title in ((verification, "prove", "proof"), (shared_library, "system_in", "library loaded")):
             stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
-        model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
+        model = timed("load", load, seconds)()
         timed("all", build, seconds)(model)
         first = dict(seconds)
         for part in PARTS:
@@ -197,7 +197,7 @@ def main() -> None:
     if "compiler" in sys.argv[1:]:
         return
     for file, definitions, repeats in CASES:
-        results = [stages(file, definitions) for _ in range(repeats)]
+        results = [stages(partial(load_model, MODELS / f"{file}.py", **definitions)) for _ in range(repeats)]
         title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])
         print(f"{title}: {median(one['all'] for one in results):.2f} s in all")
         for name in results[0]:

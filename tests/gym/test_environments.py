@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
-from sympy import cos, symbols
+from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -29,10 +29,13 @@ def cart_pole(**more) -> Model:
         coordinates=[x, theta],
         kinetic_energy=M * x.diff() ** 2 / 2 + m * swing / 2,
         potential_energy=m * g * l * cos(theta),
-        forces={x: u},
-        inputs={u: 0.0},
         parameters={M: 1.0, m: 0.1, l: 0.5, g: 9.81},
-        **{"outputs": {"height": l * cos(theta), "push": u}, "events": {"fall": Event(theta**2 - 0.25, terminal=True)}}
+        **{
+            "forces": {x: u},
+            "inputs": {u: 0.0},
+            "outputs": {"height": l * cos(theta), "push": u},
+            "events": {"fall": Event(theta**2 - 0.25, terminal=True)},
+        }
         | more,
     )
 
@@ -361,3 +364,29 @@ def test_what_is_refused():
             envs.reset(options={"reset_mask": mask})
     with pytest.raises(ModelError, match="3 seeds"):
         envs.reset(seed=[1, 2, 3])
+
+
+def test_options_of_steppers_are_those_of_every_start():
+    """x0, v0, parameters, inputs and t beside `start`, which replaces only what it returns; at the first reset and on.
+
+    The motions are those of single steppers of the same start.
+    """
+    given = {"x0": {x: 0.3}, "v0": {theta: 0.2}, "parameters": {"m": 0.2, "l": [0.4, 0.6]}, "inputs": {"v": 1.5}}
+    v = dynamicsymbols("v")
+    model = cart_pole(forces={x: u + v * sin(dynamicsymbols._t)}, inputs={u: 0.0, v: 0.5})
+    for begin in (None, lambda random: {"x0": {"theta": 0.1}, "parameters": {"m": 0.1}}):
+        envs = envs_of(2, model, start=begin, max_steps=3, autoreset="same_step", t=2.0, **given)
+        seen = envs.reset(seed=1)[0]
+        begun = begin(None) if begin else {"x0": {}, "parameters": {}}
+        for step in range(5):
+            for k in range(2):
+                one = system_for(model, "lagrange").stepper(
+                    t=2.0, x0={x: 0.3, **begun["x0"]}, v0=given["v0"], inputs={"v": 1.5, "u": 0.7},
+                    parameters={"m": 0.2, "l": (0.4, 0.6)[k], **begun["parameters"]},
+                )  # fmt: skip
+                if step % 3:
+                    one.advance(2.0 + 0.02)
+                    if step % 3 == 2:
+                        one.advance(2.0 + 0.04)
+                assert [*one.x, *one.v] == seen[k].tolist()
+            seen = envs.step(np.full((2, 1), 0.7))[0]

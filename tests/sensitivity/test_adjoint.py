@@ -129,7 +129,7 @@ def test_a_long_run_in_bounded_memory():
 
 
 @pytest.mark.parametrize(("wrong", "words"), [
-    ({"by": ["h"]}, "unknown name in sensitivities"), ({"by": ["z"], "sensitivities": ["z"]}, "unknown option"),
+    ({"by": ["h"]}, "unknown name in by"), ({"by": ["z"], "sensitivities": ["z"]}, "unknown option"),
     ({"by": ["z"], "max_steps": 3}, "no gradient, because it failed"),
     ({"by": ["z"], "dense_output": True}, "unknown option"),
 ])  # fmt: skip

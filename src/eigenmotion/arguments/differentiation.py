@@ -33,30 +33,28 @@ def rates_of(coordinates: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(f"{name}'" for name in coordinates)
 
 
-def differentiated(c: CompiledModel, sensitivities: Sequence[Any], v0: Any) -> Differentiated:
-    """Return the variables that `sensitivities` names, for runs that start with v0.
+def differentiated(c: CompiledModel, chosen: Sequence[Any], v0: Any, option: str = "sensitivities") -> Differentiated:
+    """Return the variables that an option names, for runs that start with v0.
 
     Raises
     ------
     ModelError
         The model has no such name, or it is a quasi-velocity but the start is given in rates.
     """
-    if isinstance(sensitivities, str) or not isinstance(sensitivities, Sequence):
-        raise OptionError(f"sensitivities is {shown(sensitivities)}: give a list of names")
+    if isinstance(chosen, str) or not isinstance(chosen, Sequence):
+        raise OptionError(f"{option} is {shown(chosen)}: give a list of names")
     known = dict.fromkeys(names_of(c))
-    names = tuple(
-        dict.fromkeys(one if isinstance(one, str) and one in known else variable_name(one) for one in sensitivities)
-    )
+    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else variable_name(one) for one in chosen))
     if wrong := set(names) - known.keys():
-        raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
-    refuse_tables(c, names, "sensitivities")
+        raise ModelError(unknown(f"name in {option}", wrong, tuple(known)))
+    refuse_tables(c, names, option)
     quasi = [name for name in names if name in c.quasi_velocities and name not in names_of_states(c)]
     argument = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
     from_quasi = bool(argument & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
     if quasi and not from_quasi:
-        raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
+        raise ModelError(f"{option}: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
     if is_named(v0) and (c.initial_y is not None) != from_quasi and len(argument) < c.n_coordinates:
-        raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
+        raise ModelError(f"{option}: the start mixes rates and quasi-velocities; give all of one kind in v0")
     return Differentiated(names, from_quasi)
 
 

@@ -25,6 +25,7 @@ STANDARD = ("-std=c11",)  # without warnings, which users of a model cannot act 
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # code that runs once; no warnings about Python's headers
 HURRIED = ("-O1",)  # for functions that are called rarely
+ASIDE = "-O1"  # in place of -O3 for functions that no step calls, which are most of a model with contacts
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
@@ -73,7 +74,17 @@ class Toolchain:
         The predefined macros of the compiler depend on all three.
         """
         macros = self._ask(*self.optimised, *self.flags, *_MACROS)
-        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *HURRIED, *LINK, *map(str, UNITS.items()), *self.flags)
+        flags = (
+            *self.optimised,
+            *STANDARD,
+            *SHARED,
+            *MODULE,
+            *HURRIED,
+            ASIDE,
+            *LINK,
+            *map(str, UNITS.items()),
+            *self.flags,
+        )
         return key(*self.command, "", *flags, "", macros)
 
     @cached_property
@@ -94,10 +105,15 @@ class Toolchain:
 
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """Compile a unit, STEM.c -> STEM_UNIT.o; return the name of the object."""
-        target, optimised = f"{stem}_{unit}.o", HURRIED if unit == "duals" else self.optimised
+        target, optimised = f"{stem}_{unit}.o", self._optimised_for(unit)
         macros = (f"-D{macro}" for macro in UNITS[unit])
         self._run(*self._object(optimised), *macros, "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
+
+    def _optimised_for(self, unit: str) -> tuple[str, ...]:
+        if unit == "duals":
+            return HURRIED
+        return (*self.optimised, ASIDE) if unit == "aside" else self.optimised
 
     def compile_stepper(self, folder: Path) -> str:
         """Compile the stepper, em_stepper.c -> em_stepper.o; return the name of the object."""

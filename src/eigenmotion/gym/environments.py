@@ -78,10 +78,10 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
         self.single_action_space = Box(actions.low, actions.high, dtype=np.float64)
         self.observation_space = batch_space(self.single_observation_space, count)
         self.action_space = batch_space(self.single_action_space, count)
-        self._starts = Starts(system, count, episodes.start)
+        self._starts = Starts(system, steppers, episodes.start)
         self._generators: list[np.random.Generator | None] = [None] * count
-        self._inputs = np.tile(np.array(list(system.inputs.values())), (count, 1))
-        self._rest = self._inputs.copy()
+        self._rest = steppers.starts.inputs.copy()
+        self._inputs = self._rest.copy()
         self._steps, self._done = np.zeros(count, dtype=np.int64), np.ones(count, dtype=bool)
         self._begun = False
 
@@ -147,7 +147,7 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
                 raise ResetNeeded("these environments have not been reset")
             self._starts.draw(k, generator)
         columns = self._starts.columns
-        self.steppers.reset(chosen, t=0.0, inputs=self._rest, **columns)
+        self.steppers.reset(chosen, inputs=self._rest, **columns)
         self._steps[chosen], self._done[chosen] = 0, False
 
     # --- stepping ---
@@ -181,7 +181,7 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
     def _advance(self, actions: Vector, waiting: Flags) -> tuple[Vector, Vector, Flags, Flags, dict[str, Any]]:
         self._inputs[:, self._of.actions.columns] = actions
         self._steps[~waiting] += 1
-        self.steppers.advance(self._steps * self._of.period, self._inputs)
+        self.steppers.advance(self.steppers.starts.t + self._steps * self._of.period, self._inputs)
         seen = self._of.observations.of(self.steppers)
         terminated, truncated, info = self._ends(seen)
         rewards = np.where(waiting, 0.0, self._rewards(seen, actions))

@@ -19,7 +19,7 @@ Reward = Callable[[Vector, Vector], Any]
 Start = Callable[[np.random.Generator], Mapping[str, Mapping[Any, float]]]
 """Function of a generator of random numbers: {"x0": ..., "v0": ..., "parameters": ...}, numbers by name.
 
-What it leaves out is that of the model.
+What it leaves out is that of the batch: the options x0, v0 and parameters, and the model's start where there are none.
 """
 
 _PARTS = ("x0", "v0", "parameters")
@@ -124,23 +124,23 @@ def rewards_of(system: "System", reward: Reward | str) -> Reward | str:
 class Starts:
     """Starts of K environments: columns (K,) by name, which a function draws anew at each reset."""
 
-    def __init__(self, system: "System", count: int, start: Start | None) -> None:
-        x, v = system.begin()
-        n = len(system.coordinates)
-        positions = dict(zip(system.coordinates, x, strict=False)) | dict(zip(system.states, v[n:], strict=True))
-        values: tuple[Mapping[str, float], ...] = (
-            positions, dict(zip(system.coordinates, v, strict=False)), system.parameters,
+    def __init__(self, system: "System", steppers: "Steppers", start: Start | None) -> None:
+        n, opened = len(system.coordinates), steppers.starts
+        names: tuple[tuple[str, ...], ...] = (
+            (*system.coordinates, *system.states), tuple(system.coordinates), tuple(system.parameters),
         )  # fmt: skip
         self._draw, self._name = start, system.name
-        self._defaults = [np.array([*numbers.values()], dtype=np.float64) for numbers in values]
-        self._tables = [np.repeat(default[:, None], count, axis=1) for default in self._defaults]
+        self._defaults = [
+            np.hstack([opened.x[:, :n], opened.v[:, n:]]).T, opened.v[:, :n].T, opened.parameters.T,
+        ]  # fmt: skip
+        self._tables = [default.copy() for default in self._defaults]
         self.columns = {
-            part: dict(zip(numbers, table, strict=True))
-            for part, numbers, table in zip(_PARTS, values, self._tables, strict=True)
+            part: dict(zip(named, table, strict=True))
+            for part, named, table in zip(_PARTS, names, self._tables, strict=True)
         }
 
     def draw(self, k: int, random: np.random.Generator) -> None:
-        """Draw the start of environment k; what the function leaves out is that of the model again.
+        """Draw the start of environment k; what the function leaves out is that of the batch again.
 
         Raises
         ------
@@ -154,7 +154,7 @@ class Starts:
             raise ModelError(f"{self._name}: start() returned {shown(drawn)}: return numbers by name in a mapping with "
                              f"the keys {', '.join(_PARTS)}")  # fmt: skip
         for table, default in zip(self._tables, self._defaults, strict=True):
-            table[:, k] = default
+            table[:, k] = default[:, k]
         for part, numbers in drawn.items():
             columns = self.columns[part]
             for name, value in by_name(numbers, tuple(columns), f"number of start()[{part!r}]").items():

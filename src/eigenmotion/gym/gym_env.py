@@ -54,13 +54,14 @@ def gym_env(
         A function of the observations (K, d) that returns (K,) booleans.
     start
         A function of the environment's random generator that returns numbers by name in {"x0": ..., "v0": ...,
-        "parameters": ...}; what it leaves out is that of the model. Default: the model's start.
+        "parameters": ...}; what it leaves out is given by the options x0, v0 and parameters, and by the model.
     max_steps
         The number of steps after which an episode is truncated.
     autoreset
         "next_step", "same_step" or "disabled", as in Gymnasium's AutoresetMode.
     stepping
-        Options of `System.steppers`: method, step, rtol, atol, workers and others.
+        Options of `System.steppers`: method, step, rtol, atol, workers and others; x0, v0, parameters, inputs and t
+        are those of every start.
 
     Raises
     ------

@@ -58,7 +58,7 @@ def derivable_run(
     chosen: Method = automatic_of_run(task)[0] if named == AUTO else METHODS[named]
     if task.t_end < task.t_start:
         check_direction(compiled, task.t_start, task.t_end)
-    varied = directions(differentiated(compiled, by, given["v0"]), task)
+    varied = directions(differentiated(compiled, by, given["v0"], "by"), task)
     task = task._replace(dense=TO_DERIVE)
     run = CheckpointedRun(task, chosen.number, steps_within(task, varied, memory))
     solution = solution_of(task, chosen, run)

@@ -214,7 +214,7 @@ def motion_map(
     times = rows_at(t_eval, start, end)
     if times is None or not len(times):
         raise ModelError(f"{call}: t_eval is {shown(t_eval)}; give the times of the rows, whose number shapes need")
-    names = differentiated(c, by, options.get("v0")).names
+    names = differentiated(c, by, options.get("v0"), "by").names
     if not names:
         raise ModelError(f"{call}: by is empty; name parameters, inputs or initial values")
     fixed = {

@@ -61,6 +61,8 @@ class Steppers(ManySteps):
         The members that ended for another reason than a terminal event; `message(k)` says what to do.
     nfev, nsteps : (K,)
         Right-hand sides and accepted steps since the start of each member.
+    starts : Starts
+        t (K,), x, v, parameters and inputs (K, ...) of the members when the batch was opened.
     lanes : int
         The number of members that one core advances together; 1: no lanes (see `System.steppers`).
 
@@ -81,7 +83,7 @@ class Steppers(ManySteps):
 
     def __init__(self, _task: EnsembleTask, count: int, _workers: int, starts: Starts) -> None:
         """Open the batch with all members at their start."""
-        self._starts, self._busy = starts, False
+        self.starts, self._busy = starts, False
         self._begin(np.arange(count), starts)
 
     def __len__(self) -> int:
@@ -176,7 +178,7 @@ class Steppers(ManySteps):
         """
         self._claim()
         try:
-            chosen, starts = chosen_by(mask, self.count), self._starts
+            chosen, starts = chosen_by(mask, self.count), self.starts
             times = starts.t if t is None else np.full(self.count, number(t, "t"))
             names = self.model.parameters
             p = rows(parameters, names, starts.parameters, chosen, "parameter")
@@ -234,7 +236,7 @@ class Steppers(ManySteps):
             self._busy = False
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.task, self.count, self.workers, self._starts, self.save())
+        return _restored, (self.task, self.count, self.workers, self.starts, self.save())
 
     # --- present state ---
 
