@@ -76,8 +76,7 @@ def test_a_planted_fault_is_found(independent):
     assert {cell.outcome for cell in point.cells} == {Outcome.WRONG if independent else Outcome.DIFFERS}
 
 
-def test_a_fault_of_the_energy_is_wrong_without_any_reference():
-    """A pendulum under other gravity than its energy says, by a mass matrix that is not the model's."""
+def test_runs_without_a_reference_agree_and_are_never_called_right():
     own = replace(of(pendulum_model.model), why="a reason")
     point = examine(case_of(own, "tolerances", ("dop853",)), 1e-8)
     assert [cell.outcome for cell in point.cells] == [Outcome.AGREES]
