@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import logging
 from collections.abc import Sequence
 from dataclasses import asdict, astuple, replace
 
@@ -23,6 +24,8 @@ from .program.lower import Defaults, lower
 from .program.motion_kernels import MotionKernels, motion_kernels
 from .program.program import Program
 from .render.emit import Sources, emit
+
+_log = logging.getLogger("eigenmotion")
 
 
 def generate(
@@ -47,6 +50,7 @@ def generate(
         The model has a mistake, or one of the choices does not work with it.
     """
     made = program(model, choices, savings, whole=whole)
+    _log.info("printing %s", model.name)
     return emit(made, origin or _origin(model, choices), input_hash(model, choices))
 
 
@@ -81,12 +85,16 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
     nested = saves_by_nesting(mechanism)
 
     def scene(may_loop: bool) -> Scene:
-        return specialise(derive(mechanism, may_loop, nested), mechanism.scales, savings)
+        _log.info("deriving %s", model.name)
+        mechanics = derive(mechanism, may_loop, nested)
+        _log.info("specialising %s", model.name)
+        return specialise(mechanics, mechanism.scales, savings)
 
     made = scene(choices.formulation in (*OF_TREES, "cholesky"))
     if made.in_loops and choices.formulation == "cholesky" and not has_recursive_root(made.mechanics):
         made = scene(False)
     differentiated = scene(False) if whole and made.in_loops and not loops_differentiate(made) else made
+    _log.info("assigning %s to functions", model.name)
     return lower(made, _defaults(model), choices, differentiated if whole else None)
 
 

@@ -5,6 +5,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from math import inf
 from threading import Event, Thread
 
 Progress = Callable[[float, str], None]
@@ -16,11 +17,11 @@ _CLEAR = "\r\x1b[K"
 
 
 class _Line:
-    """A line on standard error that is overwritten on a terminal."""
+    """A line on standard error that is overwritten on a terminal and in a notebook."""
 
     def __init__(self) -> None:
         self._stream, self._written = sys.stderr, False
-        self.is_terminal = self._stream.isatty()
+        self.is_terminal = self._stream.isatty() or type(self._stream).__module__.startswith("ipykernel")
 
     def write(self, words: str) -> None:
         self._stream.write(f"{_CLEAR}{words}" if self.is_terminal else f"{words}\n")
@@ -86,44 +87,101 @@ def duration(seconds: float) -> str:
     return f"{whole // 3600} h {whole % 3600 // 60} min"
 
 
-class _Clock(logging.Handler):
-    """Log handler that shows each message as the current stage, with its seconds so far."""
+def durations(spent: list[tuple[str, float]]) -> str:
+    """Return the time of each kind of stage, its first word, in the order in which they began; "" if there are none."""
+    sums: dict[str, float] = {}
+    for what, seconds in spent:
+        kind = what.split()[0]
+        sums[kind] = sums.get(kind, 0.0) + seconds
+    listed = ", ".join(f"{kind} {duration(seconds)}" for kind, seconds in sums.items())
+    return f": {listed}" if listed else ""
 
-    def __init__(self, line: _Line, patience: float) -> None:
-        super().__init__(logging.INFO)
-        self._line, self._patience, self._over = line, patience, Event()
-        self._stage: tuple[str, float] | None = None
-        self._thread = Thread(target=self._tick, daemon=True)
-        self._thread.start()
 
-    def emit(self, record: logging.LogRecord) -> None:
-        self._stage = record.getMessage(), time.monotonic()
+class Stages(logging.Filter):
+    """The stages of a task, which are the log messages: each with its duration.
 
-    def stop(self) -> None:
-        self._over.set()
-        self._thread.join()
-        self._line.wipe()
+    A filter, because it passes on only what the user's own levels let through.
 
-    def _tick(self) -> None:
-        while not self._over.wait(min(_POLL, self._patience or _POLL)):
-            if self._stage and (seconds := time.monotonic() - self._stage[1]) >= self._patience:
-                self._line.write(f"{self._stage[0]} ... {seconds:.0f} s")
+    Attributes
+    ----------
+    spent : (stage, seconds) of each finished stage, in order
+
+    Examples
+    --------
+    >>> import logging
+    >>> from eigenmotion.progress import clock
+    >>> with clock() as stages:
+    ...     logging.getLogger("eigenmotion").info("deriving %s", "pendulum")
+    >>> [what for what, _ in stages.spent]
+    ['deriving pendulum']
+    """
+
+    def __init__(self, level: int) -> None:
+        super().__init__()
+        self.spent: list[tuple[str, float]] = []
+        self.current: tuple[str, float] | None = None
+        self.begun = inf
+        self.level = level
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Take a message as the next stage. Return whether it would be logged without us."""
+        self._enter((record.getMessage(), time.monotonic()))
+        return record.levelno >= self.level
+
+    def _enter(self, stage: tuple[str, float] | None) -> None:
+        if self.current is not None:
+            self.spent.append((self.current[0], time.monotonic() - self.current[1]))
+        self.current = stage
+        if stage is not None:
+            self.begun = min(self.begun, stage[1])
+
+    def close(self) -> None:
+        """Finish the last stage."""
+        self._enter(None)
+
+
+def _show(stages: Stages, line: _Line, patience: float, over: Event) -> None:
+    """Show the current stage and its seconds so far, until the task is over."""
+    while not over.wait(min(_POLL, patience or _POLL)):
+        stage, now = stages.current, time.monotonic()
+        if stage is not None and now - stages.begun >= patience:
+            line.write(f"{stage[0]} ... {now - stage[1]:.0f} s")
+    line.wipe()
 
 
 @contextmanager
-def clock(patience: float = _PATIENCE) -> Iterator[None]:
-    """Show the last log message and its duration, if it lasts longer than `patience` [s]."""
-    line = _Line()
+def _shown(stages: Stages, patience: float) -> Iterator[None]:
+    line, over = _Line(), Event()
     if not line.is_terminal:
         yield
         return
-    log, handler = logging.getLogger("eigenmotion"), _Clock(line, patience)
-    level = log.level
-    log.addHandler(handler)
-    log.setLevel(logging.INFO)
+    thread = Thread(target=_show, args=(stages, line, patience, over), daemon=True)
+    thread.start()
     try:
         yield
     finally:
+        over.set()
+        thread.join()
+
+
+@contextmanager
+def clock(patience: float = _PATIENCE) -> Iterator[Stages]:
+    """Show the last log message on a terminal or in a notebook, `patience` [s] after the first.
+
+    Yields the stages. Within another clock, which shows them already, it yields those of that one.
+    """
+    log = logging.getLogger("eigenmotion")
+    outer = next((one for one in log.filters if isinstance(one, Stages)), None)
+    if outer is not None:
+        yield outer
+        return
+    level, stages = log.level, Stages(log.getEffectiveLevel())
+    log.addFilter(stages)
+    log.setLevel(min(logging.INFO, stages.level))
+    try:
+        with _shown(stages, patience):
+            yield stages
+    finally:
         log.setLevel(level)
-        log.removeHandler(handler)
-        handler.stop()
+        log.removeFilter(stages)
+        stages.close()

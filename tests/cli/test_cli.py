@@ -5,12 +5,15 @@ import logging
 import subprocess
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+import eigenmotion as em
+from eigenmotion import progress
 from eigenmotion.cli import main
-from eigenmotion.progress import bar, clock, counted
+from eigenmotion.progress import bar, clock, counted, durations
 
 from ..conftest import SCENE
 
@@ -136,7 +139,7 @@ def test_long_stages_show_their_seconds_and_leave_no_trace(monkeypatch):
         while "compiling swing ... 0 s" not in screen.getvalue():
             time.sleep(0.01)
     assert screen.getvalue().endswith("\r\x1b[K")
-    assert not log.handlers
+    assert not log.filters
 
 
 def test_nothing_is_shown_of_what_is_quick_or_of_which_nobody_watches(monkeypatch):
@@ -166,3 +169,47 @@ def test_runs_are_counted_where_that_takes_long(monkeypatch):
             add(2)
         assert screen.getvalue().startswith(written)
         assert bool(screen.getvalue()) is bool(written)
+
+
+def test_stages_have_their_durations_and_inner_clocks_add_to_the_outer_one(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", io.StringIO())
+    log = logging.getLogger("eigenmotion")
+    level = log.level
+    with clock() as stages:
+        log.info("deriving %s", "swing")
+        time.sleep(0.05)
+        with clock() as inner:
+            log.info("compiling %s", "swing")
+            time.sleep(0.1)
+        log.info("compiling %s: 1 of 2 units are done", "swing")
+    assert inner is stages
+    assert [what for what, _ in stages.spent] == [
+        "deriving swing", "compiling swing", "compiling swing: 1 of 2 units are done"]  # fmt: skip
+    assert stages.spent[0][1] >= 0.05
+    assert stages.spent[1][1] >= 0.1
+    assert durations(stages.spent) == ": deriving 0.1 s, compiling 0.1 s" or stages.spent[1][1] > 0.15
+    assert (log.level, log.filters) == (level, [])
+
+
+def test_a_clock_logs_nothing_that_would_not_be_logged_without_it(monkeypatch, caplog):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    log = logging.getLogger("eigenmotion")
+    for level, expected in ((logging.WARNING, []), (logging.INFO, ["compiling swing"])):
+        caplog.set_level(level, logger="eigenmotion")
+        caplog.clear()
+        with clock():
+            log.info("compiling swing")
+        assert caplog.messages == expected
+
+
+def test_builds_and_parts_in_a_call_of_the_library_show_their_stages(monkeypatch, tmp_path):
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path))
+    monkeypatch.setattr(progress, "_POLL", 0.001)
+    screen = Terminal()
+    monkeypatch.setattr(sys, "stderr", screen)
+    monkeypatch.setattr("eigenmotion.building.build.clock", partial(clock, 0.0))
+    system = em.build(MODELS / "pendulum.py")
+    for words in ("deriving pendulum", "compiling pendulum", "proving pendulum"):
+        assert words in screen.getvalue()
+    system.simulate((0.0, 0.1), method="radau9")
+    assert "compiling derivatives of pendulum" in screen.getvalue()

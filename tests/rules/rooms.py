@@ -231,6 +231,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "cores",
         "files",
         "garbage",
+        "progress",
         "runtime",
         "arguments",
         "robots",

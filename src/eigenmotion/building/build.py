@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ..codegen.model import Model
 from ..codegen.render.emit import SourceFile, Sources, body_hash
 from ..files import write
+from ..progress import clock
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
 from .lazy_units import ALL_AT_FIRST, PARTS, WORDS, at_first
@@ -85,7 +86,8 @@ def system_of(requested: Request, compiler: str | None = None, flags: str | None
               ) -> "System":  # fmt: skip
     """Return the System of a request; it is pickled as the request."""
     tools = toolchain(compiler, flags)
-    system = load(make(requested, tools, output), requested.model.units)
+    with clock():
+        system = load(make(requested, tools, output), requested.model.units)
     system.compiled.recipe = partial(system_of, requested, compiler, flags)
     system.compiled.load_part = partial(load_part, requested, tools)
     return system
@@ -100,7 +102,8 @@ def load_part(requested: Request, tools: Toolchain, part: str) -> "CompiledModel
         As `build`; names the part.
     """
     try:
-        return load(part_of(requested, tools, part)).compiled
+        with clock():
+            return load(part_of(requested, tools, part)).compiled
     except BuildError as error:
         raise type(error)(
             f"{error}\n\nIt is {WORDS[part]} of {requested.model.name} that cannot be compiled: parts of a model are "
@@ -214,7 +217,6 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
 
 
 def _generate(requested: Request, folder: Path, whole: bool) -> None:
-    _log.info("deriving %s", requested.model.name)
     for file in requested.sources(whole).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 

@@ -4,7 +4,7 @@ import ctypes
 import logging
 import shutil
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -47,6 +47,7 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
                 from .verification import prove, prove_methods  # noqa: PLC0415, slow import while the compiler runs
         new = built.result()
         if model is not None:
+            _log.info("proving %s", sources.name)
             system = system_in(work / library)
             prove_methods(model, system, proved) if existing else prove(model, system, proved)
         for name in (library, *new):
@@ -77,6 +78,9 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
         jobs = [pool.submit(tools.compile_unit, work, name, unit) for unit in missing]
         if is_module:
             jobs.append(pool.submit(tools.compile_module, work, name))
+        for k, _ in enumerate(as_completed(jobs), 1):
+            if k < len(jobs):
+                _log.info("compiling %s: %d of %d units are done", name, k, len(jobs))
         new = tuple(job.result() for job in jobs)
     tools.link(work, (*new, shared.result(), *(str(path) for path in existing if path.name not in replaced)), name)
     return new

@@ -7,7 +7,7 @@ import click
 
 from eigenmotion.building.build import make
 from eigenmotion.building.toolchain import toolchain
-from eigenmotion.progress import clock
+from eigenmotion.progress import clock, durations
 
 from ..options import Shape, distinct, models, output, shaping
 
@@ -25,6 +25,6 @@ def command(models: tuple[Path, ...], output: Path, **shape: Any) -> None:
     requests = distinct([Shape(**shape).request(model) for model in models])
     tools = toolchain()
     for request in requests:
-        with clock():
+        with clock() as stages:
             library = make(request, tools, output)
-        click.echo(f"built {output / library.name}")
+        click.echo(f"built {output / library.name}{durations(stages.spent)}")
