@@ -18,13 +18,14 @@ from pathlib import Path
 from statistics import median
 
 import numpy as np
-from common.counted import operations, timer
+from common.counted import timer
 from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.lazy_units import whole
+from eigenmotion.building.operation_count import operations_in
 from eigenmotion.building.request import request
 from eigenmotion.building.shared_library import compile_and_link, load
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
@@ -101,7 +102,7 @@ def program(model: Model, formulation: str, folder: Path) -> Program:
 
 def counted(name: str, work: Path) -> int | None:
     try:
-        return operations(name, work)
+        return operations_in(name, work)
     except BuildError as error:
         print(f"operations of {work.name} could not be counted: {str(error).splitlines()[0]}", file=sys.stderr)
         return None

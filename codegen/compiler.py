@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import logging
 from collections.abc import Sequence
-from dataclasses import asdict, astuple, replace
+from dataclasses import asdict, astuple, dataclass, replace
 
+from .anatomy import Anatomy, anatomy_of
 from .choices import OF_TREES, STANDARD, Choices
 from .equations.derive import derive
 from .equations.forms import saves_by_nesting
@@ -26,6 +27,15 @@ from .program.program import Program
 from .render.emit import Sources, emit
 
 _log = logging.getLogger("eigenmotion")
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """A program with some of the savings: the lengths of its state's parts, and its text."""
+
+    name: str
+    states: tuple[tuple[str, int], ...]
+    sources: Sources
 
 
 def generate(
@@ -96,6 +106,28 @@ def _program(model: Model, choices: Choices, savings: frozenset[Saving], whole: 
     differentiated = scene(False) if whole and made.in_loops and not loops_differentiate(made) else made
     _log.info("assigning %s to functions", model.name)
     return lower(made, _defaults(model), choices, differentiated if whole else None)
+
+
+def anatomy(model: Model) -> Anatomy:
+    """Return the structure of the terms of a model, trees of bodies included."""
+
+    def made() -> Anatomy:
+        mechanism = as_mechanism(model)
+        return anatomy_of(specialise(derive(mechanism, False, saves_by_nesting(mechanism)), mechanism.scales))
+
+    return with_room(model, made)
+
+
+def variants(model: Model, choices: Choices) -> tuple[Variant, ...]:
+    """Return programs for runs with all savings, without each of them, and without any."""
+
+    def made(name: str, savings: frozenset[Saving]) -> Variant:
+        written = program(model, choices, savings, whole=False)
+        states = tuple((part.name, part.length) for part in written.layout)
+        return Variant(name, states, emit(written, _origin(model, choices), input_hash(model, choices)))
+
+    each = [made(f"without {saving.name.lower()}", ALL_SAVINGS - {saving}) for saving in Saving]
+    return (made("as generated", ALL_SAVINGS), *each, made("without all three", frozenset()))
 
 
 def loops_differentiate(scene: Scene) -> bool:

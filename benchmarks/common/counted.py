@@ -1,4 +1,4 @@
-"""Time and operation count of one right-hand side of generated C in a folder."""
+"""Time of one right-hand side of generated C in a folder."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, STANDARD, run, toolchain
 
-TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c", "operations.cpp"))
+TIMER = Path(__file__).with_name("right_hand_side.c")
 
 
 def timer(name: str, work: Path) -> Callable[[int], float]:
@@ -22,17 +22,3 @@ def timer(name: str, work: Path) -> Callable[[int], float]:
         return float(done.stdout)
 
     return nanoseconds
-
-
-def operations(name: str, work: Path) -> int:
-    """Compile NAME.c with a counting number type; return the operations that one right-hand side executes.
-
-    Raises
-    ------
-    BuildError
-        There is no C++ compiler, or the C code is not valid C++.
-    """
-    model = (f'-DSOURCE="{name}.c"', f"-DMODEL={name}_model", f"-I{INCLUDE}", "-I.")
-    unresolved = ("-no-pie", "-Wl,--unresolved-symbols=ignore-all")  # functions that no right-hand side calls
-    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), *unresolved, "-o", "counter"), work)
-    return sum(map(int, run((str(work / "counter"),)).split()))

@@ -239,6 +239,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building.errors",
         "building.verification",
     ),
+    "explanation": ("codegen.equations", "codegen", "presentation", "building.errors", "building"),
     "reference": ("codegen.model.symbolic", "arguments"),
     "casadi": (
         "codegen.model.normalise",
@@ -360,6 +361,8 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "building.errors",
         "building",
+        "presentation",
+        "explanation",
         "casadi",
         "fmu",
         "webpage",

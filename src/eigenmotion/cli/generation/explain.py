@@ -9,9 +9,11 @@ import click
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import toolchain
+from eigenmotion.explanation import figure, savings_of, table
+from eigenmotion.presentation.figures import FORMATS, require_matplotlib, save
 from eigenmotion.progress import clock
 
-from ..options import Shape, model, shaping
+from ..options import Shape, check_targets, model, shaping
 
 _log = logging.getLogger("eigenmotion")
 
@@ -20,16 +22,27 @@ _log = logging.getLogger("eigenmotion")
 @model
 @click.option("--latex", is_flag=True, help="Print the equations of motion in LaTeX instead.")
 @click.option("--sympy", is_flag=True, help="Print them as Python code for SymPy matrices.")
+@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help=f"Draw M with its blocks, A, and what each saving saves ({', '.join(FORMATS)}).")  # fmt: skip
 @shaping
-def command(model: Path, latex: bool, sympy: bool, **shape: Any) -> None:
-    """Show the states, blocks and operation counts of MODEL, and which terms its code leaves out and why."""
-    if latex and sympy:
-        raise click.UsageError("--latex and --sympy: choose one")
+def command(model: Path, latex: bool, sympy: bool, plot: Path | None, **shape: Any) -> None:
+    """Show the states, blocks and operation counts of MODEL, and which terms its code leaves out and why.
+
+    --plot also draws the structure of M and A, and prints the states and operations without each saving.
+    """
+    if latex + sympy + bool(plot) > 1:
+        raise click.UsageError("--latex, --sympy and --plot: choose one")
+    if plot:
+        require_matplotlib()
+        check_targets(("--plot", plot, FORMATS))
     with clock():
         request = Shape(**shape).request(model)
         _log.info("deriving %s", request.model.name)
         text = _text(request, latex, sympy)
+        found = savings_of(request) if plot else None
     click.echo(text.rstrip("\n"))
+    if plot and found:
+        click.echo(f"\n{table(found)}\n\ndrawn to {save(figure(found), plot)}")
 
 
 def _text(request: Request, latex: bool, sympy: bool) -> str:

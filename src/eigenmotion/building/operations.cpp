@@ -44,9 +44,12 @@ static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, ex
 static inline Counted frexp(Counted a, int *exponent) { return std::frexp(a.v, exponent); }
 
 #define EM_LANES 1 // no vectors: the counting type cannot be an element of one
-#define EM_UNIT (EM_MODEL | EM_RHS) // other units are not linked (counted.py)
+#define EM_UNIT (EM_MODEL | EM_RHS) // other units are not linked
 #define restrict __restrict__
 #define double Counted
+#include "numeric/em_real.h"
+#undef EM_HOLDS_ANY_SIZE
+#define EM_HOLDS_ANY_SIZE 1 // functions that all models share are counted, too
 #include SOURCE
 
 int main() {
