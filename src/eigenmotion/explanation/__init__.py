@@ -1,4 +1,4 @@
-"""What generated code computes and leaves out, as a picture and as text."""
+"""Picture of generated code: M, A, the terms, and what each saving is worth."""
 
 from .picture import figure as figure
 from .savings import Savings as Savings

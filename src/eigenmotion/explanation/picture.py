@@ -81,7 +81,7 @@ def _key(drawn: Any, y: float, height: float) -> None:
 
     x = 0.12
     for text, colour in _KEY:
-        look = {"facecolor": colour, "edgecolor": "0.6", "linewidth": 0.8}
+        look: dict[str, Any] = {"facecolor": colour, "edgecolor": "0.6", "linewidth": 0.8}
         if text == "block":
             look = {"facecolor": "white", "edgecolor": VERMILION, "linewidth": 2}
         drawn.add_artist(Rectangle((x / _WIDTH, y / height), 0.16 / _WIDTH, 0.16 / height, **look))

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..arguments.named_values import Vector
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import shown
-from .episodes import Actions, Observations, Reward, Start, Starts
+from .episodes import PARTS, Actions, Observations, Reward, Start, Starts
 
 if TYPE_CHECKING:
     from ..batch.stepper.steppers import Steppers
@@ -146,8 +146,8 @@ class Environments(VectorEnv[Vector, Vector, NDArray[Any]]):
             if generator is None:
                 raise ResetNeeded("these environments have not been reset")
             self._starts.draw(k, generator)
-        columns = self._starts.columns
-        self.steppers.reset(chosen, inputs=self._rest, **columns)
+        x0, v0, parameters = (self._starts.columns[part] for part in PARTS)
+        self.steppers.reset(chosen, x0=x0, v0=v0, parameters=parameters, inputs=self._rest)
         self._steps[chosen], self._done[chosen] = 0, False
 
     # --- stepping ---

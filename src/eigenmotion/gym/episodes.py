@@ -22,7 +22,7 @@ Start = Callable[[np.random.Generator], Mapping[str, Mapping[Any, float]]]
 What it leaves out is that of the batch: the options x0, v0 and parameters, and the model's start where there are none.
 """
 
-_PARTS = ("x0", "v0", "parameters")
+PARTS = ("x0", "v0", "parameters")
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +136,7 @@ class Starts:
         self._tables = [default.copy() for default in self._defaults]
         self.columns = {
             part: dict(zip(named, table, strict=True))
-            for part, named, table in zip(_PARTS, names, self._tables, strict=True)
+            for part, named, table in zip(PARTS, names, self._tables, strict=True)
         }
 
     def draw(self, k: int, random: np.random.Generator) -> None:
@@ -150,9 +150,9 @@ class Starts:
         if self._draw is None:
             return
         drawn = self._draw(random)
-        if not isinstance(drawn, Mapping) or set(drawn) - set(_PARTS):
+        if not isinstance(drawn, Mapping) or set(drawn) - set(PARTS):
             raise ModelError(f"{self._name}: start() returned {shown(drawn)}: return numbers by name in a mapping with "
-                             f"the keys {', '.join(_PARTS)}")  # fmt: skip
+                             f"the keys {', '.join(PARTS)}")  # fmt: skip
         for table, default in zip(self._tables, self._defaults, strict=True):
             table[:, k] = default[:, k]
         for part, numbers in drawn.items():
