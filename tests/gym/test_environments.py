@@ -354,7 +354,10 @@ def test_what_is_refused():
                            ([[np.nan], [0.0]], "u of environment 0 is nan")):  # fmt: skip
         with pytest.raises(ModelError, match=words):
             envs.step(actions)
-    for drawn, words in (({"x": 1.0}, "with the keys x0, v0, parameters"), ({"x0": {"y": 1.0}}, "'y'")):
+    for drawn, words in (({"x": 1.0}, "with the keys x0, v0, parameters"), ({"x0": {"y": 1.0}}, "'y'"),
+                         ({"x0": [1.0, 2.0]}, r"start\(\)\['x0'\] is \[1.0, 2.0\]: return numbers by name"),
+                         ({"x0": {"x": [1.0, 2.0]}}, r"x of start\(\)\['x0'\]"),
+                         ({"v0": {"x": float("nan")}}, r"x of start\(\)\['v0'\]")):  # fmt: skip
         with pytest.raises(ModelError, match=words):
             envs_of(1, start=lambda random, drawn=drawn: drawn).reset(seed=1)
     with pytest.raises(ModelError, match="member 0 of 1"):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from eigenmotion.models import heavy_top, pendulum_with_stop, slider_crank
 from eigenmotion.models import pendulum as pendulum_model
-from sympy import symbols
+from sympy import sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, build
@@ -188,6 +188,25 @@ def test_what_was_not_run_is_said(short, tmp_path):
     assert numbers["model"] == "damped"
     assert numbers["summary"] == list(summary_of(short))
     assert (tmp_path / "stability.png") in others
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_one_point_is_examined_however_short_the_budget_is(workers):
+    found = limits_of(damped(), t_end=1.0, budget=1e-3, workers=workers)
+    assert len(found.matrix.points) == 1
+    assert found.matrix.cells
+
+
+def test_nothing_is_recommended_that_was_never_right():
+    """The root of 2 - p - x ends every motion where the mass arrives at 2 - p."""
+    x, p = dynamicsymbols("x"), symbols("p", real=True)
+    ends = Model(
+        name="ends", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=3 * sqrt(2 - p - x),
+        parameters={p: 1.0}, initial={x: 0.5},
+    )  # fmt: skip
+    lines = summary_of(limits_of(ends, t_end=2.0, budget=2.0))
+    assert any(line.startswith("no formulation with any method is known to be right in any of") for line in lines)
+    assert not any(line.startswith("use ") for line in lines)
 
 
 def test_first_values_of_all_cases_run_first():

@@ -156,6 +156,8 @@ class Starts:
         for table, default in zip(self._tables, self._defaults, strict=True):
             table[:, k] = default[:, k]
         for part, numbers in drawn.items():
-            columns = self.columns[part]
-            for name, value in by_name(numbers, tuple(columns), f"number of start()[{part!r}]").items():
-                columns[name][k] = value
+            columns, what = self.columns[part], f"start()[{part!r}]"
+            if not isinstance(numbers, Mapping):
+                raise ModelError(f"{self._name}: {what} is {shown(numbers)}: return numbers by name")
+            for name, value in by_name(numbers, tuple(columns), f"number of {what}").items():
+                columns[name][k] = real(value, f"{self._name}: {name} of {what}")

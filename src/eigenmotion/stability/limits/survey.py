@@ -57,7 +57,7 @@ def limits_of(
     t_end
         [s] longest span of the runs that vary other things than the span.
     budget
-        [s] after which no more runs begin; those that were not run are named.
+        [s] after which no more runs begin, except those of the first point; those that were not run are named.
 
     Raises
     ------
@@ -181,10 +181,10 @@ def _examined(
 def _stream(
     known: Mapping[str, Case], points: Sequence[_PLACE], until: float, each: float, workers: int
 ) -> Iterator[tuple[_PLACE, PointResult]]:
-    """Yield the results; no point begins after `until`."""
+    """Yield the results; no point begins after `until`, except the first: one is always examined."""
     if workers <= 1:
-        for name, value in points:
-            if time.monotonic() >= until:
+        for place, (name, value) in enumerate(points):
+            if place > 0 and time.monotonic() >= until:
                 return
             yield (name, value), examine(known[name], value, seconds=each)
         return
@@ -196,8 +196,10 @@ def _fed(
     pool: ProcessPoolExecutor, points: Iterator[_PLACE], until: float, each: float, workers: int
 ) -> Iterator[tuple[_PLACE, PointResult]]:
     running: dict[Future[PointResult], _PLACE] = {}
+    late = 1  # points that begin after `until`
     while True:
-        for place in _next(points, workers - len(running) if time.monotonic() < until else 0):
+        for place in _next(points, workers - len(running) if time.monotonic() < until else late):
+            late = 0
             running[pool.submit(_examine, place, each)] = place
         if not running:
             return

@@ -43,17 +43,22 @@ def _named(found: Limits, outcome: Outcome) -> Iterator[str]:
 
 
 def _recommended(found: Limits) -> Iterator[str]:
-    best = records(found.matrix)[0]
+    best, *others = records(found.matrix)
     formulation, method = best.combination
+    if not best.right:
+        yield f"no formulation with any method is known to be right in any of {len(found.matrix.points)} points"
+        return
     lost = len(best.cells) - len(best.right) - len(best.bad)
     unjudged = f", with no digits left to judge in {lost}" if lost else ""
     if len(best.right) == len(best.cells):
         yield f"use {formulation} with {method}: {_word(best)} in all {len(best.cells)} points"
     else:
         where = f"; not in {places(found.matrix, best.bad)}" if best.bad else ""
+        more = any(len(other.right) > len(best.right) for other in others)
+        rank = "the most of those that are wrong least often" if more else "as many as any other"
         yield (
-            f"use {formulation} with {method}: {_word(best)} in {len(best.right)} of {len(best.cells)} points, as many "
-            f"as any other{unjudged}{where}"
+            f"use {formulation} with {method}: {_word(best)} in {len(best.right)} of {len(best.cells)} points, {rank}"
+            f"{unjudged}{where}"
         )
     yield from _limits(ranges(found.matrix, best.combination))
 
