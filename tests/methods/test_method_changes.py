@@ -30,13 +30,13 @@ def system(bounces: bool = False) -> em.System:
     return system_for(model(bounces), formulation="lagrange")
 
 
-def model(bounces: bool = False) -> Model:
+def model(bounces: bool = False, name: str = "prescribed_damping") -> Model:
     x, y, z = dynamicsymbols("x y z")
     d, sign, T, w = symbols("d sign T w", real=True)
     D = d * (1 + sign * tanh((t - T) / w)) / 2
     more = {"contacts": {"floor": Contact(z, restitution=1.0)}} if bounces else {}
     return Model(
-        name="prescribed_damping", coordinates=[x, y, z],
+        name=name, coordinates=[x, y, z],
         kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
         potential_energy=Rational(9, 2) * y**2 + (Rational(981, 100) * z if bounces else 0),
         forces={x: -sin(t) - D * (x.diff() - cos(t))}, events={"half": Event(x - Rational(1, 2))},
@@ -195,3 +195,66 @@ def test_a_copy_of_a_run_that_changed_has_its_states_within_steps():
     copy = pickle.loads(pickle.dumps(sol))
     assert np.array_equal(copy.sol(ROWS), sol.sol(ROWS))
     assert copy.methods == sol.methods
+
+
+def unloadable(error):
+    """Return a model without derivatives, which cannot be compiled because of an error."""
+    built = em.build(model(name="without_derivatives"), formulation="lagrange")
+
+    def load(_):
+        raise error
+
+    built.compiled.load_part = load
+    return built
+
+
+def test_keeps_its_method_where_derivatives_cannot_be_compiled():
+    sol = unloadable(em.BuildError("no room\nfor it")).simulate(
+        (0.0, SWITCH + 1.0), method="auto", rtol=1e-8, atol=1e-8, t_eval=[0.0, SWITCH, SWITCH + 1.0]
+    )
+    assert sol.success
+    assert sol.methods == ()
+    assert sol.method in EXPLICIT
+    assert f"method='auto' kept {sol.method}" in sol.message
+    assert sol.message.endswith("no room")
+    np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
+
+
+def test_wrong_derivatives_are_an_error():
+    with pytest.raises(em.ProofError, match="they differ"):
+        unloadable(em.ProofError("they differ")).simulate((0.0, END), method="auto", rtol=1e-8)
+
+
+def test_ctrl_c_while_derivatives_are_compiled_ends_the_run_with_its_motion():
+    sol = unloadable(KeyboardInterrupt()).simulate((0.0, END), method="auto", rtol=1e-8)
+    assert sol.stop == em.StopReason.INTERRUPTED
+    assert SWITCH - 1.0 < sol.t[-1] < SWITCH + 1.0
+    np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
+
+
+@pytest.mark.parametrize("end", [1.0, 1e2, 1e3, 1e4])
+def test_compiles_no_derivatives_without_stiffness(end):
+    swings = dynamicsymbols("swings")
+    built = em.build(Model(
+        name="swings_long", coordinates=[swings], kinetic_energy=swings.diff() ** 2 / 2,
+        potential_energy=-Rational(981, 100) * cos(swings), initial={swings: 1.0},
+    ))  # fmt: skip
+    asked = []
+    built.compiled.load_part = asked.append
+    sol = built.simulate((0.0, end), method="auto", t_eval=[0.0, end])
+    assert sol.success
+    assert asked == []
+
+
+def test_changes_back_where_each_step_ends_at_a_sample():
+    wire, u = dynamicsymbols("wire u")
+    held = system_for(Model(
+        name="held_damping", coordinates=[wire], kinetic_energy=wire.diff() ** 2 / 2, potential_energy=0,
+        forces={wire: -sin(t) - u * (wire.diff() - cos(t))}, inputs={u: 0.0}, initial={wire.diff(): 1.0},
+    ), formulation="lagrange")  # fmt: skip
+    times = np.arange(0.0, END, 0.25)
+    damped = em.Signal(times, np.where(times < 5.0, 1e5, 0.0), kind="hold")
+    sol = held.simulate((0.0, END), inputs={"u": damped}, method="auto", rtol=1e-8)
+    assert [name for _, name in sol.methods] == ["radau9", "dop853"]
+    assert 5.0 < sol.methods[1][0] < 15.0
+    np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)

@@ -11,10 +11,12 @@ cdef class Run:
     cdef readonly object stop
     cdef list keep_alive  # arrays that the run uses
     cdef object pending   # exception raised by a signal handler
+    cdef readonly object unchanged  # why the run has kept its method, although another costs less: an exception, or None
 
     cdef begin(self, task, int method)
     cdef may_change(self, int other)
     cdef simulate_by_either(self)
+    cdef bint load_other(self) except -1
     cdef change_while_it_waits(self, void *state, double t, long most_steps)
     cdef const double *hold(self, array, tuple shape, str name) except NULL
     cdef hold_inputs(self, tuple inputs)

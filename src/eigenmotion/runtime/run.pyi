@@ -6,6 +6,7 @@ from .status.stop_reasons import StopReason
 class Run:
     stop: StopReason
     model: PointModel
+    unchanged: RuntimeError | None
     def __init__(self, task: Any, method: int, other: int = -1) -> None: ...
     def fields(self, method: str) -> dict[str, Any]: ...
     @property

@@ -6,7 +6,7 @@ from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
 from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_RADAU9
-from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
+from .abi cimport em_dense_step, em_fault, em_method, em_rows, em_run, em_signal, em_signal_kind, em_status
 from .arrays cimport Numbers, blank, floats, unset, zeros
 from .point cimport PointModel, Prepared
 from .record cimport modes_of, record
@@ -50,6 +50,8 @@ cdef class Run:
     ----------
     stop
         A StopReason.
+    unchanged
+        The exception because of which the run has kept its method, although the other one costs less; or None.
     """
 
     def __cinit__(self, task, int method, other=-1, *_):
@@ -83,10 +85,28 @@ cdef class Run:
         finally:
             self.run.model.close(state)
 
+    cdef bint load_other(self) except -1:
+        """Load what the other method needs. Return whether the run goes on: Ctrl-C ends it, as within a step.
+
+        If it cannot be compiled, the run keeps its method, which costs more but gives the same motion. If it is wrong, a
+        ProofError is passed on.
+        """
+        try:
+            self.model.need_method(self.run.other)
+        except RuntimeError as error:
+            if getattr(error, "disproves", False):
+                raise
+            self.unchanged = error
+            self.run.changes = self.run.waits = 0
+        except KeyboardInterrupt:
+            self.run.fault = em_fault(status=<em_status> (<int> _REASONS.index(StopReason.INTERRUPTED)), first=-1, second=-1, size=0.0)
+            self.run.waits = 0
+            return False
+        return True
+
     cdef change_while_it_waits(self, void *state, double t, long most_steps):
         """Load what the other method needs where the run waits for it, and advance to t."""
-        while self.run.waits:
-            self.model.need_method(self.run.other)
+        while self.run.waits and self.load_other():
             self.run.max_steps = most_steps - self.run.n_steps
             with nogil:
                 self.run.model.advance(state, t, 0)

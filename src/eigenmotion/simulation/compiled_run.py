@@ -41,6 +41,12 @@ def solution_of(task: Task, method: Method, run: Run) -> Solution:
     fields = run.fields(method.name)
     if run.methods:
         add_changes(fields, task.t_start, method, run.methods)
+    if run.unchanged is not None:
+        why = str(run.unchanged).partition("\n")[0]
+        fields["message"] += (
+            f" method='auto' kept {fields['method']}, although radau9 would cost less, because its derivatives cannot "
+            f"be compiled: {why}"
+        )
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
     return Solution((task, run.segments), fields)

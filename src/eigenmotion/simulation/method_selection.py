@@ -9,6 +9,7 @@ from math import inf, sqrt
 import numpy as np
 
 from ..arguments.methods import METHODS, Method
+from ..arguments.named_values import Vector
 from ..arguments.tasks import Task
 from ..runtime import CompiledModel, EvaluationError
 
@@ -31,7 +32,8 @@ _DAMPED = 0.1
 _STEPS = 2000.0
 """and if stability would require at least about so many explicit steps."""
 _ABOUT = 2.0
-"""Error factor of finite differences, which avoid a compilation of the derivatives for scenes that are not stiff."""
+"""Error factor of finite differences, which avoid a compilation of the derivatives for scenes that are not stiff: the
+derivatives decide only where all limits are met within this factor."""
 _NONE = np.empty(0)
 
 
@@ -67,8 +69,10 @@ def _dying_rate(task: Task) -> float:
     """
     span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
     u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
-    about = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm, task.atol)
+    about, slopes = model.approximate_slopes(task.t_start, task.y, prepared, u, task.least_norm, task.atol)
     if _ABOUT * (sqrt(about) + about) * abs(span) <= 4 * _STEPS:
+        return 0.0
+    if about < inf and not _dying(_motion_of(slopes), span, _ABOUT):
         return 0.0
     v = model.velocity_rows(np.array([task.t_start]), task.y[None], prepared)
     z = np.concatenate([task.y[: model.n], v[0]])
@@ -79,11 +83,26 @@ def _dying_rate(task: Task) -> float:
     size = float(np.linalg.norm(J[model.n :]))
     if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
         return 0.0
+    return _dying(J, span)
+
+
+def _motion_of(slopes: Vector) -> Vector:
+    """Return the Jacobian (2 n, 2 n) of the motion (v, a), from that of a (n, 2 n)."""
+    n = len(slopes)
+    return np.block([[np.zeros((n, n)), np.eye(n)], [slopes]])
+
+
+def _dying(J: Vector, span: float, about: float = 1.0) -> float:
+    """Return the rate [1/s] of the fastest mode that decays, if it is so fast that it is stiff; else 0.
+
+    about : all limits may be missed by this factor
+    """
     roots = np.linalg.eigvals(J)
     sizes, dies = np.abs(roots), -roots.real * span
-    dying = (dies > _SPANS) & (dies > _DAMPED * sizes * abs(span))
+    dying = (about * dies > _SPANS) & (about * dies > _DAMPED * sizes * abs(span))
     fast, lasting = sizes[dying].max(initial=0.0), sizes[~dying].max(initial=1 / abs(span))
-    return float(fast) if fast > _APART * lasting and fast * abs(span) > 4 * _STEPS else 0.0
+    is_stiff = about * fast > _APART * lasting and about * fast * abs(span) > 4 * _STEPS
+    return float(fast) if is_stiff else 0.0
 
 
 def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:

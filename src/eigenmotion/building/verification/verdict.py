@@ -48,6 +48,9 @@ class ProofError(BuildError):
     ...     system = em.build(model, flags="-O1")
     """
 
+    disproves = True
+    """What was compiled is wrong, and not merely missing: a run does not go on without it."""
+
 
 def prove(model: Model, system: System, methods: Iterable[str] = tuple(METHODS)) -> None:
     """Check a compiled model against the user's expressions at random points.

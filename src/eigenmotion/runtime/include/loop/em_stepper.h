@@ -127,8 +127,8 @@ static int em_accepted_step(em_run_state *w) {
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
     if (w->model->n_rotations > 0 && em_change_chart(w, &changed)) return EM_END;
-    if (w->t == w->pieces_end) return em_enter_interval(w) ? em_enter_next_interval(w) : EM_CONTINUE;
-    return w->run->changes && !changed ? em_consider_method(w) : EM_CONTINUE;
+    if (w->t == w->pieces_end && em_enter_interval(w) && em_enter_next_interval(w)) return EM_END;
+    return w->run->changes && !changed && !w->stale ? em_consider_method(w) : EM_CONTINUE;
 }
 
 /* --- the handle --- */
