@@ -246,15 +246,32 @@ def test_compiles_no_derivatives_without_stiffness(end):
     assert asked == []
 
 
-def test_changes_back_where_each_step_ends_at_a_sample():
+@cache
+def held() -> em.System:
     wire, u = dynamicsymbols("wire u")
-    held = system_for(Model(
+    return system_for(Model(
         name="held_damping", coordinates=[wire], kinetic_energy=wire.diff() ** 2 / 2, potential_energy=0,
         forces={wire: -sin(t) - u * (wire.diff() - cos(t))}, inputs={u: 0.0}, initial={wire.diff(): 1.0},
     ), formulation="lagrange")  # fmt: skip
+
+
+def test_changes_back_where_each_step_ends_at_a_sample():
     times = np.arange(0.0, END, 0.25)
     damped = em.Signal(times, np.where(times < 5.0, 1e5, 0.0), kind="hold")
-    sol = held.simulate((0.0, END), inputs={"u": damped}, method="auto", rtol=1e-8)
+    sol = held().simulate((0.0, END), inputs={"u": damped}, method="auto", rtol=1e-8)
     assert [name for _, name in sol.methods] == ["radau9", "dop853"]
     assert 5.0 < sol.methods[1][0] < 15.0
     np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
+
+
+@pytest.mark.parametrize("rtol", [1e-8, 1e-11, 1e-12, 1e-13])
+def test_never_ends_with_tiny_steps_where_stiffness_returns(rtol):
+    """At a tolerance near rounding, errors and not stability limit the steps of dop853."""
+    times = np.arange(0.0, END, 0.25)
+    damped = em.Signal(times, np.where(times // 5 % 2 == 0, 1e5, 0.0), kind="hold")
+    sol, implicit = (
+        held().simulate((0.0, END), inputs={"u": damped}, method=method, rtol=rtol, atol=0.01 * rtol)
+        for method in ("auto", "radau9")
+    )
+    assert sol.success
+    assert sol.nfev < 4 * implicit.nfev

@@ -7,7 +7,7 @@
  * as much as a trial of the implicit method, and at least as many would follow. So a trial in vain costs no more than
  * what the run has taken until then. Back: the largest eigenvalue of the Jacobian gives the step that stability would
  * allow. If explicit steps of that size, or of the present one if that is shorter, cost clearly less, the run changes
- * back; each return from a short trial doubles the number of steps before the next one. */
+ * back, unless the tolerance is so tight that it could not tell when the motion is stiff again; each return from a short trial doubles the number of steps before the next one. */
 #ifndef EM_METHOD_CHANGE_H
 #define EM_METHOD_CHANGE_H
 
@@ -15,6 +15,7 @@
 
 #define EM_CLEARLY_LESS 0.7      /* of the cost: else a change does not pay */
 #define EM_STABLE_SIZE 4.0       /* of explicit steps, times the largest eigenvalue; EM_DOP853_STABLE */
+#define EM_TELLS 1e-11           /* rtol, below which rounding keeps explicit steps so short that they look stable */
 #define EM_EXPLICIT_STEP 12.0    /* right-hand sides of an explicit step */
 #define EM_NODE_RATE (EM_LANES > 2 ? 0.3 : 1.0) /* cost of a right-hand side on lanes, in scalar ones; */
 #define EM_STAGE_RATE 1.5        /* of one in an implicit stage, with its share of the linear equations; */
@@ -124,7 +125,7 @@ static int em_explicit_is_strained(em_run_state *w) {
  * steps after a change; in the next two, the cost of the explicit method before it counts, too. */
 static int em_implicit_is_dear(em_run_state *w) {
     em_choice *const c = &w->choice;
-    if (++c->steps < EM_WINDOW) return 0;
+    if (w->rtol < EM_TELLS || ++c->steps < EM_WINDOW) return 0;
     const double span = fabs(w->t - c->t), rate = (em_cost_so_far(w) - c->cost) / span, fastest = em_fastest_rate(w);
     const double size = em_min(EM_STABLE_SIZE / fastest, span / c->steps);
     const double last = c->windows < 3 && c->rate > 0.0 ? c->rate : INFINITY;
