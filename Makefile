@@ -58,6 +58,9 @@ SLICE  := --slice $(NIGHT)/$(NIGHTS)
 PEERS  := $(VENV)/.peers
 
 nightly: $(READY) $(PEERS)
+	if ! [ -x /usr/lib/wine/wine64 ] && [ "$$(id -u)" = 0 ] && command -v apt-get > /dev/null; then \
+	    { apt-get update -qq && apt-get install -qq -y --no-install-recommends wine64 qemu-user; } > /dev/null 2>&1 || true; fi
+	[ -x /usr/lib/wine/wine64 ] || command -v wine64 > /dev/null || echo "skipped: runs on Windows, for Wine is not here"
 	$(BIN)/python -m tests.fuzz $(SLICE) $(FUZZ_ARGS)
 	for compiler in gcc clang; do \
 	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \

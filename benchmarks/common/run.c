@@ -34,9 +34,11 @@ int main(int argc, char **argv) {
     const em_model *model = &MODEL;
     const long runs = argc > 3 ? atol(argv[1]) : -1;
     double parameters[LARGEST] = {0.0}, c[LARGEST] = {0.0}, y[LARGEST] = {0.0}, atol_k[LARGEST];
+    const int events[LARGEST] = {0}; /* found in both directions, and none ends the run */
     em_fault fault;
     struct timespec start;
     if (runs < 0 || model->abi != EM_ABI || model->n_prepared > LARGEST || model->n_state > LARGEST) return 2;
+    if (model->n_events > LARGEST) return 2;
     const double t_end = atof(argv[2]), tolerance = atof(argv[3]);
     memcpy(parameters, model->parameter_defaults, (size_t)model->n_parameters * sizeof *parameters);
     for (int k = 4; k < argc && k - 4 < model->n_parameters; ++k) parameters[k - 4] = atof(argv[k]);
@@ -45,7 +47,8 @@ int main(int argc, char **argv) {
     if (model->state(0.0, model->initial_x, model->initial_v, c, y, &fault)) return 3;
     const em_run task = {.t_start = 0.0, .t_end = t_end, .y_start = y, .prepared = c, .method = EM_DOP853,
                          .rtol = tolerance, .atol = atol_k, .max_step = INFINITY, .max_steps = 1000000,
-                         .stabilise = 1, .t_eval = runs ? &t_end : NULL, .n_t_eval = runs ? 1 : 0};
+                         .stabilise = 1, .event_direction = events, .event_terminal = events,
+                         .t_eval = runs ? &t_end : NULL, .n_t_eval = runs ? 1 : 0};
     timespec_get(&start, TIME_UTC);
     for (long k = 0; k < (runs ? runs : 1); ++k) {
         em_run run = task;

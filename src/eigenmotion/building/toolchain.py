@@ -26,7 +26,6 @@ SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # code that runs once; no warnings about Python's headers
 HURRIED = ("-O1",)  # for functions that are called rarely
 ASIDE = "-O1"  # in place of -O3 for functions that no step calls, which are most of a model with contacts
-LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
@@ -44,6 +43,8 @@ IN_PLACE_OF = {"members": "lanes"}
 FLAGS = "EIGENMOTION_CFLAGS"
 ZIG = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=undefined")
 """Clang of the `ziglang` wheel. Without the flag, unoptimised code would trap at undefined behaviour."""
+BUNDLE = ("-bundle", "-undefined", "dynamic_lookup")
+"""How Apple's linker makes a module: Python's symbols are found when it is loaded."""
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
@@ -74,17 +75,8 @@ class Toolchain:
         The predefined macros of the compiler depend on all three.
         """
         macros = self._ask(*self.optimised, *self.flags, *_MACROS)
-        flags = (
-            *self.optimised,
-            *STANDARD,
-            *SHARED,
-            *MODULE,
-            *HURRIED,
-            ASIDE,
-            *LINK,
-            *map(str, UNITS.items()),
-            *self.flags,
-        )
+        fixed = (*STANDARD, *SHARED, *MODULE, *HURRIED, ASIDE, *link_flags(self.command), *map(str, UNITS.items()))
+        flags = (*self.optimised, *fixed, *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
     @cached_property
@@ -134,7 +126,8 @@ class Toolchain:
 
     def link(self, folder: Path, objects: tuple[str, ...], name: str) -> None:
         """Link object files to the library NAME."""
-        self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
+        flags = (*link_flags(self.command), *SHARED, *self.flags)
+        self._run(*flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
 
     def _ask(self, *arguments: str) -> str:
         """Run the compiler for what it says about itself: once in a process, as long as it is the same file."""
@@ -142,6 +135,17 @@ class Toolchain:
 
     def _run(self, *arguments: str, folder: Path | None = None) -> str:
         return run((*self.command, *arguments), folder)
+
+
+def link_flags(command: tuple[str, ...], platform: str = sys.platform) -> tuple[str, ...]:
+    """Return the flags by which a compiler links a library that Python can load.
+
+    On macOS modules are bundles, except by zig: its linker crashes at them (0.17.1), and makes a dynamic library, which
+    Python loads as well.
+    """
+    if platform != "darwin":
+        return ("-shared",)
+    return ("-shared", *BUNDLE[1:]) if command[: len(ZIG)] == ZIG else BUNDLE
 
 
 def _stamp(program: str) -> tuple[int, ...]:

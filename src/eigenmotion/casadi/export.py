@@ -14,7 +14,7 @@ from ..arguments.named_values import spelled, unknown
 from ..arguments.options import SHARED_FROM_START
 from ..building.build import system_of
 from ..building.request import Request, request
-from ..building.toolchain import LINK, SHARED, STANDARD, run, toolchain
+from ..building.toolchain import SHARED, STANDARD, link_flags, run, toolchain
 from ..codegen.compiler import program as program_of
 from ..codegen.kernel.kernel import Kernel
 from ..codegen.model import Model, ModelError
@@ -232,6 +232,6 @@ def _library(text: str) -> bytes:
     with TemporaryDirectory() as place:
         work = Path(place)
         (work / "functions.c").write_text(text, encoding="utf-8")
-        flags = (*STANDARD, *tools.optimised, *SHARED, *LINK, "-w", *tools.flags)
+        flags = (*STANDARD, *tools.optimised, *SHARED, *link_flags(tools.command), "-w", *tools.flags)
         run((*tools.command, *flags, "functions.c", "-lm", "-o", "functions.so"), work)
         return (work / "functions.so").read_bytes()

@@ -17,7 +17,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
 from ..building.request import Request
-from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
+from ..building.toolchain import INCLUDE, SHARED, STANDARD, link_flags, run, toolchain
 from ..codegen.model import ModelError
 from .unit import Content, Unit
 
@@ -116,7 +116,7 @@ def _binary(unit: Unit, texts: Mapping[str, str]) -> bytes:
     """Return the compiled unit, for any processor of this architecture, since it may run on other machines."""
     tools = toolchain()
     ours = tuple(flag for flag in tools.optimised if flag != "-march=native")
-    flags = (*STANDARD, *ours, *SHARED, *LINK, "-w", *tools.flags)
+    flags = (*STANDARD, *ours, *SHARED, *link_flags(tools.command), "-w", *tools.flags)
     with TemporaryDirectory() as place:
         work = Path(place)
         for name, text in texts.items():

@@ -43,14 +43,14 @@ typedef enum em_row_kind {
 
 /* EM_HOLDS_ROW: w = 0. Of a contact EM_OPENS: p = 0. Of a friction EM_FORWARD: p = -L, w >= 0; EM_BACK: p = L, w <=
  * 0; EM_IDLES: p = 0 and w = 0, because rows that hold keep it at rest. */
-typedef enum em_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE, EM_IDLES } em_choice;
+typedef enum em_row_choice { EM_OPENS = 0, EM_HOLDS_ROW, EM_FORWARD, EM_BACK, EM_NO_CHOICE, EM_IDLES } em_row_choice;
 
 typedef struct em_mixed em_mixed;
 
 struct em_mixed {
     int k;
     em_row_kind kind[EM_MIXED_ROWS];
-    em_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: choices that are taken only if nothing else is
+    em_row_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: choices that are taken only if nothing else is
                                                                consistent */
     double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: the linear form of p that its limit is proportional to */
     double gradient[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative with respect to p */
@@ -244,9 +244,10 @@ EM_NOINLINE int em_try_changes(em_mixed *s, int from, int left, int bars) {
         return em_is_consistent(s);
     }
     for (int i = from; i + left <= s->k; ++i) {
-        const em_choice given = s->choice[i];
+        const em_row_choice given = s->choice[i];
         if (!em_is_choice_row(s, i) || em_is_unloaded(s, i)) continue;
-        const em_choice contact[] = {EM_HOLDS_ROW, EM_OPENS, EM_NO_CHOICE}, friction[] = {EM_HOLDS_ROW, EM_FORWARD, EM_BACK};
+        const em_row_choice contact[] = {EM_HOLDS_ROW, EM_OPENS, EM_NO_CHOICE};
+        const em_row_choice friction[] = {EM_HOLDS_ROW, EM_FORWARD, EM_BACK};
         const int ways = s->kind[i] == EM_ROW_FRICTION ? 3 : 2;
         for (int way = 0; way < ways; ++way) {
             s->choice[i] = s->kind[i] == EM_ROW_CONTACT ? contact[way] : friction[way];
@@ -305,7 +306,7 @@ EM_NOINLINE void em_hold_idle_contacts(em_mixed *s) {
 /* Finds the mode, p and w of a consistent solution. 1; 0: there is none, and `clash` says why; -1: too many modes to
  * try. */
 EM_NOINLINE int em_solve_mixed(em_mixed *s) {
-    em_choice given[EM_MIXED_ROWS];
+    em_row_choice given[EM_MIXED_ROWS];
     int found = 0, choices = 0;
     memcpy(given, s->choice, sizeof given);
     s->clash[0] = s->clash[1] = -1, s->least = INFINITY, s->tried = 0;

@@ -9,7 +9,7 @@
 
 #include "numeric/em_real.h"
 
-#ifdef __FMA__
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA) /* x86 with a flag, 64-bit ARM always */
 
 #define EM_LARGEST_ANGLE 1e5
 
