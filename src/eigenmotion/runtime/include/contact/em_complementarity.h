@@ -50,8 +50,8 @@ typedef struct em_mixed em_mixed;
 struct em_mixed {
     int k;
     em_row_kind kind[EM_MIXED_ROWS];
-    em_row_choice choice[EM_MIXED_ROWS], barred[EM_MIXED_ROWS]; /* barred: choices that are taken only if nothing else is
-                                                               consistent */
+    em_row_choice choice[EM_MIXED_ROWS];
+    em_row_choice barred[EM_MIXED_ROWS]; /* choices that are taken only if nothing else is consistent */
     double over[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* row i: the linear form of p that its limit is proportional to */
     double gradient[EM_MIXED_ROWS * EM_MIXED_ROWS]; /* its derivative with respect to p */
     int rooted[EM_MIXED_ROWS];
