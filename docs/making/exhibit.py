@@ -23,7 +23,7 @@ def exhibit(name: str) -> None:
     system = em.build(path)
     solution = system.simulate((0.0, SPAN), rtol=TOLERANCE, atol=TOLERANCE)
     (MADE / f"{name}.json").write_text(json.dumps(_cost(system, solution)))
-    if main(["page", str(path), "-o", str(MADE / "extra" / "live" / f"{name}.html")]) != 0:
+    if main(["page", str(path), "-o", str(MADE / "extra" / "live" / f"{name}.html"), "--home", "../index.html"]) != 0:
         sys.exit(f"there is no page of {name}")
 
 

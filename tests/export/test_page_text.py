@@ -5,13 +5,13 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from sympy import Symbol
+from sympy import Piecewise, Symbol, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.webpage.faces import around
-from eigenmotion.webpage.mathml import label
+from eigenmotion.webpage.mathml import label, mathml
 from eigenmotion.webpage.page import Run, about, summary
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -34,6 +34,31 @@ def test_any_name_is_a_text_on_the_page():
     assert label(dynamicsymbols("theta1").diff()) == (
         "<math><msub><mover><mi>&#952;</mi><mo>&#183;</mo></mover><mi>1</mi></msub></math>"
     )
+
+
+def test_equations_are_spaced_as_latex_does():
+    theta, (g, mass) = dynamicsymbols("theta"), symbols("g mass")
+    thin, times = "<mspace width='0.1667em'/>", "<mo>&#x2062;</mo>"
+    text = mathml(-g * sin(theta))
+    assert text.startswith(f"<mrow><mo>&#x2212;</mo><mi>g</mi>{times}{thin}<mrow><mi>sin</mi>")
+    assert f"<mi>g</mi>{times}{thin}<mi>mass</mi>" in mathml(g * mass)
+    assert "<msup><mi>sin</mi><mn>2</mn></msup><mrow><mo>(</mo>" in mathml(sin(theta) ** 2)
+    assert thin not in mathml(g * Symbol("m"))
+    cases = mathml(Piecewise((g, g < 1), (0, True)))
+    assert "<mo>&lt;</mo>" in cases
+    assert "<mtext>otherwise</mtext>" in cases
+
+
+def test_multipliers_have_the_names_of_rows_and_contacts():
+    told = about(em.load_model(MODELS / "gripper.py"), Run(), True)
+    assert [one["name"] for one in told["multipliers"]] == [
+        f"{side}[{k}]" for side in ("left", "right") for k in range(3)
+    ]
+    assert [one["name"] for one in told["outputs"]] == ["gap", "rod"]
+    told = about(em.load_model(MODELS / "pendulum_with_stop.py"), Run(), True)
+    assert told["multipliers"] == [{"name": "wall", "label": "λ<sub>wall</sub>"}]
+    told = about(em.load_model(MODELS / "four_bar.py"), Run(), True)
+    assert [one["label"] for one in told["multipliers"]] == ["λ<sub>0</sub>", "λ<sub>1</sub>"]
 
 
 def test_sliders_begin_where_they_are_told_to():

@@ -102,6 +102,33 @@ def test_outputs_have_axes_of_their_own_and_names_choose():
         run.plot("t")
 
 
+def test_named_multipliers_have_axes_and_numbered_ones_none():
+    p, q = dynamicsymbols("p q")
+    model = em.Model(
+        name="held", coordinates=[p, q, x], kinetic_energy=(p.diff() ** 2 + q.diff() ** 2 + x.diff() ** 2) / 2,
+        potential_energy=2 * p + 3 * q, holonomic_constraints={"pin": [p, q]}, nonholonomic_constraints=[x.diff()],
+    )  # fmt: skip
+    run = system_for(model).simulate((0, 1), dense_output=True)
+    _, axes = run.plot().axes
+    assert axes.get_ylabel() == "multipliers of pin"
+    assert [line.get_label() for line in lines(axes)] == ["pin[0]", "pin[1]"]
+    ends = [line.get_ydata()[-1] for line in lines(axes)]
+    np.testing.assert_allclose(ends, [-2.0, -3.0], atol=1e-9)  # -A^T lambda carries the weights
+
+
+def test_medians_join_swept_values_and_not_sampled_ones():
+    swept = {"k": np.array([1.0, 1.0, 1.0, 2.0, 2.0]), "m": np.arange(5.0)}
+    final = np.array([[1.0], [2.0], [9.0], [4.0], [np.nan]])
+    axes = ensemble_plot.ends("", ["q"], swept, final, sampled=["m"]).axes[0]
+    dots, medians = axes.get_lines()
+    assert len(dots.get_xdata()) == 5
+    assert [list(values) for values in medians.get_data()] == [[1.0, 2.0], [2.0, 4.0]]
+    assert axes.get_xlabel() == "k, swept: circles are medians"
+    axes = ensemble_plot.ends("", ["q"], dict(reversed(swept.items())), final, sampled=["m"]).axes[0]
+    assert len(axes.get_lines()) == 1
+    assert axes.get_xlabel() == "m, sampled"
+
+
 def test_a_coordinate_takes_the_place_of_the_time():
     run = ball().simulate((0, 10), dense_output=True)
     axes, strip = run.plot(over="x").axes

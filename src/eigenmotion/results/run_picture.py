@@ -62,7 +62,10 @@ class _Panels:
         self.columns, self.units = columns, units
 
     def standard(self, rows: Trajectory) -> list[Panel]:
-        """Return coordinates and states, and the outputs: those without a unit on their own axes, if they are few."""
+        """Return coordinates and states, outputs, and named multipliers.
+
+        Outputs without a unit, if they are few, and multipliers of each name are on their own axes.
+        """
         model, shown = rows.model, list(self.columns)
         first = len(shown) - model.n_states
         states, outputs = shown[first:], shown[first - len(model.outputs) : first]
@@ -70,9 +73,22 @@ class _Panels:
         motion = self.grouped(kind, [name for name in (*table(rows),)[1 : rows.n + 1] if name in shown] + states)
         alone = [name for name in outputs if name not in self.units]
         measured = self.grouped("outputs", [name for name in outputs if name in self.units])
-        if len(alone) < _MOST_PANELS:
-            return [*motion, *measured, *self.chosen(alone)]
-        return [*motion, *measured, *self.grouped("outputs", alone)]
+        others = self.chosen(alone) if len(alone) < _MOST_PANELS else self.grouped("outputs", alone)
+        return [*motion, *measured, *others, *self._multipliers(rows)]
+
+    def _multipliers(self, rows: Trajectory) -> list[Panel]:
+        """Return the multipliers of rows with names: the rows of each name on axes of their own, if names are few."""
+        labels = rows.model.row_names  # "row 2" for the third row, if it has no name
+        named = {name: rows.multipliers[:, k] for k, name in enumerate(labels) if name != f"row {k}"}
+        groups: dict[str, dict[str, Vector]] = {}
+        for name, values in named.items():
+            groups.setdefault(name.partition("[")[0], {})[name] = values
+        if len(groups) >= _MOST_PANELS:
+            return [("multipliers", named)] if named else []
+        return [
+            (f"multiplier{'s' if len(lines) > 1 else ''} of {plain_text(name)}", lines)
+            for name, lines in groups.items()
+        ]
 
     def chosen(self, names: Sequence[str]) -> list[Panel]:
         """Return a panel for each column."""

@@ -1,7 +1,7 @@
 /* em_page.c: one model behind a few functions that a page calls. Compiled with NAME.c to WebAssembly.
  *
  * Everything the page reads is one table (n_rows, width) of doubles, a row a time:
- * t, x (n), v (n), energy, |A v + b|, |phi|, lambda (m), the numbers of the drawing. */
+ * t, x (n), v (n), energy, |A v + b|, |phi|, lambda (m), outputs (n_outputs), the numbers of the drawing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,7 +47,7 @@ EXPORTED(x) double *em_page_x(void) { return page.x; }
 EXPORTED(v) double *em_page_v(void) { return page.v; }
 EXPORTED(table) double *em_page_table(void) { return page.table; }
 EXPORTED(rows) int em_page_rows(void) { return page.n_rows; }
-EXPORTED(width) int em_page_width(void) { return 1 + 2 * model->n + 3 + model->m + page.n_drawn; }
+EXPORTED(width) int em_page_width(void) { return 1 + 2 * model->n + 3 + model->m + model->n_outputs + page.n_drawn; }
 EXPORTED(reached) double em_page_reached(void) { return page.t_reached; }
 EXPORTED(rhs_calls) int em_page_rhs_calls(void) { return (int)page.n_rhs; }
 EXPORTED(steps) int em_page_steps(void) { return (int)page.n_steps; }
@@ -80,7 +80,7 @@ static void residuals(double t, const double *x, const double *v, double *rates,
 static void fill_row(double t, const double *y, int least_norm, double *row) {
     em_fault fault;
     double *x = row + 1, *v = x + model->n, *rest = v + model->n, e[4];
-    double *lambda = rest + 3;
+    double *lambda = rest + 3, *outputs = lambda + model->m;
     row[0] = t;
     memcpy(x, y, (size_t)model->n * sizeof(double));
     if (model->velocity(t, y, page.prepared, v, &fault)) v[0] = NAN;
@@ -89,7 +89,9 @@ static void fill_row(double t, const double *y, int least_norm, double *row) {
     residuals(t, x, v, rest + 1, rest + 2);
     if (model->m > 0 && model->acceleration(t, x, v, page.prepared, page.inputs, least_norm, page.a, lambda, &fault))
         for (int k = 0; k < model->m; ++k) lambda[k] = NAN;
-    if (page.n_drawn > 0) model->draw(t, x, v, page.prepared, lambda + model->m);
+    if (model->n_outputs > 0 && model->output(t, x, v, page.prepared, page.inputs, least_norm, outputs, &fault))
+        for (int k = 0; k < model->n_outputs; ++k) outputs[k] = NAN;
+    if (page.n_drawn > 0) model->draw(t, x, v, page.prepared, outputs + model->n_outputs);
 }
 
 /* page.prepared <- the constants of the segment of a row, if the row is its first. Returns the index of the next segment. */

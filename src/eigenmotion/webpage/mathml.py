@@ -1,5 +1,6 @@
 """MathML of names and equations, which browsers render without a library."""
 
+import re
 from collections.abc import Iterator, Mapping
 from html import escape
 from typing import Any
@@ -8,25 +9,65 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.printing.mathml import MathMLPresentationPrinter
 
-from ..codegen.model.normalise import name_of
+from ..codegen.model.normalise import MULTIPLIER, name_of
 from ..codegen.model.symbolic.equations import Equations
 
 _DOTS = {1: "·", 2: "··"}  # rendered in any font, unlike accents over letters
 _TALL = 4000
 """Longest text of a matrix on a page."""
+_TIMES = "<mo>&#x2062;</mo>"
+_THIN = "<mspace width='0.1667em'/>"
+_WORD = "<mi>[A-Za-z]{2,}</mi>"
+_NAMED = rf"(?:<mrow>)?(?:<msu[bp]>)?{_WORD}"
+"""The beginning of a function or symbol with a name of several letters, also of a power of it"""
+_HASH = r"__[0-9a-f]{32,}"
+"""What the name of a table has behind the user's name"""
 
 
 class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
-    """SymPy's printer, with dots over the letters for symbols that represent rates."""
+    """SymPy's printer, with dots over the letters for symbols that represent rates, and what SymPy writes as text."""
 
     def __init__(self, rates: Mapping[sympy.Symbol, sympy.Derivative]) -> None:
         super().__init__()
         self.rates = rates
 
     def _print_Function(self, function: sympy.Function) -> Any:
+        if function.func == MULTIPLIER:
+            return self._element("msub", self._text("mi", "λ"), *map(self._print, function.args))
         if isinstance(function, AppliedUndef):
             return self._print(sympy.Symbol(name_of(function)))
         return super()._print_Function(function)
+
+    def _print_Pow(self, power: sympy.Pow) -> Any:
+        base, exponent = power.args
+        of_name = isinstance(base, sympy.Function) and not isinstance(base, (AppliedUndef, sympy.Abs, sympy.exp))
+        if not (of_name and exponent.is_Integer and exponent > 1):
+            return super()._print_Pow(power)
+        written = self._print(base)  # sin^2(x), not sin(x)^2
+        written.replaceChild(raised := self.dom.createElement("msup"), name := written.firstChild)
+        raised.appendChild(name)
+        raised.appendChild(self._print(exponent))
+        return written
+
+    def _print_Piecewise(self, cases: sympy.Piecewise) -> Any:
+        rows = []
+        for value, condition in cases.args:
+            words = [self._text("mtext", "otherwise")]
+            if condition != sympy.true:
+                words = [self._text("mtext", "if\u2002"), self._print(condition)]
+            rows.append(self._element("mtr", self._element("mtd", self._print(value)), self._element("mtd", *words)))
+        table = self._element("mtable", *rows)
+        table.setAttribute("class", "cases")
+        return self._element("mrow", self._text("mo", "{"), table)
+
+    def _element(self, tag: str, *children: Any) -> Any:
+        made = self.dom.createElement(tag)
+        for child in children:
+            made.appendChild(child)
+        return made
+
+    def _text(self, tag: str, text: str) -> Any:
+        return self._element(tag, self.dom.createTextNode(text))
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
         rate = self.rates.get(symbol)
@@ -50,7 +91,16 @@ def mathml(expression: sympy.Basic) -> str:
     rates = {sympy.Dummy(name_of(rate)): rate for rate in sorted(expression.atoms(sympy.Derivative), key=name_of)}
     plain = expression.xreplace({rate: symbol for symbol, rate in rates.items()})
     text: str = _Printer(rates).doprint(plain)
-    return text.replace("<mo>&InvisibleTimes;</mo>", "<mo>&#x2062;</mo>")
+    return _spaced(text)
+
+
+def _spaced(text: str) -> str:
+    """Return MathML with LaTeX's spaces: a minus sign, and a thin space between a factor and a function or fraction."""
+    text = text.replace("<mo>&InvisibleTimes;</mo>", _TIMES).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
+    text = text.replace("<mo><</mo>", "<mo>&lt;</mo>")
+    text = re.sub(rf"{_TIMES}(?={_NAMED}|<mfrac>)", f"{_TIMES}{_THIN}", text)
+    text = re.sub(rf"(</mo></mrow></mrow>|{_WORD}){_TIMES}(?!{_THIN})", rf"\1{_TIMES}{_THIN}", text)
+    return re.sub(rf"(<mi>[^<]*?){_HASH}", r"\1", text)
 
 
 def label(symbol: sympy.Basic) -> str:

@@ -11,6 +11,7 @@ from importlib.resources import files
 from typing import Any
 
 from jinja2 import Environment, FunctionLoader, StrictUndefined
+from sympy import Symbol
 
 from ..building.request import Request
 from ..codegen.compiler import program
@@ -26,7 +27,7 @@ from .wasm import module
 
 SCRIPTS = (
     "drawing/vectors", "theme", "gestures", "motion/motion", "motion/engine", "drawing/shapes", "drawing/stage",
-    "drawing/space", "drawing/plots", "controls", "player", "main",
+    "drawing/space", "drawing/plot_groups", "drawing/plots", "controls", "player", "embedded", "main",
 )  # fmt: skip
 
 
@@ -47,7 +48,22 @@ class Run:
         return self.given.get(kind, {}).get(name, default)
 
 
-def page(requested: Request, source: str, run: Run, space: Three | None = None) -> str:
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a page is shown.
+
+    embed : whether it is for a frame in another page: no header, settings and plots folded, its height reported
+    home : the address that the link at its end leads to; "" for no link
+    """
+
+    embed: bool = False
+    home: str = ""
+
+
+ALONE = Place()
+
+
+def page(requested: Request, source: str, run: Run, space: Three | None = None, place: Place = ALONE) -> str:
     """Return the page of a request as HTML.
 
     Parameters
@@ -69,19 +85,20 @@ def page(requested: Request, source: str, run: Run, space: Three | None = None) 
         download=f"{model.name}.py", source=_base64(source.encode()), origin=requested.origin,
         licence=space.licence if space else "", formulation=generated.formulation, rtol=f"{run.rtol:g}",
         atol=f"{run.atol:g}", time=escape(time_unit(dict(model.units))),
-        about=_json(about(model, run, generated.conserves_energy)), wasm=_packed(module(requested)),
-        parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
+        embed=place.embed, home=place.home, about=_json(about(model, run, generated.conserves_energy)),
+        wasm=_packed(module(requested)), parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
     )  # fmt: skip
 
 
 def _parts(space: Three | None) -> dict[str, str]:
-    """Return element id -> compressed text."""
-    texts = {"three-core": space.core, "three-module": space.module} if space else {}
+    """Return element id -> compressed text: the messages about the end of runs, and three.js."""
+    texts = {"endings": json.dumps([*map(_ending, StopReason)], ensure_ascii=False)}
+    texts |= {"three-core": space.core, "three-module": space.module} if space else {}
     return {name: _packed(text.encode()) for name, text in texts.items()}
 
 
 def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
-    """Return the data of a model for the scripts: names, defaults, shapes, and messages about the end of runs."""
+    """Return the data of a model for the scripts: names, defaults and shapes."""
     shapes, first = [], 0
     for shape, around in zip(model.drawing, faces(model), strict=True):
         shapes.append({"kind": shape.kind, "first": first, "count": len(shape.numbers)} | around)
@@ -106,10 +123,13 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
              "unit": unit_of(units, name_of(u))}
             for u, value in model.inputs
         ],
+        "outputs": [
+            {"name": name, "label": label(Symbol(name)), "unit": unit_of(units, name)} for name, _ in model.outputs
+        ],
+        "multipliers": _multipliers(model),
         "dimension": model.drawing[0].dimension if model.drawing else 0, "shapes": shapes,
         "measured": bool(units), "time": time_unit(units), "energy": unit_of(units, "energy"),
         "tEnd": run.t_end, "rtol": run.rtol, "atol": run.atol,
-        "endings": list(map(_ending, StopReason)),
     }  # fmt: skip
 
 
@@ -123,6 +143,15 @@ def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
         "name": symbol.name, "label": label(symbol), "unit": unit_of(dict(model.units), symbol.name), "value": value,
         "positive": positive, "mode": mode,
     }  # fmt: skip
+
+
+def _multipliers(model: Model) -> list[dict[str, str]]:
+    """Return the name and label of each row's multiplier; contacts and frictions name theirs, others have numbers."""
+    names = list(model.row_names or ("",) * model.m)
+    for one in model.switches:
+        row = one.row if one.slides is None else model.h + one.row
+        names[row] = names[row] or one.name
+    return [{"name": name, "label": f"λ<sub>{escape(name or str(k))}</sub>"} for k, name in enumerate(names)]
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:
@@ -157,4 +186,13 @@ def _environment() -> Environment:
 
 def _load(name: str) -> str | None:
     path = files("eigenmotion.webpage").joinpath("page", name)
-    return path.read_text(encoding="utf-8") if path.is_file() else None
+    if not path.is_file():
+        return None
+    text = path.read_text(encoding="utf-8")
+    return _short(text) if name.endswith(".js") else text
+
+
+def _short(script: str) -> str:
+    """Return a script without indentation and lines of comments, which are a tenth of a small page."""
+    lines = (line.strip() for line in script.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))

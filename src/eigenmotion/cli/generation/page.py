@@ -11,7 +11,7 @@ from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.codegen.model.normalise import name_of
 from eigenmotion.files import write
 from eigenmotion.progress import clock
-from eigenmotion.webpage.page import Run, page
+from eigenmotion.webpage.page import Place, Run, page
 from eigenmotion.webpage.page_object import of_space, with_meshes
 
 from ..options import Finite, Shape, check_file, ending, model, setting, shaping, values
@@ -27,6 +27,8 @@ _log = logging.getLogger("eigenmotion")
 @ending(Finite())
 @click.option("--rtol", type=Finite(), default=1e-9, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@click.option("--embed", is_flag=True, help="A compact page for a frame in a page of yours; it reports its height.")
+@click.option("--home", default="", metavar="URL", help="The address of a link at the end of the page.")
 @setting
 @assembling
 @shaping
@@ -36,6 +38,8 @@ def command(
     t_end: float,
     rtol: float,
     atol: float,
+    embed: bool,
+    home: str,
     settings: tuple[str, ...],
     closes: bool,
     **shape: Any,
@@ -56,7 +60,7 @@ def command(
         _log.info("compiling %s to WebAssembly", request.model.name)
         library, missing = of_space(request.model)
         run = Run(t_end, rtol, atol, given)
-        text = page(request, model.read_text(encoding="utf-8"), run, library)
+        text = page(request, model.read_text(encoding="utf-8"), run, library, Place(embed, home))
     if missing:
         click.echo(missing, err=True)
     write(target, text.encode())

@@ -42,7 +42,7 @@ _log = logging.getLogger("eigenmotion")
 @assembling
 @click.option("--estimate-error", is_flag=True, help="Repeat the run more accurately, and print the error.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help="Draw coordinates and outputs over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+              help="Draw coordinates, outputs and named multipliers, to FILE.png, .svg or .pdf.")  # fmt: skip
 @click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help=f"Animate the mechanism, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",

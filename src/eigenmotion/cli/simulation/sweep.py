@@ -256,9 +256,13 @@ def _summary(parts: Parts, count: int, seconds: float, words: dict[str, str]) ->
 
 def _picture(system: System, design: Design, parts: Parts) -> Any:
     x = np.concatenate([arrays["x"] for arrays in parts.arrays()])
-    title = f"{system.name.replace('_', ' ')}, {design.count} runs"
+    kinds = [
+        f"{', '.join(names)} {how}" for names, how in ((design.grid, "swept"), (design.samples, "sampled")) if names
+    ]
+    title = f"{system.name.replace('_', ' ')}, {design.count} runs: {'; '.join(kinds)}"
     if len(parts.time) > 1:
         return ensemble_plot.over_time(title, system.coordinates, parts.time, x, system.units)
     if len(design.grid) == 2 and not design.samples:
         return ensemble_plot.over_grid(title, system.coordinates, design.grid, x[:, :, 0], system.units)
-    return ensemble_plot.ends(title, system.coordinates, design.values(0, design.count), x[:, :, 0], system.units)
+    every = design.values(0, design.count)
+    return ensemble_plot.ends(title, system.coordinates, every, x[:, :, 0], system.units, design.samples)

@@ -1,6 +1,6 @@
 """Plots of ensembles; need the extra `plot` (matplotlib)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -54,18 +54,33 @@ def ends(
     swept: Mapping[str, Vector],
     final: NDArray[np.float64],
     units: Units = None,
+    sampled: Collection[str] = (),
 ) -> Any:
-    """Return a figure of each final coordinate, final (K, n), over the first swept argument."""
+    """Return a figure of each final coordinate, final (K, n), over the first swept argument.
+
+    A dot is a run. Over values of a grid, a line joins the medians; over values drawn at random, `sampled`, none does.
+    """
     figure = blank(8, 1.0 + 1.8 * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
     label, values = next(iter(swept.items()), ("run", np.arange(len(final), dtype=np.float64)))
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
         one.plot(values, final[:, k], ".", color=BLUE, markersize=3, rasterized=True)
+        if swept and label not in sampled:
+            at, medians = _medians(np.asarray(values), final[:, k])
+            one.plot(at, medians, "o-", color=BLUE, linewidth=1.2, markersize=5, markerfacecolor="white", zorder=3)
         one.set_ylabel(_named(name, units, " at the end"))
         uncluttered(one)
     axes[0].set_title(title)
-    axes[-1].set_xlabel(_named(label, units))
+    kind = "" if not swept else ", sampled" if label in sampled else ", swept: circles are medians"
+    axes[-1].set_xlabel(_named(label, units) + kind)
     return figure
+
+
+def _medians(values: Vector, final: Vector) -> tuple[Vector, Vector]:
+    """Return the different values, and the median of the runs at each that have a number."""
+    known = values[~np.isnan(final)]
+    at = np.unique(known)
+    return at, np.array([np.median(final[~np.isnan(final)][known == one]) for one in at])
 
 
 def _named(name: str, units: Units, more: str = "") -> str:

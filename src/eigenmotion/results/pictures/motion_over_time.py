@@ -13,6 +13,7 @@ from .sketch import draw_motion
 
 Panel = tuple[str, Mapping[str, Vector]]
 """The label of a vertical axis, and name -> (k,) of its lines"""
+_WIDTH, _WIDTH_WITH_DRAWING = 7.5, 9.0  # [inch], so that type is legible where a page is 700 pixels wide
 _FEW = 30  # the most events that get a line across the picture, which more would hide
 
 
@@ -35,9 +36,9 @@ def motion_over_time(
         Name -> the times at which it happened.
     """
     heights = _heights(panels, len(events))
-    figure = blank(8 if drawn is None else 12.5, sum(heights) + 0.6)
+    figure = blank(_WIDTH if drawn is None else _WIDTH_WITH_DRAWING, sum(heights) + 0.6)
     places = figure.add_gridspec(len(heights), 1 if drawn is None else 2, height_ratios=heights,
-                                 width_ratios=(8,) if drawn is None else (8, 4.5))  # fmt: skip
+                                 width_ratios=(1,) if drawn is None else (2, 1))  # fmt: skip
     axes: list[Any] = []
     for row, panel in enumerate(panels):
         axes.append(figure.add_subplot(places[row, 0], sharex=axes[0] if axes else None))

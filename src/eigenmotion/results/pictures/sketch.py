@@ -81,7 +81,8 @@ def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
     axes = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     axes.set(xlabel=names[0], ylabel=names[1], zlabel=names[2])
-    axes.set_box_aspect(high - low)
+    axes.set_box_aspect(high - low, zoom=0.85)  # room for the names of the axes, which the layout does not know
+    axes.tick_params(labelsize=8)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.pane.set_facecolor("0.97")
         axis.set_major_locator(_few())
@@ -91,7 +92,7 @@ def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
 def _few() -> Any:
     from matplotlib.ticker import MaxNLocator  # noqa: PLC0415, an optional package
 
-    return MaxNLocator(4)
+    return MaxNLocator(3)
 
 
 def at_time(t: float, units: Units) -> str:
@@ -102,5 +103,6 @@ def at_time(t: float, units: Units) -> str:
 def draw_motion(figure: Any, place: Any, drawn: Drawing) -> None:
     """Draw the mechanism at the end of a motion, faint copies of earlier positions, and the traces."""
     sketch = Sketch(figure, place, drawn, at_time(drawn.t[-1], drawn.units))
+    sketch.axes.set_anchor("N")
     sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
     sketch.show(len(drawn.t) - 1)

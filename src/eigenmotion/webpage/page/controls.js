@@ -1,18 +1,25 @@
-// controls.js: a slider and a number field for each parameter, input and initial value.
+// controls.js: a slider with editable limits and a number field for each parameter, input and initial value.
 
 class Control {
   constructor(parent, { name, label, unit, value, low, high }, changed) {
-    this.start = value;
-    const row = document.createElement("label");
+    Object.assign(this, { start: value, limits: [low, high], changed });
+    const row = document.createElement("div");
     row.className = about.measured ? "control measured" : "control";
-    row.innerHTML = `<span class="name">${label}</span><input type="range" step="any"><input type="number" step="any">${about.measured ? `<span class="unit">${plain(unit)}</span>` : ""}`;
-    [this.slider, this.field] = row.querySelectorAll("input");
+    row.innerHTML = `<span class="name">${label}</span><span class="range"><input type="range" step="any"><input
+      class="limit" type="number" step="any"><input class="limit" type="number" step="any"></span><input type="number"
+      class="value" step="any">${about.measured ? `<span class="unit" title="${plain(unit)}">${plain(inPrint(unit))}</span>` : ""}`;
+    [this.slider, this.low, this.high, this.field] = row.querySelectorAll("input");
     for (const input of [this.slider, this.field]) {
       input.setAttribute("aria-label", name);
       input.dataset.name = name;
     }
-    this.slider.min = low;
-    this.slider.max = high;
+    [[this.low, "least"], [this.high, "greatest"]].forEach(([input, which], end) => {
+      input.setAttribute("aria-label", `${which} ${name}`);
+      input.title = `${which} value of the slider`;
+      input.dataset.limit = name;
+      input.addEventListener("change", () => this.setLimit(end, input.valueAsNumber));
+    });
+    this.setLimits(low, high);
     parent.append(row);
     this.set(value);
     this.slider.addEventListener("input", () => { this.value = +this.slider.value; this.print(); changed(this); });
@@ -24,16 +31,43 @@ class Control {
     });
   }
 
+  setLimits(low, high) {
+    Object.assign(this.slider, { min: low, max: high });
+    this.low.value = short(low);
+    this.high.value = short(high);
+  }
+
+  // A limit that the user typed moves the value with it; one that is no number, or beyond the other limit, is undone.
+  setLimit(end, limit) {
+    const limits = [+this.slider.min, +this.slider.max];
+    const before = limits[end];
+    limits[end] = limit;
+    if (!(limits[0] < limits[1])) limits[end] = before;
+    this.setLimits(...limits);
+    const value = Math.min(limits[1], Math.max(limits[0], this.value));
+    if (value === this.value) { this.set(value); return; }
+    this.set(value);
+    this.changed(this, true);
+  }
+
   set(value) {
     this.value = value;
-    if (value < +this.slider.min) this.slider.min = value;
-    if (value > +this.slider.max) this.slider.max = value;
+    if (value < +this.slider.min || value > +this.slider.max) {
+      this.setLimits(Math.min(value, +this.slider.min), Math.max(value, +this.slider.max));
+    }
     this.slider.value = value;
     this.print();
   }
 
-  print() { this.field.value = +this.value.toPrecision(6); }
+  reset() {
+    this.setLimits(...this.limits);
+    this.set(this.start);
+  }
+
+  print() { this.field.value = String(this.value).includes("e") ? +this.value.toPrecision(3) : +this.value.toPrecision(6); }
 }
+
+const short = (value) => +value.toPrecision(4);
 
 const around = (value, least) => { const reach = Math.max(least, Math.abs(value)); return { low: value - reach, high: value + reach }; };
 

@@ -25,6 +25,7 @@ function gestures(element, { drag, zoom }) {
   for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, (event) => pointers.delete(event.pointerId));
   element.addEventListener("contextmenu", (event) => event.preventDefault());
   element.addEventListener("wheel", (event) => {
+    if (embedded && !event.ctrlKey) return; // the page around the frame scrolls
     event.preventDefault();
     zoom(Math.exp(-event.deltaY * 0.0015), ...place(event));
   }, { passive: false });

@@ -2,18 +2,20 @@
 
 const element = (id) => document.getElementById(id);
 const about = JSON.parse(element("about").textContent);
+const embedded = document.documentElement.classList.contains("embed");
 const inTime = (t) => `${+t.toPrecision(6)} ${about.time}`.trim();
 
 class Page {
   constructor(engine, stage) {
     Object.assign(this, { engine, stage });
-    this.plots = plotsOf(about).map((plot) => new Plot(element("plots"), plot, (t) => { this.player.pause(); this.player.seek(t); }));
+    this.abscissa = null;
     if (!stage) element("stage").hidden = true;
     const parts = Object.fromEntries(["play", "scrub", "speed", "clock"].map((id) => [id, element(id)]));
     this.player = new Player(parts, (t) => this.show(t));
     this.scheduled = false;
     this.controls();
     this.keys();
+    this.offerAbscissas();
     element("span").value = about.tEnd;
     element("span").addEventListener("change", () => this.changed());
     element("reset").addEventListener("click", () => this.reset());
@@ -64,8 +66,31 @@ class Page {
     if (!motion.rows) return;
     this.motion = motion;
     element("cost").textContent = `${end.steps} steps, ${end.rhs} right-hand sides, ${end.milliseconds.toFixed(1)} ms`;
-    for (const plot of this.plots) plot.setMotion(this.motion);
+    this.plots ??= this.makePlots();
+    for (const plot of this.plots) plot.setMotion(motion, this.abscissa);
     this.player.setEnd(this.motion.last);
+  }
+
+  makePlots() {
+    const checks = checksOf(about), seek = (t) => { this.player.pause(); this.player.seek(t); };
+    element("checks").hidden = !checks.length;
+    for (const id of ["curves", "checks"]) element(id).addEventListener("toggle", () => this.show(this.player.t));
+    return [
+      ...plotsOf(about, this.motion).map((plot) => new Plot(element("plots"), plot, seek)),
+      ...checks.map((plot) => new Plot(element("checks").querySelector(".plots"), plot, seek)),
+    ];
+  }
+
+  // The time, and every quantity over which plots can be drawn.
+  offerAbscissas() {
+    const { coordinates, states, outputs } = quantitiesOf(about), offered = [OVER_TIME, ...coordinates, ...states, ...outputs];
+    const select = element("abscissa");
+    select.append(...offered.map((one, k) => new Option(k ? one.text : `time ${one.text}`, k)));
+    select.addEventListener("change", () => {
+      this.abscissa = +select.value ? offered[+select.value] : null;
+      for (const plot of this.plots ?? []) plot.setMotion(this.motion, this.abscissa);
+      this.show(this.player.t);
+    });
   }
 
   showStatus(status, t, coordinate, moved = false) {
@@ -89,7 +114,7 @@ class Page {
     engine.inputs.set(about.inputs.map((one) => one.value));
     engine.x.set(about.coordinates.map((one) => one.value));
     engine.v.set(about.v);
-    for (const kind of ["parameters", "inputs"]) this.fields[kind].forEach((field) => field?.set(field.start));
+    for (const kind of ["parameters", "inputs"]) this.fields[kind].forEach((field) => field?.reset());
     this.start = { x: Array.from(engine.x), v: Array.from(engine.v) };
     element("span").value = about.tEnd;
     this.player.seek(0);
@@ -99,7 +124,7 @@ class Page {
   show(t) {
     if (!this.motion) return;
     this.stage?.show(this.motion, t);
-    for (const plot of this.plots) plot.show(t);
+    for (const plot of this.plots ?? []) plot.show(t);
     this.frames = (this.frames ?? 0) + 1;
   }
 
@@ -127,8 +152,10 @@ class Page {
   }
 }
 
+if (embedded && parent !== window) reportHeight();
 document.documentElement.classList.toggle("framed", window.top !== window); // a page that frames this one has a title
 try {
+  about.endings = JSON.parse(await unpackedText("endings"));
   const engine = await Engine.open(element("wasm").textContent, about);
   window.eigenmotion = new Page(engine, about.dimension ? await stageOf(about) : null);
 } catch (error) {

@@ -1,56 +1,71 @@
-// plots.js: plots over time, with a line at the current time; dragging seeks.
+// plots.js: plots over the abscissa (the time or a quantity), with a mark at the current time; dragging seeks.
 
 const DASHES = [[], [6, 3], [2, 3], [8, 3, 2, 3]];
+const LEFT = 58, RIGHT = 12, BELOW = 36, ABOVE = 9;
 
 class Plot {
-  constructor(parent, { title, series, log }, seek) {
-    this.series = series;
-    this.log = log;
+  // look: { title, series, log, timed }; a timed plot is over time whatever the abscissa.
+  constructor(parent, { title, series, log, timed }, seek) {
+    Object.assign(this, { series, log, timed });
     this.figure = document.createElement("figure");
     this.figure.innerHTML = `<figcaption>${title}<span class="legend">${series.map((one, k) =>
       `<span class="key"><svg width="22" height="8" aria-hidden="true"><line x1="0" x2="22" y1="4" y2="4"
         stroke="var(--series${(k % 6) + 1})" stroke-width="2" stroke-dasharray="${DASHES[k % 4].join(" ")}"/></svg><span>${one.label}</span></span>`).join("")}</span></figcaption>`;
     this.canvas = document.createElement("canvas");
     this.canvas.setAttribute("role", "img");
-    this.canvas.setAttribute("aria-label", `${this.figure.textContent.trim()} over time`);
     this.figure.append(this.canvas);
     parent.append(this.figure);
     this.brush = this.canvas.getContext("2d");
     const point = (event) => {
-      const box = this.canvas.getBoundingClientRect();
-      seek(((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * this.motion.last);
+      const box = this.canvas.getBoundingClientRect(), [low, high] = this.across;
+      seek(this.timeAt(low + ((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT)) * (high - low)));
     };
     this.canvas.addEventListener("pointerdown", (event) => { this.canvas.setPointerCapture(event.pointerId); point(event); });
     this.canvas.addEventListener("pointermove", (event) => { if (event.buttons) point(event); });
   }
 
-  setMotion(motion) {
+  // abscissa: { text, values }, or null for the time.
+  setMotion(motion, abscissa) {
     this.motion = motion;
+    this.abscissa = (this.timed ? null : abscissa) ?? OVER_TIME;
+    this.places = this.abscissa.values(motion);
+    this.across = this.abscissa === OVER_TIME ? [0, motion.last || 1] : roomy(this.places, 0.03);
     this.columns = this.series.map((one) => one.values(motion));
-    const seen = this.columns.flatMap((column) => [...column]).filter(Number.isFinite);
-    let low = Math.min(...seen), high = Math.max(...seen);
-    if (!seen.length) [low, high] = [0, 1];
-    if (this.log) [low, high] = [-17, Math.max(-12, Math.ceil(high))];
-    const room = 0.08 * (high - low) || Math.max(1e-12, 0.1 * Math.abs(high));
-    this.range = this.log ? [low, high] : [low - room, high + room];
+    this.range = roomy(this.columns.flatMap((column) => [...column]), 0.08);
+    if (this.log) this.range = [-17, Math.max(-12, Math.ceil(this.range[1]))];
     this.background = null;
+    this.canvas.setAttribute("aria-label", `${this.figure.textContent.trim()} over ${this.abscissa.text}`);
+  }
+
+  // The time at a place of the abscissa: of a quantity that turns back, that nearest to the time shown.
+  timeAt(place) {
+    if (this.abscissa === OVER_TIME) return place;
+    const { motion } = this, reach = 0.01 * (this.across[1] - this.across[0]);
+    let best = 0, least = Infinity;
+    this.places.forEach((value, row) => {
+      const away = Math.max(0, Math.abs(value - place) - reach) * 1e6 + Math.abs(motion.at(row, 0) - this.t);
+      if (away < least) [best, least] = [row, away];
+    });
+    return motion.at(best, 0);
   }
 
   show(t) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
+    this.t = t;
     if (!width || !this.motion) return;
     if (!this.background || this.background.width !== Math.round(width * devicePixelRatio) || this.background.look !== theme()) this.paint();
     sharpen(this.canvas, this.brush);
     this.brush.drawImage(this.background, 0, 0, width, height);
-    const x = LEFT + (t / (this.motion.last || 1)) * (width - LEFT - RIGHT);
+    const x = this.x(this.at(this.places, t), width);
+    if (!Number.isFinite(x)) return;
     this.brush.strokeStyle = theme().ink;
     this.brush.lineWidth = 1;
     this.brush.beginPath();
     this.brush.moveTo(x, ABOVE);
     this.brush.lineTo(x, height - BELOW);
     this.brush.stroke();
-    this.series.forEach((one, k) => {
-      const value = this.at(k, t);
+    this.columns.forEach((column, k) => {
+      const value = this.at(column, t);
       if (!Number.isFinite(value)) return;
       this.brush.fillStyle = theme()[`series${(k % 6) + 1}`];
       this.brush.beginPath();
@@ -59,9 +74,14 @@ class Plot {
     });
   }
 
-  at(k, t) {
-    const [row, part] = this.motion.where(t), column = this.columns[k], next = Math.min(row + 1, column.length - 1);
+  at(column, t) {
+    const [row, part] = this.motion.where(t), next = Math.min(row + 1, column.length - 1);
     return column[row] + part * (column[next] - column[row]);
+  }
+
+  x(value, width) {
+    const [low, high] = this.across;
+    return LEFT + ((value - low) / (high - low)) * (width - LEFT - RIGHT);
   }
 
   y(value, height) {
@@ -78,7 +98,6 @@ class Plot {
     const brush = this.background.getContext("2d");
     brush.scale(devicePixelRatio, devicePixelRatio);
     this.grid(brush, width, height);
-    const x = (row) => LEFT + (this.motion.at(row, 0) / (this.motion.last || 1)) * (width - LEFT - RIGHT);
     this.columns.forEach((column, k) => {
       brush.strokeStyle = theme()[`series${(k % 6) + 1}`];
       brush.setLineDash(DASHES[k % 4]);
@@ -86,8 +105,9 @@ class Plot {
       brush.beginPath();
       let pen = false;
       column.forEach((value, row) => {
-        if (!Number.isFinite(value)) { pen = false; return; }
-        if (pen) brush.lineTo(x(row), this.y(value, height)); else brush.moveTo(x(row), this.y(value, height));
+        const x = this.x(this.places[row], width);
+        if (!Number.isFinite(value) || !Number.isFinite(x)) { pen = false; return; }
+        if (pen) brush.lineTo(x, this.y(value, height)); else brush.moveTo(x, this.y(value, height));
         pen = true;
       });
       brush.stroke();
@@ -96,7 +116,7 @@ class Plot {
 
   grid(brush, width, height) {
     const look = theme();
-    brush.font = "11px system-ui, sans-serif";
+    brush.font = "12px system-ui, sans-serif";
     brush.fillStyle = look.ink;
     brush.strokeStyle = look.grid;
     brush.textBaseline = "middle";
@@ -111,15 +131,26 @@ class Plot {
     }
     brush.textBaseline = "alphabetic";
     brush.textAlign = "center";
-    for (const value of ticks(0, this.motion.last || 1, 5)) {
-      brush.fillText(brief(value), LEFT + (value / (this.motion.last || 1)) * (width - LEFT - RIGHT), height - 4);
-    }
+    for (const value of ticks(...this.across, 5)) brush.fillText(brief(value), this.x(value, width), height - BELOW + 15);
+    brush.fillStyle = look.faint;
+    brush.fillText(this.abscissa.text, (LEFT + width - RIGHT) / 2, height - 4);
   }
 }
 
-const LEFT = 58, RIGHT = 10, BELOW = 18, ABOVE = 9;
+// The range of finite values, with some room at both ends.
+function roomy(values, part) {
+  let low = Infinity, high = -Infinity;
+  for (const value of values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
+  if (!(low <= high)) return [0, 1];
+  const room = part * (high - low) || 0.1 * Math.abs(high) || 1;
+  return [low - room, high + room];
+}
 
-const brief = (value) => (value === 0 ? "0" : Math.abs(value) >= 1e4 || Math.abs(value) < 1e-3 ? value.toExponential(0) : String(+value.toPrecision(4)));
+function brief(value) {
+  const size = Math.abs(value), plainly = size === 0 || (size >= 1e-3 && size < 1e6);
+  const text = plainly ? String(+value.toPrecision(4)) : (+value.toPrecision(3)).toExponential().replace("+", "");
+  return text.replace("-", "\u2212");
+}
 
 function ticks(low, high, count, whole = false) {
   const span = high - low, power = 10 ** Math.floor(Math.log10(span / count));
@@ -127,32 +158,4 @@ function ticks(low, high, count, whole = false) {
   if (whole) step = Math.max(1, Math.round(step));
   const first = Math.ceil(low / step) * step;
   return Array.from({ length: Math.floor((high - first) / step + 1e-9) + 1 }, (_, k) => +(first + k * step).toPrecision(12));
-}
-
-const inUnit = (unit) => (unit ? ` [${plain(unit)}]` : "");
-
-const plain = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-
-function plotsOf(about) {
-  const column = (place, label) => ({ label, values: (motion) => motion.column(motion.places[place[0]] + place[1]) });
-  const digits = (value) => Math.log10(Math.max(Math.abs(value), 1e-17));
-  const series = about.coordinates.map((one, k) => ({ ...column([one.state ? "v" : "x", k], one.label + inUnit(one.unit)), state: one.state }));
-  const found = [{ title: "coordinates", series: series.filter((one) => !one.state) }];
-  if (series.some((one) => one.state)) found.push({ title: "states", series: series.filter((one) => one.state) });
-  if (about.conservesEnergy) {
-    const drift = (motion) => {
-      const energy = motion.column(motion.places.energy);
-      return energy.map((value) => digits(value - energy[0]));
-    };
-    found.push({ title: "energy drift", log: true, series: [{ label: `|E − E<sub>0</sub>|${inUnit(about.energy)}`, values: drift }] });
-  }
-  const residual = (place, label) => ({ label, values: (motion) => motion.column(motion.places[place]).map(digits) });
-  if (about.m) {
-    const series = [residual("rates", "max |A ẋ + b|")];
-    if (about.h) series.push(residual("positions", "max |φ|"));
-    found.push({ title: "constraint residual", log: true, series });
-    const names = Array.from({ length: about.m }, (_, k) => column(["lambda", k], `λ<sub>${k}</sub>`));
-    found.push({ title: "multipliers", series: names });
-  }
-  return found;
 }

@@ -1,10 +1,9 @@
 // space.js: stage for drawings in space by three.js, if the page contains it and the browser has WebGL.
 
 async function openThree() {
-  const text = async (id) => new TextDecoder().decode(await unpacked(element(id).textContent));
   const url = (source) => URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-  const core = url(await text("three-core"));
-  return import(url((await text("three-module")).replaceAll("./three.core.min.js", core)));
+  const core = url(await unpackedText("three-core"));
+  return import(url((await unpackedText("three-module")).replaceAll("./three.core.min.js", core)));
 }
 
 class SpaceStage extends Stage {

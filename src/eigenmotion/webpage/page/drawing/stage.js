@@ -44,7 +44,7 @@ class Stage {
   fit(motion) {
     if (this.box && this.touched) return;
     this.box = motion.box();
-    this.middle = mix(this.box.low, this.box.high, 0.5);
+    this.framed = null;
   }
 
   show(motion, t) {
@@ -62,11 +62,33 @@ class Stage {
     return [right, cross(eye, right), eye];
   }
 
+  get middle() { return this.frame().middle; }
+
+  // The middle and the size of the motion as seen from here; kept until the view turns.
+  frame() {
+    const { yaw, pitch } = this.view;
+    if (this.framed?.yaw === yaw && this.framed?.pitch === pitch) return this.framed;
+    const [right, up] = this.axes(), { low, high, points } = this.box;
+    const centre = mix(low, high, 0.5);
+    const ends = (axis, k) => {
+      if (!points.length) return [low[k] - centre[k], high[k] - centre[k]];
+      let [least, most] = [Infinity, -Infinity];
+      for (const { at, room } of points) {
+        const place = dot(minus(at, centre), axis);
+        [least, most] = [Math.min(least, place - room), Math.max(most, place + room)];
+      }
+      return [least, most];
+    };
+    const [left, rightmost] = ends(right, 0), [bottom, top] = ends(up, 1);
+    const middle = plus(plus(centre, right, (left + rightmost) / 2), up, (bottom + top) / 2);
+    this.framed = { yaw, pitch, middle, across: rightmost - left, upwards: top - bottom };
+    return this.framed;
+  }
+
   camera() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const [right, up, eye] = this.axes(), { low, high } = this.box;
-    const reach = (axis) => axis.reduce((sum, part, k) => sum + Math.abs(part) * (high[k] - low[k]), 0);
-    const scale = this.view.zoom * 0.86 * Math.min(width / (reach(right) || 1e-9), height / (reach(up) || 1e-9), 1e9);
+    const [right, up, eye] = this.axes(), { across, upwards } = this.frame();
+    const scale = this.view.zoom * 0.9 * Math.min(width / (across || 1e-9), height / (upwards || 1e-9), 1e9);
     const [x0, y0] = [width / 2 + this.view.pan[0], height / 2 + this.view.pan[1]];
     return {
       scale,

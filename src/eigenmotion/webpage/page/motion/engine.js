@@ -11,6 +11,8 @@ async function unpacked(base64) {
   return new Response(stream).arrayBuffer();
 }
 
+const unpackedText = async (id) => new TextDecoder().decode(await unpacked(element(id).textContent));
+
 class Engine {
   static async open(base64, about) {
     let memory = null;

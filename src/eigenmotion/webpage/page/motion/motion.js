@@ -7,7 +7,8 @@ class Motion {
     const { n, m } = about;
     this.places = { t: 0, x: 1, v: 1 + n, energy: 1 + 2 * n, rates: 2 + 2 * n, positions: 3 + 2 * n };
     this.places.lambda = 4 + 2 * n;
-    this.places.drawn = 4 + 2 * n + m;
+    this.places.outputs = 4 + 2 * n + m;
+    this.places.drawn = this.places.outputs + about.outputs.length;
   }
 
   get last() { return this.rows ? this.table[(this.rows - 1) * this.width] : 0; }
@@ -53,6 +54,22 @@ class Motion {
     return shape.kind === "solid" ? solid(shape, numbers).points.flat() : numbers;
   }
 
+  // Corners around the points of all shapes at some times, in space: what a view has to show.
+  points() {
+    const { dimension, shapes } = this.about, found = [];
+    if (dimension < 3) return found;
+    for (let row = 0; row < this.rows; row += Math.max(1, this.rows >> 5)) {
+      for (const shape of shapes) {
+        const numbers = this.extremes(shape, row);
+        const room = shape.kind === "disk" ? Math.abs(this.at(row, this.places.drawn + shape.first + 3)) : 0;
+        for (let k = 0; k + 2 < numbers.length; k += 3) {
+          if (numbers.slice(k, k + 3).every(Number.isFinite)) found.push({ at: numbers.slice(k, k + 3), room });
+        }
+      }
+    }
+    return found;
+  }
+
   // Bounding box of all shapes at all times.
   box() {
     const { dimension, shapes } = this.about;
@@ -70,6 +87,10 @@ class Motion {
       }
     }
     for (let axis = 0; axis < 3; ++axis) if (!(low[axis] <= high[axis])) low[axis] = high[axis] = 0;
-    return { low, high, size: Math.max(...high.map((value, axis) => value - low[axis])) || 1 };
+    const size = Math.max(...high.map((value, axis) => value - low[axis])) || 1;
+    for (const { kind, first, count } of shapes) { // a support in the plane stands on hatches
+      if (kind === "ground" && dimension === 2 && count === 2) low[1] = Math.min(low[1], this.at(0, this.places.drawn + first + 1) - 0.055 * size);
+    }
+    return { low, high, points: this.points(), size };
   }
 }
