@@ -1,8 +1,7 @@
-"""Benchmark of first builds of ordinary mechanisms, with the stepper in the cache; and of the flags of cold code.
+"""Benchmark of first builds of ordinary mechanisms, with the stepper in the cache.
 
 Seconds from a `Model` to a `System`, medians of three builds, each with a cache that has the stepper only, and where
-they go. They depend on the machine and its other load. Then two ratios of code that no step calls, compiled with `-O1`
-(the default) over `-O3`: the compiler's processor time, and the thread time of runs of five models with contacts.
+they go. They depend on the machine and its other load.
 """
 
 from __future__ import annotations
@@ -10,14 +9,10 @@ from __future__ import annotations
 import atexit
 import functools
 import os
-import resource
 import shutil
 import tempfile
-import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from functools import partial
-from pathlib import Path
 from statistics import median
 from unittest.mock import patch
 
@@ -29,9 +24,7 @@ import eigenmotion as em
 from eigenmotion.building import shared_library, toolchain, verification
 from eigenmotion.building.cache import LOCATION
 
-MODELS = Path(__file__).parents[1] / "models"
-WITH_CONTACTS = ("newtons_cradle", "clock", "block_on_incline", "bouncing_ball", "rimless_wheel")
-REPEATS, RUNS, SPAN = 3, 40, (0.0, 5.0)
+REPEATS = 3
 
 
 @contextmanager
@@ -65,44 +58,13 @@ def stages(make: Callable[[], em.Model]) -> dict[str, float]:
     return seconds
 
 
-def compiler_time(level: str) -> float:
-    """Return the compiler's processor seconds for a build of two frictions with this level for cold code."""
-    with empty_cache(), patch.object(toolchain, "ASIDE", level):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        em.build(two_frictions())
-        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-
-
-def built(name: str, level: str) -> em.System:
-    with empty_cache(), patch.object(toolchain, "ASIDE", level):
-        return em.build(em.load_model(MODELS / f"{name}.py"))
-
-
-def thread_time(system: em.System) -> float:
-    start = time.thread_time()
-    em.simulate(system, SPAN)
-    return time.thread_time() - start
-
-
-def ratio(first: Callable[[], float], second: Callable[[], float], pairs: int) -> float:
-    """Return the median of the first over that of the second, measured in turn."""
-    times = [(first(), second()) for _ in range(pairs)]
-    one, other = zip(*times, strict=True)
-    return median(one) / median(other)
-
-
 def main() -> None:
-    em.build(em.load_model(MODELS / "pendulum.py"))  # what is imported at the first build
+    em.build(two_frictions())  # what is imported at the first build
     for make in ORDINARY:
         results = [stages(make) for _ in range(REPEATS)]
         middle = {name: median(one[name] for one in results if name in one) for one in results for name in one}
         print(f"{make.__name__}: build {middle.pop('build'):.2f} s")
         print("  " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in middle.items()))
-    found = ratio(partial(compiler_time, "-O1"), partial(compiler_time, "-O3"), REPEATS)
-    print(f"-O1 over -O3 for cold code: compiler, two frictions {found:.2f}")
-    for name in WITH_CONTACTS:
-        runs = [partial(thread_time, built(name, level)) for level in ("-O1", "-O3")]
-        print(f"  runs of {name} {ratio(*runs, RUNS):.3f}")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,6 @@ STANDARD = ("-std=c11",)  # without warnings, which users of a model cannot act 
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # code that runs once; no warnings about Python's headers
 HURRIED = ("-O1",)  # for functions that are called rarely
-ASIDE = "-O1"  # in place of -O3 for functions that no step calls, which are most of a model with contacts
 UNITS = {
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
@@ -75,7 +74,7 @@ class Toolchain:
         The predefined macros of the compiler depend on all three.
         """
         macros = self._ask(*self.optimised, *self.flags, *_MACROS)
-        fixed = (*STANDARD, *SHARED, *MODULE, *HURRIED, ASIDE, *link_flags(self.command), *map(str, UNITS.items()))
+        fixed = (*STANDARD, *SHARED, *MODULE, *HURRIED, *link_flags(self.command), *map(str, UNITS.items()))
         flags = (*self.optimised, *fixed, *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
@@ -97,15 +96,10 @@ class Toolchain:
 
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """Compile a unit, STEM.c -> STEM_UNIT.o; return the name of the object."""
-        target, optimised = f"{stem}_{unit}.o", self._optimised_for(unit)
+        target, optimised = f"{stem}_{unit}.o", HURRIED if unit == "duals" else self.optimised
         macros = (f"-D{macro}" for macro in UNITS[unit])
         self._run(*self._object(optimised), *macros, "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
-
-    def _optimised_for(self, unit: str) -> tuple[str, ...]:
-        if unit == "duals":
-            return HURRIED
-        return (*self.optimised, ASIDE) if unit == "aside" else self.optimised
 
     def compile_stepper(self, folder: Path) -> str:
         """Compile the stepper, em_stepper.c -> em_stepper.o; return the name of the object."""
