@@ -21,10 +21,10 @@ def run_compiled(task: Task, method: Method, other: Method | None = None) -> Sol
     BaseException
         The exception of a controller; its attribute `solution` is the motion so far.
     """
-    numbers = (method.number,) if other is None else (method.number, other.number)
+    change = -1 if other is None else other.number
     if not task.inputs.sampled:
-        return solution_of(task, method, Run(task, *numbers))
-    controlled = ControlledRun(task, *numbers)
+        return solution_of(task, method, Run(task, method.number, other=change))
+    controlled = ControlledRun(task, method.number, change)
     try:
         controlled.go()
     except BaseException as error:
