@@ -36,7 +36,7 @@ def test_a_page_starts_closed(scene, capsys, monkeypatch):
     scene.write_text(LOOP)
     given = {}
 
-    def page_of(request, source, run, space):
+    def page_of(request, source, run, space, place):
         given.update(run.given)
         return "<html></html>"
 
