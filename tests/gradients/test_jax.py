@@ -185,7 +185,7 @@ def test_mistakes_of_values(which: str):
 
 
 @pytest.mark.parametrize(("wrong", "words"), [
-    ({"by": ["h"]}, "unknown name in sensitivities"), ({"by": []}, "by is empty"),
+    ({"by": ["h"]}, "unknown name in by"), ({"by": []}, "by is empty"),
     ({"of": ("y",)}, "unknown part in of"),
     ({"of": ()}, "unknown part in of"), ({"of": "states"}, "has no states"), ({"dense_output": True}, "unknown option"),
     ({"t_eval": None}, "give the times"), ({"t_eval": [2.0]}, "t_eval"), ({"system": "ball"}, "system"),
