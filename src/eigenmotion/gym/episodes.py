@@ -160,4 +160,6 @@ class Starts:
             if not isinstance(numbers, Mapping):
                 raise ModelError(f"{self._name}: {what} is {shown(numbers)}: return numbers by name")
             for name, value in by_name(numbers, tuple(columns), f"number of {what}").items():
-                columns[name][k] = real(value, f"{self._name}: {name} of {what}")
+                columns[name][k] = number = real(value, f"{self._name}: {name} of {what}")
+                if not np.isfinite(number):
+                    raise ModelError(f"{self._name}: {name} of {what} is {number}, but must be a finite number")
