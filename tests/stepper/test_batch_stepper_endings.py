@@ -103,13 +103,13 @@ def test_a_start_that_cannot_be_is_refused_by_number_and_nobody_moves():
     envs.advance(0.2)
     before = envs.save()
     with pytest.raises(ModelError, match="member 2 of 4: four_bar: x0 is off holonomic constraint row 0"):
-        envs.reset([1, 2], x0={system.coordinates[0]: [9.0, envs._starts.x[1, 0], 0.1, 0.2]})
+        envs.reset([1, 2], x0={system.coordinates[0]: [9.0, envs.starts.x[1, 0], 0.1, 0.2]})
     assert envs.save() == before
     single = system.stepper(rtol=1e-8)
     single.advance(0.2)
     assert np.array_equal(envs.x[3], single.x)
     with pytest.raises(ModelError, match="member 1 of 2: four_bar"):
-        system.steppers(x0={system.coordinates[0]: [envs._starts.x[0, 0], 0.1]})
+        system.steppers(x0={system.coordinates[0]: [envs.starts.x[0, 0], 0.1]})
 
 
 REFUSED = (
