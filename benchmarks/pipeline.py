@@ -1,25 +1,28 @@
 """Benchmark of the build: time from a model file to a System by stage, with empty caches; and time of commands.
 
 Seconds, medians of repeats. Unlike ratios, they depend on the machine and on its other load. With the argument
-`compiler` only the compiler's processor seconds, unit by unit: they are what a change to the C code affects.
+`compiler` only the compiler's processor seconds, unit by unit: they are what a change to the C code affects. With
+`ordinary` only first builds of four mechanisms as users write them, with the stepper in the cache.
 """
 
 from __future__ import annotations
 
 import os
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import Any
 from unittest.mock import patch
 
+from common.ordinary_models import ORDINARY
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
@@ -69,14 +72,13 @@ def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
     return wrapped
 
 
-def stages(load: Callable[[], Model]) -> Seconds:
-    """Build a model with an empty cache, then each part that is built on demand; return the seconds of each stage.
+@contextmanager
+def watched(seconds: Seconds) -> Iterator[None]:
+    """Add the time of each stage of builds to `seconds`.
 
     Compilations run in parallel; their times include waiting for a free core.
     """
-    seconds: Seconds = {}
-    with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
-        stack.enter_context(patch.dict(os.environ, {LOCATION: cache}))
+    with ExitStack() as stack:
         for name in GENERATOR:
             stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
         for name, title in COMPILER.items():
@@ -84,12 +86,41 @@ def stages(load: Callable[[], Model]) -> Seconds:
         stack.enter_context(patch.object(Toolchain, "compile_unit", unit_by_unit(seconds)))
         for place, name, title in ((verification, "prove", "proof"), (shared_library, "system_in", "library loaded")):
             stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
-        model = timed("load", load, seconds)()
+        yield
+
+
+def stages(file: str, definitions: dict[str, int]) -> Seconds:
+    """Build a model with an empty cache, then each part that is built on demand; return the seconds of each stage."""
+    seconds: Seconds = {}
+    with tempfile.TemporaryDirectory() as cache, patch.dict(os.environ, {LOCATION: cache}), watched(seconds):
+        model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)
         first = dict(seconds)
         for part in PARTS:
             timed(f"later: {WORDS[part]}", load_part, first)(request(model), toolchain(), part)
     return first
+
+
+def first_build(make: Callable[[], Model], with_stepper: str) -> Seconds:
+    """Build a model with a cache that has nothing but the stepper; return the seconds of each stage."""
+    seconds: Seconds = {}
+    with tempfile.TemporaryDirectory() as cache, patch.dict(os.environ, {LOCATION: cache}), watched(seconds):
+        shutil.copytree(with_stepper, cache, dirs_exist_ok=True)
+        timed("all", build, seconds)(timed("Model", make, seconds)())
+    return seconds
+
+
+def ordinary_builds() -> None:
+    """Print the times of first builds of mechanisms as users write them."""
+    with tempfile.TemporaryDirectory() as with_stepper:
+        with patch.dict(os.environ, {LOCATION: with_stepper}):
+            shared_library.stepper(toolchain())
+        first_build(ORDINARY[-1], with_stepper)  # what is imported at the first build
+        for make in ORDINARY:
+            results = [first_build(make, with_stepper) for _ in range(REPEATS)]
+            middle = {name: median(one[name] for one in results) for name in results[0]}
+            print(f"{make.__name__}: build {middle.pop('all'):.2f} s")
+            print("  " + ", ".join(f"{name} {seconds:.2f}" for name, seconds in middle.items()))
 
 
 def spent_by_compilers(seconds: Seconds, name: str, action: Callable[[], Any]) -> Any:
@@ -193,11 +224,14 @@ def commands() -> None:
 
 def main() -> None:
     toolchain().identity  # noqa: B018, computed once in a process, so not part of the first build
+    if "ordinary" in sys.argv[1:]:
+        ordinary_builds()
+        return
     compiler_seconds()
     if "compiler" in sys.argv[1:]:
         return
     for file, definitions, repeats in CASES:
-        results = [stages(partial(load_model, MODELS / f"{file}.py", **definitions)) for _ in range(repeats)]
+        results = [stages(file, definitions) for _ in range(repeats)]
         title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])
         print(f"{title}: {median(one['all'] for one in results):.2f} s in all")
         for name in results[0]:

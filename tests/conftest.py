@@ -14,6 +14,7 @@ from eigenmotion.building.toolchain import FLAGS
 
 from .graph.expressions import Bench
 from .support import generation
+from .support.browser import Browser, chromium
 from .support.by_day import mark_nightly, rule_of
 from .support.generation import COMPILERS
 from .support.night_slice import outside_slice, slice_of
@@ -113,6 +114,15 @@ def interruptible() -> Iterator[None]:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Return a headless Chromium, for the tests of one file."""
+    if chromium() is None:
+        pytest.skip("Chromium is not here (apt-get install chromium)")
+    with Browser() as opened:
+        yield opened
 
 
 @pytest.fixture(scope="module")

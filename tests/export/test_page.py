@@ -17,8 +17,6 @@ from eigenmotion.webpage.page import Run, page
 from eigenmotion.webpage.page_object import Page
 from eigenmotion.webpage.three import three
 
-from ..support.browser import Browser, chromium
-
 MODELS = Path(__file__).parents[2] / "models"
 KILOBYTES = 250
 T_END, RTOL, ATOL = 3.0, 1e-9, 1e-9
@@ -42,14 +40,6 @@ def pages(tmp_path_factory):
         return file
 
     return written
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if chromium() is None:
-        pytest.skip("Chromium is not here (apt-get install chromium)")
-    with Browser() as opened:
-        yield opened
 
 
 @pytest.fixture

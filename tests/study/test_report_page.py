@@ -10,7 +10,6 @@ import pytest
 from eigenmotion.presentation.text import number, seconds
 from eigenmotion.report.output import write_report
 
-from ..support.browser import Browser, chromium
 from .made_up import ALL, OURS, findings
 
 UNITS = (("theta", "rad"), ("r", "mm"), ("k", "N/mm"), ("energy", "mJ"), ("time", "ms"))
@@ -29,14 +28,6 @@ def folder(tmp_path_factory):
         patch.setattr("eigenmotion.report.output.files.pictures", lambda charts, everything: [])
         write_report(REPORTS, place)
     return place
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if chromium() is None:
-        pytest.skip("Chromium is not here (apt-get install chromium)")
-    with Browser() as opened:
-        yield opened
 
 
 @pytest.fixture

@@ -40,8 +40,6 @@ def without_reference(model: Model) -> str:
         return "contacts and friction"
     if any(event.acts for _, event in model.events):
         return "events that act on the motion"
-    if model.states:
-        return "first-order states"
     if model.tables:
         return "tables"
     if model.n > MOST_COORDINATES:

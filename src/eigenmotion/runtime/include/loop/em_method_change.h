@@ -7,7 +7,8 @@
  * as much as a trial of the implicit method, and at least as many would follow. So a trial in vain costs no more than
  * what the run has taken until then. Back: the largest eigenvalue of the Jacobian gives the step that stability would
  * allow. If explicit steps of that size, or of the present one if that is shorter, cost clearly less, the run changes
- * back, unless the tolerance is so tight that it could not tell when the motion is stiff again; each return from a short trial doubles the number of steps before the next one. */
+ * back, unless the tolerance is so tight that it could not tell when the motion is stiff again; each return from a short
+ * trial doubles the number of steps before the next one. */
 #ifndef EM_METHOD_CHANGE_H
 #define EM_METHOD_CHANGE_H
 
