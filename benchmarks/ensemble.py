@@ -65,9 +65,9 @@ def batches() -> Callable[[int, float, int], Callable[[], np.ndarray]] | None:
     equations = classical(model)
     constants = tuple((key, heyoka.par[0] if str(key) == "K1" else value) for key, value in equations.constants)
     n = len(equations.x)
-    x, v = ([heyoka.expression(f"{letter}{k}") for k in range(n)] for letter in "xv")
-    a = explicit(replace(equations, constants=constants), functions_of(heyoka), x, v, heyoka.time)
-    system = list(zip([*x, *v], [e + heyoka.expression(0.0) for e in (*v, *a)], strict=True))
+    y = [heyoka.expression(f"y{k}") for k in range(2 * n)]
+    rates = explicit(replace(equations, constants=constants), functions_of(heyoka), y, heyoka.time)
+    system = list(zip(y, [e + heyoka.expression(0.0) for e in rates], strict=True))
     start = build(model).initial
 
     def runner(count: int, tolerance: float, batch: int) -> Callable[[], np.ndarray]:

@@ -279,6 +279,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building",
     ),
     "report": (
+        "codegen.model.statement",
         "codegen.model.symbolic",
         "codegen.model",
         "codegen.equations",

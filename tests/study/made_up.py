@@ -36,7 +36,9 @@ def findings(seed: int = 0, name: str = "made_up", solvers=ALL, spread: float = 
             made.append(measurement(solver, 10.0**-k, size, cost * 10 ** (growth * k) * random.uniform(0.9, 1.1)))
     lines = curves(made)
     model = SimpleNamespace(name=name, units=units)
-    system = SimpleNamespace(n=2, m=0, h=0, coordinates=("theta", "r"), formulation="lagrange", n_state=4, left_out=())
+    system = SimpleNamespace(
+        n=2, m=0, h=0, coordinates=("theta", "r"), states=(), formulation="lagrange", n_state=4, left_out=()
+    )
     built = SimpleNamespace(formulation="lagrange", system=system, generation=1.0, compilation=1.0, refused="")
     subject = SimpleNamespace(model=model, derivation=0.1, built=(built,), systems=(system,))
     known = Reference(np.zeros(2), np.zeros((2, 2)), np.zeros((2, 2)), np.full(2, 1e-16), "Made up.")

@@ -189,12 +189,13 @@ def test_written_out_accelerations_agree():
     scenario = BY_NAME["dual_link"]
     functions = {"sin": sympy.sin, "cos": sympy.cos}
     state = scenario.random_states(1)[0]
-    a = explicit(classical(scenario.model()), functions, list(map(sympy.Float, state.x)),
-                 list(map(sympy.Float, state.v)), sympy.Float(0))  # fmt: skip
-    np.testing.assert_allclose(np.array(a, dtype=float), scenario.lagrange()(state.x, state.v)[0], rtol=1e-11)
+    y = [sympy.Float(number) for number in (*state.x, *state.v)]
+    rates = explicit(classical(scenario.model()), functions, y, sympy.Float(0))
+    exact = np.concatenate([state.v, scenario.lagrange()(state.x, state.v)[0]])
+    np.testing.assert_allclose(np.array(rates, dtype=float), exact, rtol=1e-11)
 
 
 def test_elimination_skips_zeros():
     """Two free particles and one held together with the second: zeros stay numbers, and nothing divides by them."""
-    a = accelerations([[2, 0, 0], [0, 1, 0], [0, 0, 3]], [[0, 1, -1]], [4, 0, 8], [0])
-    assert a == [2, 2, 2]
+    a, multipliers = accelerations([[2, 0, 0], [0, 1, 0], [0, 0, 3]], [[0, 1, -1]], [4, 0, 8], [0])
+    assert (a, multipliers) == ([2, 2, 2], [-2])

@@ -7,17 +7,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def accelerations(M: Sequence[Any], A: Sequence[Any], f: Sequence[Any], g: Sequence[Any]) -> list[Any]:
-    """Return a of M a + A^T lambda = f, A a = g; M positive definite, A of full rank.
+def accelerations(
+    M: Sequence[Any], A: Sequence[Any], f: Sequence[Any], g: Sequence[Any]
+) -> tuple[list[Any], list[Any]]:
+    """Return a and lambda of M a + A^T lambda = f, A a = g; M positive definite, A of full rank.
 
     The entries may be of any algebra with + - * /. Numbers that are zero are skipped.
     """
     free, *columns = solve(M, [f, *A])
     if not A:
-        return list(free)
+        return list(free), []
     delta = [[_dot(row, column) for column in columns] for row in A]
     (multipliers,) = solve(delta, [[_dot(row, free) - g_i for row, g_i in zip(A, g, strict=True)]])
-    return [a - _dot(multipliers, [column[k] for column in columns]) for k, a in enumerate(free)]
+    return [a - _dot(multipliers, [column[k] for column in columns]) for k, a in enumerate(free)], multipliers
 
 
 def solve(M: Sequence[Sequence[Any]], rights: Sequence[Sequence[Any]]) -> list[list[Any]]:

@@ -5,6 +5,7 @@ precision on platforms with neither.
 """
 
 from collections.abc import Callable, Sequence
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -21,19 +22,23 @@ EPSILON = float(np.finfo(np.longdouble).eps)
 
 
 def extended(equations: Lagrange) -> Rhs:
-    """Return f(t, y), y = (x, v), with every constant rounded in extended precision."""
-    numbers = sorted(_inexact(equations.entries), key=sympy.default_sort_key)
+    """Return f(t, y), y = (x, v, z), with every constant rounded in extended precision."""
+    numbers = sorted(_inexact([*equations.entries, *equations.rates]), key=sympy.default_sort_key)
     names = sympy.symbols(f"em_c:{len(numbers)}")
     named = dict(zip(numbers, names, strict=True))
-    entries = [entry.xreplace(named) for entry in equations.entries]
+    entries, rates = ([e.xreplace(named) for e in part] for part in (equations.entries, equations.rates))
     function = sympy.lambdify([*equations.arguments, *names], entries, modules="numpy", cse=True)
+    zdot = sympy.lambdify([*equations.arguments, *names, *equations.multipliers], rates, modules="numpy", cse=True)
     constants = [np.longdouble(value) for _, value in equations.constants] + [_rounded(number) for number in numbers]
     zeros = [entry.is_zero is True for entry in entries]
-    solved = straight_line_function(lambda values: accelerations(*equations.split(values)), zeros)
+    solved = straight_line_function(lambda values: list(chain(*accelerations(*equations.split(values)))), zeros)
     n = len(equations.x)
 
     def rhs(time: Any, y: Extended) -> Extended:
-        return np.array([*y[n:], *solved(function(*y, time, *constants))], dtype=np.longdouble)
+        given = (*y, time, *constants)
+        results = solved(function(*given))
+        of_states = zdot(*given, *results[n:]) if rates else ()
+        return np.array([*y[n : 2 * n], *results[:n], *of_states], dtype=np.longdouble)
 
     return rhs
 

@@ -2,6 +2,7 @@
 
     M a + A^T lambda = f,    A a = g                                                  (7), (8) differentiated
 
+Right-hand sides are those of y = (x, v, z), with the first-order states z last.
 The code generator does not use these expressions.
 """
 
@@ -28,7 +29,8 @@ def _has_inertia(equations: Lagrange, model: Model) -> bool:
     """Return whether M is regular at the start."""
     function = sympy.lambdify(equations.arguments, equations.M, modules="math")
     values = [value for _, value in equations.constants]
-    M = np.array(function(*model.initial_x, *model.initial_v, 0.0, *values), dtype=float)
+    states = [0.0] * len(equations.z)  # M does not contain them
+    M = np.array(function(*model.initial_x, *model.initial_v, *states, 0.0, *values), dtype=float)
     units = 1 / np.sqrt(np.where(np.diag(M) > 0, np.diag(M), 1.0))
     return not np.isfinite(M).all() or bool(np.linalg.matrix_rank(M * np.outer(units, units), 1e-11) == len(M))
 
@@ -41,25 +43,26 @@ def _with_rows(equations: Lagrange) -> Lagrange:
 
 
 def double(equations: Lagrange) -> Callable[[float, Vector], Vector]:
-    """Return f(t, y) for y = (x, v): each call evaluates one lambdified function and solves one (n + m) system."""
-    n, m = len(equations.x), len(equations.g)
+    """Return f(t, y): each call evaluates one lambdified function, or two with states, and solves one system."""
+    n, m, states = len(equations.x), len(equations.g), len(equations.z)
     function = sympy.lambdify(equations.arguments, equations.entries, modules="math", cse=True)
+    rates = sympy.lambdify([*equations.arguments, *equations.multipliers], equations.rates, modules="math", cse=True)
     constants = [value for _, value in equations.constants]
 
     def rhs(time: float, y: Vector) -> Vector:
-        values = np.array(function(*y.tolist(), time, *constants), dtype=np.float64)
+        given = (*y.tolist(), time, *constants)
+        values = np.array(function(*given), dtype=np.float64)
         K, right = np.zeros((n + m, n + m)), values[(n + m) * n :]
         K[:, :n] = values[: (n + m) * n].reshape(n + m, n)
         K[:n, n:] = K[n:, :n].T
-        return np.concatenate([y[n:], np.linalg.solve(K, right)[:n]])
+        solved = np.linalg.solve(K, right)
+        return np.concatenate([y[n : 2 * n], solved[:n], rates(*given, *solved[n:].tolist()) if states else ()])
 
     return rhs
 
 
-def explicit(
-    equations: Lagrange, functions: Mapping[str, Any], x: Sequence[Any], v: Sequence[Any], time: Any
-) -> list[Any]:
-    """Return the accelerations in another algebra: its variables x, v, time, and its functions by SymPy's names.
+def explicit(equations: Lagrange, functions: Mapping[str, Any], y: Sequence[Any], time: Any) -> list[Any]:
+    """Return the rates of y in another algebra: its variables y, time, and its functions by SymPy's names.
 
     Raises
     ------
@@ -68,4 +71,7 @@ def explicit(
     """
     module = {"pi": np.pi, "E": np.e, **functions}
     function = sympy.lambdify(equations.arguments, equations.entries, modules=[module], cse=True)
-    return accelerations(*equations.split(function(*x, *v, time, *(value for _, value in equations.constants))))
+    rates = sympy.lambdify([*equations.arguments, *equations.multipliers], equations.rates, modules=[module], cse=True)
+    given, n = (*y, time, *(value for _, value in equations.constants)), len(equations.x)
+    a, multipliers = accelerations(*equations.split(function(*given)))
+    return [*y[n : 2 * n], *a, *(rates(*given, *multipliers) if equations.rates else ())]

@@ -1,6 +1,8 @@
 """Reference motion, against which errors are measured, and its own error."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +32,7 @@ class Reference:
 
     Attributes
     ----------
-    t : (k,) [s]; x, v : (k, n), rounded to double
+    t : (k,) [s]; x : (k, n + p) coordinates and first-order states, v : (k, n), rounded to double
     errors : (k,) estimated error of the reference, scaled as in `scaled_error`
     how : description of the computation
     """
@@ -58,13 +60,39 @@ def scaled_error(x: Vector | Extended, exact: Vector | Extended) -> Vector:
     return np.asarray(np.max(np.abs(x - exact) / (1 + np.abs(exact)), axis=-1), dtype=np.float64)
 
 
+class Run(Protocol):
+    """A run of any kind: x, v (n, k) and states by name (k,)."""
+
+    @property
+    def x(self) -> Vector: ...
+
+    @property
+    def v(self) -> Vector: ...
+
+    @property
+    def states(self) -> Mapping[str, Vector]: ...
+
+
+def rows_of(run: Run) -> Vector:
+    """Return the rows (k, 2n + p) of (x, v, z) of a run."""
+    return np.concatenate([run.x, run.v, *(z[None] for z in run.states.values())]).T
+
+
+Rows = TypeVar("Rows", Vector, Extended)
+
+
+def positions(rows: Rows, n: int) -> Rows:
+    """Return the coordinates and states (k, n + p) of rows (k, 2n + p)."""
+    return np.delete(rows, np.s_[n : 2 * n], axis=1)
+
+
 def reference(equations: Lagrange, y: Vector, t_end: float, along: tuple[Vector, Vector] | None = None) -> Reference:
-    """Integrate from y (2n,) at t = 0 over a grid of ROWS times that ends at t_end.
+    """Integrate from y = (x, v, z), (2n + p,), at t = 0 over a grid of ROWS times that ends at t_end.
 
     Parameters
     ----------
     along
-        Times (k,) and rows (k, 2n) of an approximate motion, to determine whether parts are strongly damped.
+        Times (k,) and rows (k, 2n + p) of an approximate motion, to determine whether parts are strongly damped.
 
     Raises
     ------
@@ -79,9 +107,9 @@ def reference(equations: Lagrange, y: Vector, t_end: float, along: tuple[Vector,
             other = integrate_adaptive(pair.rough, rhs, _shifted(y), times, 100 * pair.tolerance)
     except (NotReachedError, ZeroDivisionError, ValueError) as error:
         raise ModelError(f"there is no reference to compare with: {error}; shorten the span with --t-end") from error
-    x, v = fine[:, :n].astype(np.float64), fine[:, n:].astype(np.float64)
+    x, v = positions(fine, n).astype(np.float64), fine[:, n : 2 * n].astype(np.float64)
     how = _HOW.format(steps=pair.steps, digits=-np.log10(EPSILON), lower=pair.lower, shift=_SHIFT)
-    return Reference(times, x, v, scaled_error(other[:, :n], fine[:, :n]), how)
+    return Reference(times, x, v, scaled_error(positions(other, n), positions(fine, n)), how)
 
 
 def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
@@ -95,7 +123,7 @@ def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
 
 
 def rates_of(rhs: Rhs, times: Vector, rows: Vector) -> NDArray[np.complex128]:
-    """Return the eigenvalues [1/s] of the Jacobian (growth, decay, rotation) at a few of the rows (k, 2n)."""
+    """Return the eigenvalues [1/s] of the Jacobian (growth, decay, rotation) at a few of the rows."""
     samples = np.unique(np.linspace(0, len(times) - 1, _SAMPLES).astype(int))
     jacobians = [jacobian(rhs, np.longdouble(times[k]), rows[k].astype(np.longdouble)) for k in samples]
     return np.array([0.0, *(rate for J in jacobians if np.isfinite(J).all() for rate in np.linalg.eigvals(J))], complex)

@@ -3,14 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from ..arguments.named_values import Vector
 from ..codegen.model import Model, ModelError
 from ..codegen.model.symbolic.lagrange import Lagrange
 from ..progress import Progress, part
 from ..reference.lagrange_equations import classical
-from ..reference.motion import Reference, reference
+from ..reference.motion import Reference, reference, rows_of
 from ..results.solution import Solution
 from ..system.system import System
 from .formulations import Subject, subject
@@ -46,7 +44,7 @@ class ReportOptions:
 class Findings:
     """The results for one model.
 
-    start : x, v at t = 0
+    start : x, v, z at t = 0
     absent : peers that could not be measured, and why
     skipped : solvers for which some tolerances were skipped, and why
     """
@@ -85,7 +83,7 @@ def examine(model: Model, options: ReportOptions, progress: Progress) -> Finding
     progress(0.2, "reference")
     values = {**parameters, **options.settings.get("inputs", {})}
     equations, probe = classical(model).with_values(values), _probe(system, options)
-    rows = np.concatenate([probe.x, probe.v]).T
+    rows = rows_of(probe)
     known = reference(equations, rows[0], options.t_end, along=(probe.t, rows))
     solvers, absent = _solvers(built, options, equations, rows[0])
     measured = measure(solvers, Judge(known, system, parameters), options.budget, part(progress, 0.3, 1.0))
@@ -101,7 +99,7 @@ def _solvers(
     ours = [
         solver for system in built.systems for solver in explicit_solvers(system, options.problem, options.tolerances)
     ]
-    others = peers(equations, Start(y, options.t_end))
+    others = peers(equations, Start(y, len(equations.x), options.t_end))
     return [*ours, *implicit_solvers(built.systems, options.problem), *others.solvers], others.absent
 
 

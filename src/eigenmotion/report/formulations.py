@@ -13,6 +13,7 @@ from ..building.toolchain import EXTENSION_SUFFIX, toolchain
 from ..codegen.choices import FORMULATIONS
 from ..codegen.equations.derive import derive
 from ..codegen.model import Model, ModelError
+from ..codegen.model.statement.states import as_mechanism
 from ..system.system import System
 
 
@@ -47,20 +48,15 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
     Raises
     ------
     ModelError, BuildError
-        No formulation can be built; or the model has event actions or states, which the other solvers do not support.
+        No formulation can be built; or the model has event actions, which the other solvers do not support.
     """
     if any(event.acts for _, event in model.events) or model.contacts:
         raise ModelError(
             f"{model.name}: its events act on the motion, and a report compares motions without impacts and contacts. "
             "Take out what acts, or compare runs by simulate(..., estimate_error=True)."
         )
-    if model.states:
-        raise ModelError(
-            f"{model.name}: it has first-order states, which the other solvers of a report do not know. Compare runs "
-            "by simulate(..., estimate_error=True)."
-        )
     start = time.perf_counter()
-    trees = derive(model).trees
+    trees = derive(as_mechanism(model)).trees
     derivation = time.perf_counter() - start
     if trees is not None and trees.rotations:
         raise ModelError(

@@ -23,7 +23,7 @@ SLOW_TURNS = 2
 class Measurement:
     """One solver at one tolerance. None: the number does not exist, or the run did not reach the end (`message`).
 
-    error_end, error_max : max over coordinates of |x - x_ref| / (1 + |x_ref|), at the end and over all rows
+    error_end, error_max : max over coordinates and states of |x - x_ref| / (1 + |x_ref|), at the end and over all rows
     velocity_error_end, velocity_error_max : the same for the velocities
     seconds : median of `repeats` complete calls, each timed separately; seconds_low, seconds_high : quartiles
     constraint_violation, position_violation : largest |A v + b| and |phi| over all rows
@@ -87,15 +87,21 @@ class Judge:
 
     def _compared(self, counted: Measurement, x: Vector, v: Vector) -> Measurement:
         t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare(self.parameters)
+        q, w = self._whole(x, v)
         errors, rates = scaled_error(x, self.reference.x), scaled_error(v, self.reference.v)
         return replace(
             counted,
             error_end=float(errors[-1]), error_max=float(errors.max()),
             velocity_error_end=float(rates[-1]), velocity_error_max=float(rates.max()),
-            constraint_violation=_largest(compiled.constraint_rows(t, x, v, prepared)),
-            position_violation=_largest(compiled.position_rows(t, x, prepared)),
-            energy_integral=self._energy_integral(x, v),
+            constraint_violation=_largest(compiled.constraint_rows(t, q, w, prepared)),
+            position_violation=_largest(compiled.position_rows(t, q, prepared)),
+            energy_integral=self._energy_integral(q, w),
         )  # fmt: skip
+
+    def _whole(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        """Return x, v of compiled functions, where a state is the velocity of a coordinate on which nothing depends."""
+        n, states = self.system.n, x[:, self.system.n :]
+        return np.concatenate([x[:, :n], np.zeros_like(states)], axis=1), np.concatenate([v, states], axis=1)
 
     def _energy_integral(self, x: Vector, v: Vector) -> float | None:
         if not self.system.conserves_energy:

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 from ..arguments.named_values import Vector
 from ..codegen.model.symbolic.lagrange import Lagrange
 from ..reference.lagrange_equations import double, explicit
-from .solvers import MOST_STEPS, Attempt, Solver, Track
+from .solvers import MOST_STEPS, Attempt, Solver, Track, track_of
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
 _SCIPY = ("DOP853", "LSODA", "Radau")
@@ -32,9 +32,10 @@ _CVODES: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """The start y = (x, v) at t = 0, and the end time."""
+    """The start y = (x, v, z) at t = 0 with n coordinates, and the end time."""
 
     y: Vector
+    n: int
     t_end: float
 
 
@@ -77,7 +78,7 @@ def _scipy(equations: Lagrange, start: Start) -> list[Solver]:
                 warnings.simplefilter("ignore")  # LSODA repeats its message there
                 return solve_ivp(f, (0.0, start.t_end), start.y, method, t_eval, rtol=tolerance, atol=tolerance)
 
-        return Attempt(run, lambda times, done: _scipy_track(run(times), done))
+        return Attempt(run, lambda times, done: _scipy_track(run(times), done, start.n))
 
     def solver(method: str) -> Solver:
         return Solver("SciPy", "classical", method, DECADES, lambda tolerance: attempt(method, tolerance))
@@ -97,21 +98,19 @@ def _limited(rhs: Callable[[float, Vector], Vector], longest: float) -> Callable
     return limited
 
 
-def _scipy_track(at_rows: Any, at_steps: Any) -> Track:
-    n = len(at_rows.y) // 2
+def _scipy_track(at_rows: Any, at_steps: Any, n: int) -> Track:
     message = "" if at_rows.success else str(at_rows.message)
-    return Track(at_rows.y[:n].T, at_rows.y[n:].T, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
+    return track_of(at_rows.y.T, n, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
 
 
 def _heyoka(equations: Lagrange, start: Start) -> list[Solver]:
     """Return Taylor's method of heyoka.py, on accelerations written out by elimination."""
     import heyoka  # noqa: PLC0415, an optional package
 
-    n = len(equations.x)
-    x, v = ([heyoka.expression(f"{letter}{k}") for k in range(n)] for letter in "xv")
-    a = explicit(equations, functions_of(heyoka), x, v, heyoka.time)
+    y = [heyoka.expression(f"y{k}") for k in range(len(start.y))]
+    rates = explicit(equations, functions_of(heyoka), y, heyoka.time)
     # heyoka's equations are expressions, never bare numbers
-    system = list(zip([*x, *v], [e + heyoka.expression(0.0) for e in (*v, *a)], strict=True))
+    system = list(zip(y, [e + heyoka.expression(0.0) for e in rates], strict=True))
 
     def attempt(tolerance: float) -> Attempt:
         integrator = heyoka.taylor_adaptive(system, state=start.y.copy(), tol=tolerance)
@@ -128,7 +127,7 @@ def _heyoka(equations: Lagrange, start: Start) -> list[Solver]:
             restart()
             outcome, *_, rows = integrator.propagate_grid(times, max_steps=MOST_STEPS)
             finished = outcome == heyoka.taylor_outcome.time_limit
-            return Track(rows[:, :n], rows[:, n:], nfev=None, nsteps=done[3], message="" if finished else str(outcome))
+            return track_of(rows, start.n, nfev=None, nsteps=done[3], message="" if finished else str(outcome))
 
         return Attempt(run, track)
 
@@ -139,10 +138,9 @@ def _casadi(equations: Lagrange, start: Start) -> list[Solver]:
     """Return CVODES of SUNDIALS, on written-out accelerations with CasADi's exact Jacobian."""
     import casadi  # noqa: PLC0415, an optional package
 
-    n = len(equations.x)
-    y, t = casadi.SX.sym("y", 2 * n), casadi.SX.sym("t")
-    a = explicit(equations, functions_of(casadi), [y[k] for k in range(n)], [y[n + k] for k in range(n)], t)
-    problem = {"x": y, "t": t, "ode": casadi.vertcat(y[n:], *a)}
+    y, t = casadi.SX.sym("y", len(start.y)), casadi.SX.sym("t")
+    rates = explicit(equations, functions_of(casadi), [y[k] for k in range(len(start.y))], t)
+    problem = {"x": y, "t": t, "ode": casadi.vertcat(*rates)}
 
     def attempt(method: str, tolerance: float) -> Attempt:
         options: dict[str, Any] = {"abstol": tolerance, "reltol": tolerance, **_CVODES[method]}
@@ -152,8 +150,7 @@ def _casadi(equations: Lagrange, start: Start) -> list[Solver]:
         def track(times: Vector, _: Any) -> Track:
             stats = to_end.stats()
             rows = casadi.integrator("rows", "cvodes", problem, 0.0, times.tolist(), options)(x0=start.y)["xf"]
-            values = np.array(rows).T
-            return Track(values[:, :n], values[:, n:], nfev=stats["nfevals"], nsteps=stats["nsteps"])
+            return track_of(np.array(rows).T, start.n, nfev=stats["nfevals"], nsteps=stats["nsteps"])
 
         return Attempt(lambda: _in_brief(to_end, start.y), track)
 

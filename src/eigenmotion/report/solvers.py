@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arguments import methods
 from ..arguments.named_values import Vector
+from ..reference.motion import positions, rows_of
 from ..results.solution import Solution
 from ..simulation.simulate import simulate
 from ..system.system import System
@@ -26,7 +27,7 @@ _PLAIN = "lagrange"
 class Track:
     """The rows of a run at requested times, as far as it got.
 
-    x, v : (k, n); counts are None if a solver does not have them
+    x : (k, n + p) coordinates and first-order states; v : (k, n); counts are None if a solver does not have them
     message : why the run ended early, or ""
     """
 
@@ -37,6 +38,11 @@ class Track:
     nrejected: int | None = None
     factor_residual: float | None = None
     message: str = ""
+
+
+def track_of(rows: Vector, n: int, **counts: Any) -> Track:
+    """Return the track of rows (k, 2n + p) of (x, v, z)."""
+    return Track(positions(rows, n), rows[:, n : 2 * n], **counts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,12 +118,12 @@ def _attempt(system: System, problem: Problem, method: str, tolerance: float) ->
 
 def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:
     """Return the rows of one run, with the last row and the counts of the timed run, whose steps are longer."""
-    x, v = at_rows.x.T.copy(), at_rows.v.T.copy()
-    x[-1:], v[-1:] = at_steps.x.T[-1:], at_steps.v.T[-1:]
+    rows = rows_of(at_rows)
+    rows[-1:] = rows_of(at_steps)[-1:]
     factors = at_rows.factor_residual if system.formulation == "eigenfactor" else np.empty(0)
-    return Track(
-        x,
-        v,
+    return track_of(
+        rows,
+        system.n,
         nfev=at_steps.nfev,
         nsteps=at_steps.nsteps,
         nrejected=at_steps.nrejected,

@@ -29,16 +29,19 @@ def one_a_line(reports: Sequence[Findings]) -> str:
 
 def _model(findings: Findings) -> dict[str, Any]:
     system, reference = findings.subject.systems[0], findings.reference
+    n, states = system.n, system.states
     return {
         "name": findings.name, "n": system.n, "m": system.m, "h": system.h, "t_end": findings.options.t_end,
         "settings": {name: dict(numbers) for name, numbers in findings.options.settings.items()},
         "units": dict(findings.subject.model.units),
-        "x_start": findings.start[: system.n].tolist(), "v_start": findings.start[system.n :].tolist(),
+        "x_start": findings.start[:n].tolist(), "v_start": findings.start[n : 2 * n].tolist(),
+        "states_start": dict(zip(states, findings.start[2 * n :].tolist(), strict=True)),
         "rows": len(reference.t),
-        "norm": "max over coordinates of |x - x_ref| / (1 + |x_ref|)",
+        "norm": "max over coordinates and states of |x - x_ref| / (1 + |x_ref|)",
         "reference": {"how": reference.how, "error_end": float(reference.errors[-1]),
-                      "error_max": float(reference.errors.max()), "x_end": reference.x[-1].tolist(),
-                      "v_end": reference.v[-1].tolist()},
+                      "error_max": float(reference.errors.max()), "x_end": reference.x[-1, :n].tolist(),
+                      "v_end": reference.v[-1].tolist(),
+                      "states_end": dict(zip(states, reference.x[-1, n:].tolist(), strict=True))},
         "derivation_seconds": findings.subject.derivation,
         "formulations": [_built(built) for built in findings.subject.built],
         "left_out": dict(findings.absent), "tolerances_left_out": dict(findings.skipped),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ....presentation.page import render
 from ....presentation.tables import Row, Table
 from ....presentation.text import number, seconds
-from ....presentation.units import time_unit, unit_of, with_unit
+from ....presentation.units import Units, time_unit, unit_of, with_unit
 from ...examine import Findings
 from ...measure import SLOW, SLOW_TURNS, Measurement
 from ...peers import LONGEST
@@ -98,14 +98,20 @@ def _section(findings: Findings, charts: Sequence[Chart]) -> ModelSection:
 
 def _about(findings: Findings) -> str:
     system, units = findings.subject.systems[0], units_of(findings)
-    names = ", ".join(with_unit(name, unit_of(units, name)) for name in system.coordinates)
+    names, states = (_named(of, units) for of in (system.coordinates, system.states))
     end = f"{findings.options.t_end:g} {time_unit(units)}".rstrip()
     given = _given(findings)
     return (
-        f"Coordinates: {system.n}, {names}. Constraint rows: {system.m}, {system.h} of them holonomic. "
+        f"Coordinates: {system.n}, {names}. "
+        + (f"First-order states: {states}. " if states else "")
+        + f"Constraint rows: {system.m}, {system.h} of them holonomic. "
         f"Motion: t = 0 ... {end}, errors at {len(findings.reference.t)} equidistant times. "
         + (f"Set: {', '.join(given)}." if given else "Parameters and start: the model's own.")
     )
+
+
+def _named(names: Sequence[str], units: Units) -> str:
+    return ", ".join(with_unit(name, unit_of(units, name)) for name in names)
 
 
 def _given(findings: Findings) -> list[str]:
