@@ -235,7 +235,6 @@ def test_ranges_end_before_the_first_refusal(short):
     [
         (["--set", "a=1"], "--set and -D are for a MODEL: name one"),
         (["absent.py"], "no such file"),
-        (["models/lugre_oscillator.py"], "lugre_oscillator: it has first-order states"),
         (["absent.py", "--case", "gap"], "--case gap is a built-in case"),
         (["absent.py", "--budget", "0"], "not above 0"),
     ],

@@ -1,6 +1,7 @@
 """First-order states in `eigenmotion report` and `eigenmotion stability MODEL`, against equations by hand."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,8 +15,12 @@ from eigenmotion.reference.lagrange_equations import classical, double, explicit
 from eigenmotion.reference.motion import reference
 from eigenmotion.report import Budget, Findings, ReportOptions, examine
 from eigenmotion.report.output import recommendation, write_report
+from eigenmotion.stability import Outcome, Variant
+from eigenmotion.stability import examine as examine_point
+from eigenmotion.stability.limits.families import families
+from eigenmotion.stability.limits.subject import subject
 
-from ..states.mechanisms import integrated, servo, servo_rate
+from ..states.mechanisms import i, integrated, servo, servo_rate
 from .measuring import undisturbed
 
 SPAN = 2.0
@@ -90,3 +95,39 @@ def test_a_report_compares_states(found, tmp_path):
     numbers = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["models"][0]
     assert numbers["states_start"] == {"i": 0.1, "e": 0.0}
     assert numbers["reference"]["states_end"]["i"] == pytest.approx(exact[2], abs=1e-10)
+
+
+# --- stability of models with states ----------------------------------------------------------------------------------
+
+
+def case_of(model: Model, methods: tuple[str, ...], name: str = "tolerances"):
+    own = subject(model, ("lagrange",), {}, 1.0, patience=20.0)
+    case = next(case for case in families(own, ()) if case.name == name)
+    return replace(case, tolerances={method: case.tolerances[method] for method in methods})
+
+
+@pytest.mark.parametrize("model", [servo(), hilly_belt()], ids=lambda model: model.name)
+def test_runs_with_states_are_right_by_an_independent_reference(model):
+    point = examine_point(case_of(model, ("dop853", "radau9")), 1e-8)
+    assert point.independent
+    assert point.reference_error < 1e-9
+    assert {cell.outcome for cell in point.cells} == {Outcome.RIGHT}
+
+
+def test_a_fault_in_a_state_is_found():
+    """A current with a resistance too many."""
+    rates = dict(servo().states)
+    faulty = em.build(servo(states=rates | {i: rates[i] - i}))
+    point = examine_point(
+        case_of(servo(), ("dop853",)), 1e-8, {Variant("lagrange", dependent_constraints="auto"): faulty}
+    )
+    assert {cell.outcome for cell in point.cells} == {Outcome.WRONG}
+
+
+def test_a_start_of_states_is_that_of_the_runs():
+    """A current of 2 A, given as an initial value."""
+    own = subject(servo(), ("lagrange",), {"x0": {"i": 2.0}}, 1.0, patience=20.0)
+    trial = own.trial("")
+    np.testing.assert_array_equal(trial.row, [0.5, 0.0, 2.0, 0.0])
+    end = trial.truth.rows(trial.row, np.array([0.0, 0.5, 1.0]), 0)[-1]
+    np.testing.assert_allclose(end, integrated(servo_rate, (0.5, 0.0, 2.0, 0.0), (0.0, 1.0))[:, -1], atol=1e-10)

@@ -26,8 +26,8 @@ class Trial:
     ----------
     label : the value as text
     parameters : over the model's defaults
-    x0, v0 : (n,)
-    units : (n,) size of a small coordinate; atol is tolerance x units, also for velocities
+    x0, v0, z0 : (n,), (n,), (p,) start; z are first-order states
+    units : (n + p,) size of a small coordinate or state; atol is tolerance x units, also for velocities
     times : (k,) of the rows that are compared; the run goes from `start` to the last
     truth : the motion that the rows are compared with
     conserves : whether T2 - T0 + V is constant
@@ -56,6 +56,17 @@ class Trial:
     tolerance: float | None = None
     otherwise: Callable[[str], Truth] | None = None
     may_lose_digits: bool = False
+    z0: Vector = field(default_factory=lambda: np.zeros(0))
+
+    @property
+    def row(self) -> Vector:
+        """The start (2n + p,): x0, v0, z0."""
+        return np.concatenate([self.x0, self.v0, self.z0])
+
+    @property
+    def sizes(self) -> Vector:
+        """The units (2n + p,) of the numbers of a row."""
+        return spread(self.units, len(self.x0))
 
 
 @dataclass(frozen=True)
@@ -105,6 +116,11 @@ def power(value: float) -> str:
 def start_of(model: Model) -> tuple[Vector, Vector]:
     """Return the model's own x0, v0 (n,)."""
     return np.array(model.initial_x), np.array(model.initial_v)
+
+
+def spread(units: Vector, n: int) -> Vector:
+    """Return the units (2n + p,) of rows (x, v, z), from those of n coordinates and p states."""
+    return np.concatenate([units[:n], units])
 
 
 def scale_of(units: Vector, x0: Vector, v0: Vector) -> Vector:

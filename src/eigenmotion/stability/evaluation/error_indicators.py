@@ -58,8 +58,12 @@ def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
 
 
 def _energy_drift(trial: Trial, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
-    """Return P(t) - P(t0) divided by the sum of the largest kinetic energy and the range of the others."""
+    """Return P(t) - P(t0) divided by the sum of the largest kinetic energy and the range of the others.
+
+    States have no energy, and if P is constant nothing in it depends on them: compiled functions get zeros for them.
+    """
     t, x, v = (np.concatenate([[first], rows]) for first, rows in ((trial.start, t), (trial.x0, x), (trial.v0, v)))
+    x, v = (np.pad(rows, ((0, 0), (0, len(trial.z0)))) for rows in (x, v))
     energies = system.compiled.energy_rows(t, x, v, system.prepare(trial.parameters))
     T2, others = energies[:, 0], energies @ (0.0, 0.0, -1.0, 1.0)
     P = T2 + others

@@ -12,6 +12,7 @@ import numpy as np
 from ...building.build import build
 from ...building.errors import BuildError
 from ...codegen.model import Model, ModelError
+from ...reference.motion import rows_of
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
 from ...simulation.simulate import simulate
@@ -138,7 +139,7 @@ def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str
         return simulate(
             system,
             (trial.start, float(trial.times[-1])),
-            x0=trial.x0,
+            x0=np.concatenate([trial.x0, trial.z0]),
             v0=trial.v0,
             parameters=trial.parameters,
             inputs=trial.inputs,
@@ -156,7 +157,7 @@ def _compared(done: Cell, expected: Expected, system: System, solution: Solution
     if solution.stop is not StopReason.FINISHED or len(solution.t) != len(trial.times):
         message = f"{len(solution.t)} of {len(trial.times)} rows"
         return replace(done, outcome=Outcome.WRONG, reason="rows missing", message=message, bound=bound)
-    error = expected.error_of(np.concatenate([solution.x, solution.v]).T)
+    error = expected.error_of(rows_of(solution))
     shown = indicators(trial, system, solution)
     verdict = judged(expected, done.tolerance, error, shown.largest)
     reason = verdict.reason if np.isfinite(error) else verdict.reason or "not finite"

@@ -21,8 +21,8 @@ class Expected:
 
     Attributes
     ----------
-    exact : (k, 2n) rows of x, v
-    scale : (2n,) divisor of errors
+    exact : (k, 2n + p) rows of x, v, z
+    scale : (2n + p,) divisor of errors
     error : scaled error of the rows themselves
     kappa : growth of a perturbation of the initial data
     """
@@ -35,7 +35,7 @@ class Expected:
     kappa: float
 
     def error_of(self, rows: Vector) -> float:
-        """Return the largest scaled error of rows (k, 2n); angles that wind are compared modulo a turn."""
+        """Return the largest scaled error of rows (k, 2n + p); angles that wind are compared modulo a turn."""
         difference = rows - self.exact
         if self.trial.turns is not None:
             winding = np.flatnonzero(self.trial.turns)
@@ -55,11 +55,11 @@ def expected_of(trial: Trial, system: System | None) -> Expected:
 
 
 def _expected(trial: Trial, system: System | None) -> Expected:
-    start = np.concatenate([trial.x0, trial.v0])
+    start = trial.row
     times = np.concatenate([[trial.start], trial.times])
     with np.errstate(all="ignore"):
         exact = trial.truth.rows(start, times, FINE)
-        scale = np.tile(trial.units, 2) + np.max(np.abs(exact), axis=0)
+        scale = trial.sizes + np.max(np.abs(exact), axis=0)
         raw = Expected(trial, trial.truth.how, exact, scale, 0.0, 0.0)
         own = raw.error_of(trial.truth.rows(start, times, CHECK)) + trial.truth.own
         kappa = max((_growth(raw, other, times) for other in _perturbed(trial, system)), default=0.0)
@@ -68,7 +68,7 @@ def _expected(trial: Trial, system: System | None) -> Expected:
 
 def _none(trial: Trial, why: str) -> Expected:
     """Return that no motion is expected, for example if M is singular: a run that succeeds is wrong."""
-    shape = len(trial.times), 2 * len(trial.x0)
+    shape = len(trial.times), len(trial.row)
     return Expected(trial, f"none: {why}", np.full(shape, np.nan), np.ones(shape[1]), np.nan, 0.0)
 
 
@@ -81,12 +81,12 @@ def _growth(expected: Expected, start: Vector, times: Vector) -> float:
 
 
 def _perturbed(trial: Trial, system: System | None) -> list[Vector]:
-    """Return starts (2n,) near that of the trial, perturbed in random directions and projected onto the constraints."""
+    """Return starts near that of the trial, perturbed in random directions and projected onto the constraints."""
     if not trial.nearby:
         return []
-    random, n = np.random.default_rng(0), len(trial.x0)
-    start, sizes = np.concatenate([trial.x0, trial.v0]), np.tile(trial.units, 2)
-    starts = [start + _DELTA * (sizes + np.abs(start)) * random.choice((-1.0, 1.0), 2 * n) for _ in range(DIRECTIONS)]
+    random, start = np.random.default_rng(0), trial.row
+    change = _DELTA * (trial.sizes + np.abs(start))
+    starts = [start + change * random.choice((-1.0, 1.0), len(start)) for _ in range(DIRECTIONS)]
     if system is None or system.m == 0:
         return starts
     return [projected for s in starts if (projected := _projected(trial, system, s)) is not None]
@@ -96,8 +96,8 @@ def _projected(trial: Trial, system: System, start: Vector) -> Vector | None:
     n = system.n
     try:
         x, v = system.project_initial_state(
-            start[:n], start[n:], trial.start, trial.parameters, dependent_constraints="least_norm"
+            start[:n], start[n : 2 * n], trial.start, trial.parameters, dependent_constraints="least_norm"
         )
     except EvaluationError:
         return None
-    return np.concatenate([x, v])
+    return np.concatenate([x, v, start[2 * n :]])

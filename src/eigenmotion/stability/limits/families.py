@@ -42,14 +42,14 @@ class Families:
         return self.own.trial(power(factor), {name: factor * value})
 
     def near(self, position: SingularPosition, distance: float) -> Trial:
-        return self.own.trial(power(distance), start=(position.near(distance, self.own.units), self._moving()))
+        return self.own.trial(power(distance), start=(position.near(distance, self.own.lengths), self._moving()))
 
     def _moving(self) -> Vector:
         """Return the velocity of the start, or the greatest of the motion if it starts at rest."""
         n = len(self.own.x0)
         if np.any(self.own.v0):
             return self.own.v0
-        rates = self.own.motion[:, n:]
+        rates = self.own.motion[:, n : 2 * n]
         return np.asarray(rates[np.argmax(np.linalg.norm(rates, axis=1))])
 
 

@@ -16,7 +16,7 @@ from ...codegen.model import Model, ModelError
 from ...reference.collocation import Collocation
 from ...reference.extended_precision import Extended, Rhs
 from ...reference.integration import Midpoint, NotReachedError, Scheme, integrate_adaptive
-from ...reference.motion import rates_of
+from ...reference.motion import rates_of, rows_of
 from ...runtime import EvaluationError
 from ...simulation.simulate import simulate
 from ...system.system import System
@@ -130,14 +130,15 @@ class TightRuns:
                 said = str(error)
                 continue
             if done.success and len(done.t) == len(times) - 1:
-                return np.vstack([start, np.concatenate([done.x, done.v]).T])
+                return np.vstack([start, rows_of(done)])
             said = done.message
         raise NotReachedError(f"{self.why}; and two tight runs do not reach the end: {said}")
 
     def _run(self, formulation: str, method: str, start: Vector, times: Vector, tolerance: float) -> Any:
-        n, system = len(self.units), system_of(self.model, formulation)
+        n, system = self.model.n, system_of(self.model, formulation)
+        x0, v0 = np.delete(start, np.s_[n : 2 * n]), start[n : 2 * n]
         return simulate(
-            system, (float(times[0]), float(times[-1])), x0=start[:n], v0=start[n:], parameters=self.parameters,
+            system, (float(times[0]), float(times[-1])), x0=x0, v0=v0, parameters=self.parameters,
             inputs=self.inputs, method=method, rtol=tolerance, atol=tolerance * self.units, t_eval=times[1:],
             max_steps=_MOST_STEPS,
         )  # fmt: skip

@@ -60,7 +60,7 @@ def _rows(own: Subject) -> Callable[[Vector], Vector]:
     system, parameters = own.system, own.parameters
 
     def columns(x: Vector) -> Vector:
-        return np.asarray((system.pfaffian(x, 0.0, parameters)[0] * own.units).T)
+        return np.asarray((system.pfaffian(x, 0.0, parameters)[0] * own.lengths).T)
 
     size = np.linalg.norm(columns(own.x0), axis=0)
     return lambda x: columns(x) / np.where(size > 0, size, 1.0)
@@ -74,16 +74,16 @@ def _search(own: Subject, what: str, scaled: Callable[[Vector], Vector], until: 
     hits = [x for x in solved if _least(scaled(x)) < _SINGULAR * first and _open(own, x) < _CLOSED]
     if not hits:
         return Search(None, f"{what}: no singular position found from {len(solved)} places near the start")
-    distance = [float(np.linalg.norm((own.x0 - x) / own.units)) for x in hits]
+    distance = [float(np.linalg.norm((own.x0 - x) / own.lengths)) for x in hits]
     x = hits[int(np.argmin(distance))]
-    towards = (own.x0 - x) / own.units / max(min(distance), 1e-300)
+    towards = (own.x0 - x) / own.lengths / max(min(distance), 1e-300)
     place = ", ".join(f"{name} = {value:.4g}" for name, value in zip(own.system.coordinates, x, strict=True))
     return Search(SingularPosition(what, x, towards), f"{what}: singular at {place}")
 
 
 def _solutions(own: Subject, scaled: Callable[[Vector], Vector], until: float) -> Iterator[Vector]:
     n = len(own.x0)
-    box = _BOX * np.maximum(own.units, 1.0)
+    box = _BOX * np.maximum(own.lengths, 1.0)
     low, high = own.x0 - box, own.x0 + box
 
     def residual(z: Vector) -> Vector:

@@ -12,11 +12,11 @@ import numpy as np
 from ...analysis.equilibrium.assemble import assemble
 from ...arguments.named_values import Vector, spelled
 from ...codegen.model import Model, ModelError
-from ...reference.motion import rates_of
+from ...reference.motion import rates_of, rows_of
 from ...runtime import EvaluationError
 from ...simulation.simulate import simulate
 from ...system.system import System
-from ..cases.case import Trial, rows, scale_of
+from ..cases.case import Trial, rows, spread
 from ..expectation.truth import Truth, lagrange
 from .references import Independent, TightRuns, system_of, without_reference
 
@@ -34,11 +34,11 @@ class Subject:
     Attributes
     ----------
     parameters, inputs : over the model's defaults
-    x0, v0 : (n,) start
+    x0, v0, z0 : (n,), (n,), (p,) start
     t_end : [s] longest span, unless spans are what is varied
     period : [s] characteristic period of the motion, at most t_end
-    units : (n,) size of each coordinate in its motion, at most 1: the unit of atol and of errors
-    motion : (k, 2n) rows of the motion, in which singular positions are looked for
+    units : (n + p,) size of each coordinate and state in its motion, at most 1: the unit of atol and of errors
+    motion : (k, 2n + p) rows of the motion, in which singular positions are looked for
     why : why there is no independent reference; "": there is one
     patience : [s] of the processor for a reference
     """
@@ -49,6 +49,7 @@ class Subject:
     inputs: Mapping[str, float]
     x0: Vector
     v0: Vector
+    z0: Vector
     t_end: float
     period: float
     units: Vector
@@ -60,6 +61,11 @@ class Subject:
     def system(self) -> System:
         """The model in the first of the formulations."""
         return system_of(self.model, self.formulations[0])
+
+    @property
+    def lengths(self) -> Vector:
+        """The units (n,) of the coordinates."""
+        return self.units[: len(self.x0)]
 
     @property
     def conserves(self) -> bool:
@@ -85,7 +91,7 @@ class Subject:
             label, parameters, x0, v0, self.units, 0.0, rows(0.0, end, _ROWS), truth,
             conserves=self.conserves, periods=periods, inputs=self.inputs, tolerance=tolerance,
             otherwise=tight if truth.independent else None, may_lose_digits=True,
-            nearby=not self.model.contacts,
+            nearby=not self.model.contacts, z0=self.z0,
         )  # fmt: skip
 
     def _truth(
@@ -101,7 +107,7 @@ class Subject:
         if self.why:
             return tight(self.why), end
         try:
-            rhs, y = lagrange(self.model, {**parameters, **self.inputs}), np.concatenate(start)
+            rhs, y = lagrange(self.model, {**parameters, **self.inputs}), np.concatenate([*start, self.z0])
             with np.errstate(all="ignore"):
                 fastest = _fastest(rates_of(rhs, np.zeros(1), y[None]))
         except (ArithmeticError, ValueError, TypeError, NameError, AttributeError) as error:
@@ -109,7 +115,8 @@ class Subject:
         if span is None and np.isfinite(fastest) and fastest * end > 2 * pi * PERIODS:
             end = 2 * pi * PERIODS / fastest
         until = time.process_time() + self.patience * (_LONGER if span else 1.0)
-        return Independent(rhs, scale_of(self.units, *start), until=until, fine=fine), end
+        scale = spread(self.units, len(self.x0)) + np.abs(y)
+        return Independent(rhs, scale, until=until, fine=fine), end
 
     def consistent(self, x0: Vector, v0: Vector, parameters: Mapping[str, float]) -> tuple[Vector, Vector]:
         """Return the nearest start on the constraints; the same if there is none, which runs refuse."""
@@ -141,13 +148,14 @@ def subject(model: Model, formulations: tuple[str, ...], settings: Mapping[str, 
     system, given = system_of(model, formulations[0]), dict(settings)
     parameters, inputs = given.get("parameters", {}), given.get("inputs", {})
     motion = _motion(system, given, t_end)
-    x, v = motion.x.T, motion.v.T
-    sizes = np.max(np.abs(np.concatenate([x, v])), axis=0)
+    found, n = rows_of(motion), system.n
+    largest = np.max(np.abs(found), axis=0)
+    sizes = np.concatenate([np.maximum(largest[:n], largest[n : 2 * n]), largest[2 * n :]])
     units = np.where(sizes > 0, np.minimum(sizes, 1.0), 1.0)
-    rates, every = np.concatenate([x, v], axis=1), max(1, len(x) // 8)
+    x0, v0, z0 = np.split(found[0], (n, 2 * n))
     return Subject(
-        model, formulations, parameters, inputs, x[0].copy(), v[0].copy(), t_end, _period(motion, t_end), units,
-        rates[::every].copy(), without_reference(model), patience,
+        model, formulations, parameters, inputs, x0, v0, z0, t_end, _period(motion, t_end), units,
+        found[:: max(1, len(found) // 8)].copy(), without_reference(model), patience,
     )  # fmt: skip
 
 

@@ -62,7 +62,7 @@ def limits_of(
     Raises
     ------
     ModelError, BuildError
-        The model cannot be built, has first-order states, or its motion cannot start.
+        The model cannot be built, or its motion cannot start.
 
     Examples
     --------
@@ -72,11 +72,6 @@ def limits_of(
     >>> found.matrix.count(Outcome.WRONG)  # doctest: +SKIP
     0
     """
-    if model.states:
-        raise ModelError(
-            f"{model.name}: it has first-order states, from which the generated cases cannot start. Compare runs by "
-            "simulate(..., estimate_error=True)."
-        )
     begin = time.monotonic()
     clock = _Clock(begin, budget, progress or (lambda *_: None))
     formulations, unbuilt = _built(model, clock)
