@@ -281,7 +281,6 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "report": (
         "codegen.model.statement",
         "codegen.model.symbolic",
-        "codegen.model",
         "codegen.equations",
         "codegen.choices",
         "progress",

@@ -110,7 +110,7 @@ def case_of(model: Model, methods: tuple[str, ...], name: str = "tolerances"):
 def test_runs_with_states_are_right_by_an_independent_reference(model):
     point = examine_point(case_of(model, ("dop853", "radau9")), 1e-8)
     assert point.independent
-    assert point.reference_error < 1e-9
+    assert point.reference_error < 1e-8  # |slip| has a kink
     assert {cell.outcome for cell in point.cells} == {Outcome.RIGHT}
 
 
