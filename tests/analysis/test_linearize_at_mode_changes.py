@@ -1,11 +1,16 @@
 """Linearised where contacts and frictions hold, let go or are about to: the mode that is meant, and where two meet."""
 
+from typing import Any
+
 import numpy as np
 import pytest
+from sympy import cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import ModelError
+from eigenmotion import Friction, ModelError, System
 
+from ..support.generation import system_for
 from .mechanisms_in_contact import block, leaning, pendulum
 from .test_linearize import same
 
@@ -37,6 +42,10 @@ def test_a_friction_at_its_limit_or_about_to_slide(contact):
         system.linearize(parameters=limit)
     assert len(system.linearize(parameters=limit, mode={"rub_stuck": 1}).A) == 1
     assert len(system.linearize(parameters=limit, mode={"rub_slides": 1}).A) == 2
+    with pytest.raises(ModelError, match=r"does not hold at this state: friction 'rub' would stick$"):
+        system.linearize(mode={"rub_slides": 1})
+    with pytest.raises(ModelError, match=r"does not hold at this state: friction 'rub' would stick or slide$"):
+        system.linearize(mode={"rub_slides": 0, "rub_stuck": 0})
     slides = system.linearize(v={"x": 1.0})
     assert slides.mode["rub_slides"] == 1.0
     assert slides.acceleration[0] == pytest.approx(9.81 * (np.sin(0.3) - 0.5 * np.cos(0.3)), rel=1e-12)
@@ -74,3 +83,39 @@ def test_a_loop_is_closed_outside_of_contacts():
     np.testing.assert_allclose(found.x, [0.1, 0.2], atol=1e-14)
     with pytest.raises(ModelError, match=r"inside contact 'wall', and with p kept it cannot be put on the surface"):
         em.assemble(leaning(), {"p": -0.3}, keep=["p"])
+
+
+def rubbing(cone: bool) -> System:
+    """A mass that a rod holds at the distance r = l and that rubs on the rod's force; or one in a bowl that rubs."""
+    theta, r = dynamicsymbols("theta r")
+    mu = symbols("mu", nonnegative=True)
+    slip, kinetic = (theta.diff(), r.diff()), (r * theta.diff()) ** 2 + r.diff() ** 2
+    rod: dict[str, Any] = {
+        "kinetic_energy": kinetic / 2, "potential_energy": -9.81 * r * cos(theta),
+        "holonomic_constraints": {"rod": r - 0.5}, "outputs": {"tension": em.multiplier("rod")},
+        "contacts": {"rub": Friction(slip[0], limit=mu, normal="rod")}, "initial": {r: 0.5},
+    }  # fmt: skip
+    bowl = {
+        "kinetic_energy": (theta.diff() ** 2 + r.diff() ** 2) / 2, "potential_energy": 9.81 * (theta**2 + r**2),
+        "contacts": {"rub": Friction(slip, limit=mu)},
+    }  # fmt: skip
+    model = em.Model(name="rubbing", coordinates=[theta, r], parameters={mu: 0.1}, **(bowl if cone else rod))
+    return system_for(model, "lagrange")
+
+
+@pytest.mark.parametrize("cone", [False, True])
+def test_a_friction_without_force_is_none(cone):
+    """A coefficient of 0 is the mechanism without friction, at rest too, where one with a force would stick."""
+    system, frequency = rubbing(cone), np.sqrt(9.81 * 2)
+    assert system.linearize().mode["rub_stuck"] == 1.0
+    rest = em.find_equilibrium(system, parameters={"mu": 0.0})
+    for found in rest.linearize(), system.linearize(parameters={"mu": 0.0}):
+        assert found.mode == {"rub_stuck": 0.0, "rub_slides": 0.0}
+        same(found.eigenvalues(), np.array([1j, -1j] * (2 if cone else 1)) * frequency)
+    assert rest.message == "at rest"
+
+
+def test_an_output_of_a_reaction_while_a_friction_slides():
+    """The tension of the rod is g cos theta + l theta'^2, and the sliding friction is no row that shares it."""
+    linear = rubbing(False).linearize({"theta": 0.4}, {"theta": 2.0})
+    np.testing.assert_allclose(linear.full.C[0, [0, 2]], [-9.81 * np.sin(0.4), 2 * 0.5 * 2.0], rtol=1e-12)

@@ -44,7 +44,17 @@ class Switch(NamedTuple):
     def parameters(self) -> tuple[int, ...]:
         """Indices of the parameters that say its mode."""
         turns = (self.shift, self.shift + 1) if self.shift >= 0 else ()
-        return tuple(k for k in (self.holds, self.slides, self.idles, *turns) if k >= 0)
+        return (*self.modes, *turns)
+
+    @property
+    def modes(self) -> tuple[int, ...]:
+        """Indices of the parameters that say whether it holds, slides or is idle; all 0 where it does none of these."""
+        return tuple(k for k in (self.holds, self.slides, self.idles) if k >= 0)
+
+    @property
+    def rows(self) -> tuple[int, ...]:
+        """Its rows: one, or the two of a friction cone."""
+        return (self.row, self.row + 1) if self.shift >= 0 else (self.row,)
 
     def words(self, model: CompiledModel) -> str:
         return f"{'contact' if self.is_contact else 'friction'} {model.events[self.event]!r}"
@@ -60,6 +70,12 @@ def with_parameters(at: OperatingPoint, values: Mapping[int, float]) -> Operatin
     parameters = np.array(at.prepared.parameters)
     parameters[list(values)] = list(values.values())
     return replace(at, prepared=at.model.prepare(parameters))
+
+
+def absent_rows(at: OperatingPoint) -> set[int]:
+    """Return the rows of open contacts and of frictions that do not stick: they are no constraints there."""
+    values = at.prepared.parameters
+    return {row for one in switches_of(at.model) if not values[one.holds] and not values[one.idles] for row in one.rows}
 
 
 def all_open(at: OperatingPoint) -> OperatingPoint:

@@ -5,7 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .active_contacts import Surfaces, Switch, holding, switches_of
+from .active_contacts import Surfaces, Switch, holding, switches_of, with_parameters
 from .operating_point import OperatingPoint
 
 _AT_BOUND = 1e-9
@@ -83,8 +83,40 @@ class Bounds:
                 continue
             moves = side * (along[one.row] if self.surfaces.at_rest(one) else rate[one.row])
             if moves < (-within * self.units[one.row] if self.surfaces.at_rest(one) else 0.0):
-                texts.append(f"{one.words(model)} would {'close' if one.is_contact else 'slide the other way'}")
+                texts.append(f"{one.words(model)} would {self._instead(one)}")
+        texts += [f"{one.words(model)} would stick or slide" for one in _off(self.at) if _acts(self.at, one)]
         return texts
+
+    def _instead(self, one: Switch) -> str:
+        """Return what a contact does that should be open, or a friction that should slide to the named side."""
+        if one.is_contact:
+            return "close"
+        if self.surfaces.at_rest(one) and Bounds(holding(self.at, [one])).margins[one] > _AT_BOUND * self.size:
+            return "stick"
+        return "slide the other way"
+
+
+def _off(at: OperatingPoint) -> list[Switch]:
+    """Return the frictions that neither stick nor slide."""
+    values = at.prepared.parameters
+    return [one for one in switches_of(at.model) if not one.is_contact and not any(values[k] for k in one.modes)]
+
+
+def _acts(at: OperatingPoint, one: Switch) -> bool:
+    """Return whether a friction has a force at the state or beside it, that is, whether its limit is above 0 there."""
+    turned = {one.shift: 1.0, one.shift + 1: 0.0} if one.shift >= 0 else {}
+    off = with_parameters(at, dict.fromkeys(one.parameters, 0.0))
+    on = with_parameters(off, {one.slides: 1.0} | turned)
+    varies = slice(2 * at.model.n + at.model.n_inputs)
+    without, with_it = (np.column_stack([there.motion[0], there.motion[2][:, varies]]) for there in (off, on))
+    return not np.array_equal(with_it, without)
+
+
+def without_zero_frictions(at: OperatingPoint) -> OperatingPoint:
+    """Return the state without the frictions whose limit is 0 there and beside it: they neither stick nor slide."""
+    frictions = [one for one in switches_of(at.model) if not one.is_contact and one not in _off(at)]
+    zero = [one for one in frictions if not _acts(at, one)]
+    return with_parameters(at, {k: 0.0 for one in zero for k in one.parameters}) if zero else at
 
 
 def with_most_contacts(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[Switch, str]]]:
@@ -95,6 +127,7 @@ def with_most_contacts(at: OperatingPoint) -> tuple[OperatingPoint, list[tuple[S
     """
     if not at.model.switches:
         return at, []
+    at = without_zero_frictions(at)
     bounds, values = Bounds(at), at.prepared.parameters
     bounded = list(bounds.at_bound())
     loose = [one for one, _ in bounded if not values[one.holds]]

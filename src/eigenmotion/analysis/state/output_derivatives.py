@@ -5,6 +5,7 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...runtime.variations import output_partials
+from .active_contacts import absent_rows
 from .operating_point import OperatingPoint
 from .tangent_space import tangent
 
@@ -27,11 +28,12 @@ def output_derivatives(at: OperatingPoint) -> Vector:
 
 def _refuse_shared_reactions(at: OperatingPoint, by_multipliers: Vector) -> None:
     used = np.argwhere(by_multipliers)
-    n, h = at.model.n, at.model.h
-    dependent = at.model.m - (n - sum(k >= n for k in tangent(at).free))
+    n, absent = at.model.n, absent_rows(at)
+    rows, holonomic = (sum(k not in absent for k in range(count)) for count in (at.model.m, at.model.h))
+    dependent = rows - (n - sum(k >= n for k in tangent(at).free))
     if len(used) and dependent:
         raise ModelError(
             f"{at.model.name}: output {at.model.outputs[used[0][0]]!r} holds a multiplier of constraint rows that "
-            f"depend on each other ({dependent} of {at.model.m} do, {h} of them holonomic), and how they share the "
+            f"depend on each other ({dependent} of {rows} do, {holonomic} of them holonomic), and how they share the "
             "reaction has no derivative. Leave out the rows that are not needed, or the output"
         )
