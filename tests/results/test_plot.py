@@ -141,6 +141,14 @@ def test_a_coordinate_takes_the_place_of_the_time():
     assert circle.get_xlim() == (pytest.approx(-1, abs=1e-3), pytest.approx(1, abs=1e-3))
 
 
+def test_axes_are_named_by_what_is_on_them():
+    a, b, i, j = dynamicsymbols("a b i j")
+    model = em.Model(name="named", coordinates=[x, y, a, b], kinetic_energy=sum(q.diff() ** 2 for q in (x, y, a, b)),
+                     states={i: x, j: a}, units={x: "m", y: "m", a: "rad", b: "rad", i: "A", j: "rad"})  # fmt: skip
+    labels = [axes.get_ylabel() for axes in system_for(model, "lagrange").simulate((0, 1)).plot().axes]
+    assert labels == ["coordinates [m]", "coordinates and states [rad]", "$i$ [A]"]
+
+
 def test_many_outputs_share_axes():
     q = dynamicsymbols("q")
     outputs = {f"out_{k}": k * q for k in range(9)}

@@ -1,6 +1,6 @@
 """Picture of a run: the columns it shows, and their axes."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -69,11 +69,11 @@ class _Panels:
         model, shown = rows.model, list(self.columns)
         first = len(shown) - model.n_states
         states, outputs = shown[first:], shown[first - len(model.outputs) : first]
-        kind = "coordinates and states" if states else "coordinates"
-        motion = self.grouped(kind, [name for name in (*table(rows),)[1 : rows.n + 1] if name in shown] + states)
+        coordinates = [name for name in (*table(rows),)[1 : rows.n + 1] if name in shown]
+        motion = self.grouped(dict.fromkeys(coordinates, "coordinates") | dict.fromkeys(states, "states"))
         alone = [name for name in outputs if name not in self.units]
-        measured = self.grouped("outputs", [name for name in outputs if name in self.units])
-        others = self.chosen(alone) if len(alone) < _MOST_PANELS else self.grouped("outputs", alone)
+        measured = self.grouped({name: "outputs" for name in outputs if name in self.units})
+        others = self.chosen(alone) if len(alone) < _MOST_PANELS else self.grouped(dict.fromkeys(alone, "outputs"))
         return [*motion, *measured, *others, *self._multipliers(rows)]
 
     def _multipliers(self, rows: Trajectory) -> list[Panel]:
@@ -94,13 +94,14 @@ class _Panels:
         """Return a panel for each column."""
         return [self._panel(label(name), [name]) for name in names]
 
-    def grouped(self, kind: str, names: Sequence[str]) -> list[Panel]:
-        """Return a panel for the columns of each unit; if there are several, one column alone names its panel."""
-        units = list(dict.fromkeys(self.units.get(name, "") for name in names))
-        groups = [[name for name in names if self.units.get(name, "") == unit] for unit in units]
+    def grouped(self, kinds: Mapping[str, str]) -> list[Panel]:
+        """Return a panel for the columns of each unit, named by their kinds, or by the only column."""
+        units = dict.fromkeys(self.units.get(name, "") for name in kinds)
+        groups = [(unit, [name for name in kinds if self.units.get(name, "") == unit]) for unit in units]
+        words = [" and ".join(dict.fromkeys(kinds[name] for name in group)) for _, group in groups]
         return [
             self._panel(label(group[0]) if len(group) == 1 and unit else kind, group)
-            for unit, group in zip(units, groups, strict=True)
+            for kind, (unit, group) in zip(words, groups, strict=True)
         ]
 
     def _panel(self, text: str, names: Sequence[str]) -> Panel:
