@@ -13,6 +13,7 @@ from .check import checks
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 from .prescribed_inputs import PrescribedInput, with_prescribed_inputs
 from .recursion_depth import expressions_in, with_room
+from .statement.as_stated import as_stated, keeping, without_contacts
 from .statement.constraint_rows import KINDS, NamedRows, check_names, numbered, rows_of
 from .statement.contacts import contacts_of, normals_of, with_contacts
 from .statement.drawing import drawing_of
@@ -148,7 +149,7 @@ class Model(Mechanism):
             raise ModelError(f"Model {shown(name)}: {error}") from error.__cause__
 
     def _take(self, arguments: dict[str, Any]) -> None:
-        for field, value in _normalised(arguments).items():
+        for field, value in _normalised(as_stated(arguments)).items():
             object.__setattr__(self, field, value)
         checks.check(self)
 
@@ -212,7 +213,8 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         "units": arguments["units"],
         **{kind: _numbers(arguments[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
-    fields = with_prescribed_inputs(fields)
+    stated = without_contacts(fields)
+    fields = dict(with_prescribed_inputs(stated))
     known = normals_of(fields).by_name
     fields["forces"] = tuple(numbered(Q, "forces", known) for Q in fields["forces"])
     fields["states"] = tuple((z, numbered(rate, f"states[{name_of(z)}]", known)) for z, rate in fields["states"])
@@ -220,7 +222,7 @@ def _normalised(arguments: dict[str, Any]) -> dict[str, Any]:
         (name, numbered(output, f"outputs[{name_of(name)}]", known)) for name, output in fields["outputs"]
     )
     fields = _with_tables(with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"])))
-    return fields | {"units": units_of(fields["units"], fields)}
+    return keeping(fields | {"units": units_of(fields["units"], fields)}, stated)
 
 
 def _with_tables(fields: dict[str, Any]) -> dict[str, Any]:
@@ -244,7 +246,8 @@ def _rows(arguments: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]],
     """
     read = {kind: rows_of(arguments[kind], kind) for kind in KINDS}
     copied = (one for one in arguments["constraint_names"] if not isinstance(arguments[one.kind], Mapping))
-    names = (*copied, *(one for _, named in read.values() for one in named))
+    found = (*copied, *(one for _, named in read.values() for one in named))
+    names = tuple(sorted(found, key=lambda one: KINDS.index(one.kind)))
     rows = {kind: rows for kind, (rows, _) in read.items()}
     check_names(
         names, (name for name, _ in pairs_of(arguments["contacts"], "contacts")), {k: len(r) for k, r in rows.items()}

@@ -191,7 +191,7 @@ def switch_of(
     normals: Normals,
 ) -> Switch:
     """Return the switch of a contact or friction, whose constraint row is among these rows."""
-    holds, slides, idles, *shift = _parameters(name, entry)
+    holds, slides, idles, *shift = parameters_of(name, entry)
     rows = holonomic if slides is None else nonholonomic
     row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
     if isinstance(entry, Friction):
@@ -203,7 +203,7 @@ def switch_of(
 def normals_of(fields: Mapping[str, Any]) -> Normals:
     """Return the possible normal forces from the fields of a Model, before or after its contacts were translated."""
     known = [symbol for symbol, _ in fields["parameters"]]
-    translated = [entry for name, entry in fields["contacts"] if _parameters(name, entry)[0] in known]
+    translated = [entry for name, entry in fields["contacts"] if parameters_of(name, entry)[0] in known]
     contacts = sum(isinstance(entry, Contact) for entry in translated)
     slips = sum(len(entry.slips) for entry in translated if isinstance(entry, Friction))
     others = {kind: len(fields[kind]) - count for kind, count in zip(KINDS, (contacts, slips), strict=True)}
@@ -216,9 +216,7 @@ def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sy
     made = dict(fields)
     normals = normals_of(fields)
     for name, entry in fields["contacts"]:
-        added = [symbol for symbol in _parameters(name, entry) if symbol is not None]
-        if added[0] in dict(made["parameters"]):
-            continue  # already translated: the fields are copied from another model, as by dataclasses.replace
+        added = [symbol for symbol in parameters_of(name, entry) if symbol is not None]
         made["parameters"] = (*made["parameters"], *((symbol, 0.0) for symbol in added))
         made |= (
             _contact(made, name, entry)
@@ -228,7 +226,7 @@ def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sy
     return made
 
 
-def _parameters(name: str, entry: Contact | Friction) -> tuple[Any, ...]:
+def parameters_of(name: str, entry: Contact | Friction) -> tuple[Any, ...]:
     """Return the parameters `holds`, `slides` (None for a contact) and `idles`, and for a cone those of `shift`."""
     idles = sympy.Symbol(f"{name}_idle")
     if isinstance(entry, Contact):
@@ -246,7 +244,7 @@ def _shift(name: str, friction: Friction) -> tuple[sympy.Symbol, ...]:
 
 
 def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, Any]:
-    holds = _parameters(name, contact)[0]
+    holds = parameters_of(name, contact)[0]
     return {
         "holonomic_constraints": (*made["holonomic_constraints"], holds * contact.gap),
         "events": (*made["events"], (name, Event(contact.gap, -1, impact=(contact.gap, contact.restitution)))),
@@ -260,7 +258,7 @@ def _friction(
     in_rates: Callable[[sympy.Expr], sympy.Expr],
     normals: Normals,
 ) -> dict[str, Any]:
-    holds, slides = _parameters(name, friction)[0], _slides(name)
+    holds, slides = parameters_of(name, friction)[0], _slides(name)
     slips, force = list(map(in_rates, friction.slips)), friction.limit * normals.force(name, friction.normal)
     shift = _shift(name, friction)
     shifted = [slip + by for slip, by in zip(slips, shift, strict=True)] if shift else slips
