@@ -3,7 +3,6 @@
 Each model is run by "auto" at two tolerances, and by every method at tolerances from 1e-3 to 1e-11. The time that a
 method needs for the error of "auto" is interpolated between its runs. Errors are the largest of x at 101 rows relative
 to 1 + |x|, compared with a run at 1e-12 or 1e-13. Times are those of the thread, the least of several interleaved runs.
-The column "start" is the same ratio for the method that "auto" takes at the start, without changes later.
 
 Usage: python benchmarks/automatic_choice.py [NAME ...]
 """
@@ -26,11 +25,8 @@ from stiff import driven, governor, relaxation
 from sympy import Integer, Rational, cos, sin, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, Signal, Solution, System, build, t
+from eigenmotion import Model, Signal, Solution, build, t
 from eigenmotion.arguments.methods import METHODS
-from eigenmotion.simulation.method_selection import automatic_of_run
-from eigenmotion.simulation.simulate import run_task
-from eigenmotion.simulation.task_of_run import task_of_run
 from eigenmotion.stability.models.smooth import elastic_link
 
 TOLERANCES = tuple(10.0**-k for k in range(3, 12))
@@ -134,17 +130,8 @@ class Point:
     seconds: float
 
 
-def by_start(system: System, t_end: float, rtol: float, options: Mapping[str, Any]) -> Solution:
-    """Return the run by the method that "auto" takes at the start."""
-    task, _ = task_of_run(
-        system, system.compiled, (0.0, t_end), options.get("x0"), None, None, options.get("parameters"),
-        options.get("inputs"), rtol, rtol, None, False, None, inf, MOST_STEPS, "project", "auto",
-    )  # fmt: skip
-    return run_task(task, automatic_of_run(task)[0])
-
-
-def measured(scene: Scene) -> tuple[dict[str, list[Point]], dict[float, tuple[Point, Point, Solution]]]:
-    """Return the runs by each method; and tolerance -> that by "auto", that by its start, and its solution."""
+def measured(scene: Scene) -> tuple[dict[str, list[Point]], dict[float, tuple[Point, Solution]]]:
+    """Return the runs by each method; and tolerance -> that by "auto", and its solution."""
     system = build(scene.model(), formulation=scene.formulation)
     options = {"max_steps": MOST_STEPS, **scene.options}
     rows = np.linspace(0.0, scene.t_end, 101)
@@ -164,19 +151,12 @@ def measured(scene: Scene) -> tuple[dict[str, list[Point]], dict[float, tuple[Po
         calls |= {(method, rtol): partial(run, method, rtol) for rtol in TOLERANCES}
     for rtol in AUTOMATIC:
         calls["auto", rtol] = partial(run, "auto", rtol)
-        calls["start", rtol] = partial(by_start, system, scene.t_end, rtol, scene.options)
-    errors = {key: error(run("auto" if key[0] == "auto" else key[0], key[1], t_eval=rows)) for key in calls
-              if key[0] != "start"}  # fmt: skip
-    timed = {key: call for key, call in calls.items() if errors.get(key, 0.0) < inf}
+    errors = {key: error(run(*key, t_eval=rows)) for key in calls}
+    timed = {key: call for key, call in calls.items() if errors[key] < inf}
     seconds = times_of(timed)
     curves = {name: [Point(errors[name, rtol], seconds[name, rtol]) for rtol in TOLERANCES if (name, rtol) in seconds]
               for name in METHODS}  # fmt: skip
-    own = {}
-    for rtol in AUTOMATIC:
-        solution = run("auto", rtol)
-        first = solution.methods[0][1] if solution.methods else solution.method
-        begun = error(run(first, rtol, t_eval=rows))
-        own[rtol] = (Point(errors["auto", rtol], seconds["auto", rtol]), Point(begun, seconds["start", rtol]), solution)
+    own = {rtol: (Point(errors["auto", rtol], seconds["auto", rtol]), run("auto", rtol)) for rtol in AUTOMATIC}
     return curves, own
 
 
@@ -211,26 +191,21 @@ def seconds_at(points: Sequence[Point], error: float) -> float:
     return best
 
 
-def line(scene: Scene, curves: Mapping[str, Sequence[Point]], rtol: float, own: tuple[Point, Point, Solution]) -> float:
+def line(scene: Scene, curves: Mapping[str, Sequence[Point]], rtol: float, own: tuple[Point, Solution]) -> float:
     """Print one line of the table; return the ratio of "auto"."""
-    auto, start, solution = own
-
-    def best(error: float) -> tuple[float, str]:
-        return min((seconds_at(points, error), name) for name, points in curves.items())
-
-    least, name = best(auto.error)
+    auto, solution = own
+    least, name = min((seconds_at(points, auto.error), name) for name, points in curves.items())
     used = [name for _, name in solution.methods] or [solution.method]
     shown = ", ".join(used[:4]) + ("" if len(used) < 5 else f" ... ({len(used)})")
     ratio = auto.seconds / least if least < inf else float("nan")
-    begun = start.seconds / best(start.error)[0] if start.error < inf else inf
-    print(f"{scene.name:<22}{rtol:<9.0e}{auto.error:<10.1e}{1e3 * auto.seconds:>9.3f}{ratio:>8.2f}{begun:>8.2f}  "
-          f"{name:<9}{shown}", flush=True)  # fmt: skip
+    print(f"{scene.name:<22}{rtol:<9.0e}{auto.error:<10.1e}{1e3 * auto.seconds:>9.3f}{ratio:>8.2f}  {name:<9}{shown}",
+          flush=True)  # fmt: skip
     return ratio
 
 
 def main(names: Sequence[str]) -> None:
     """Print the table and its summary."""
-    print(f"{'model':<22}{'rtol':<9}{'error':<10}{'ms':>9}{'ratio':>8}{'start':>8}  {'best':<9}auto")
+    print(f"{'model':<22}{'rtol':<9}{'error':<10}{'ms':>9}{'ratio':>8}  {'best':<9}auto")
     worst = {}
     for scene in (*SCENES, *EXTRA):
         if scene.name not in names if names else scene in EXTRA:

@@ -74,7 +74,8 @@ def test_changes_where_stiffness_begins(rtol):
 def test_changes_back_where_it_ends(rtol):
     sol = run(ENDS, rtol=rtol, t_eval=ROWS)
     assert sol.success
-    assert sol.methods[0][1] == "radau9"
+    assert [name == "radau9" for _, name in sol.methods[:3]] == [False, True, False]
+    assert sol.methods[1][0] < 0.1
     assert sol.method in EXPLICIT
     assert SWITCH - 1.0 < sol.methods[-1][0] < SWITCH + 10.0
     np.testing.assert_allclose(sol.x[0], np.sin(ROWS), atol=100 * rtol)
@@ -232,8 +233,9 @@ def test_ctrl_c_while_derivatives_are_compiled_ends_the_run_with_its_motion():
     np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
 
 
+@pytest.mark.parametrize("rtol", [1e-7, 1e-13])
 @pytest.mark.parametrize("end", [1.0, 1e2, 1e3, 1e4])
-def test_compiles_no_derivatives_without_stiffness(end):
+def test_compiles_no_derivatives_without_stiffness(end, rtol):
     swings = dynamicsymbols("swings")
     built = em.build(Model(
         name="swings_long", coordinates=[swings], kinetic_energy=swings.diff() ** 2 / 2,
@@ -241,7 +243,7 @@ def test_compiles_no_derivatives_without_stiffness(end):
     ))  # fmt: skip
     asked = []
     built.compiled.load_part = asked.append
-    sol = built.simulate((0.0, end), method="auto", t_eval=[0.0, end])
+    sol = built.simulate((0.0, end), method="auto", rtol=rtol, t_eval=[0.0, end])
     assert sol.success
     assert asked == []
 
@@ -259,14 +261,14 @@ def test_changes_back_where_each_step_ends_at_a_sample():
     times = np.arange(0.0, END, 0.25)
     damped = em.Signal(times, np.where(times < 5.0, 1e5, 0.0), kind="hold")
     sol = held().simulate((0.0, END), inputs={"u": damped}, method="auto", rtol=1e-8)
-    assert [name for _, name in sol.methods] == ["radau9", "dop853"]
-    assert 5.0 < sol.methods[1][0] < 15.0
+    assert [name for _, name in sol.methods] == ["dop853", "radau9", "dop853"]
+    assert 5.0 < sol.methods[2][0] < 15.0
     np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
 
 
 @pytest.mark.parametrize("rtol", [1e-8, 1e-11, 1e-12, 1e-13])
 def test_never_ends_with_tiny_steps_where_stiffness_returns(rtol):
-    """At a tolerance near rounding, errors and not stability limit the steps of dop853."""
+    """At a tolerance near rounding, the rounding of stiff forces limits the steps of dop853 before stability does."""
     times = np.arange(0.0, END, 0.25)
     damped = em.Signal(times, np.where(times // 5 % 2 == 0, 1e5, 0.0), kind="hold")
     sol, implicit = (

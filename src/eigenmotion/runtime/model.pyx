@@ -4,7 +4,7 @@
 Rows at which a function has no value are NaN.
 """
 
-from libc.math cimport INFINITY, fabs, isnan
+from libc.math cimport fabs, isnan
 from libc.string cimport memcpy
 
 from .abi cimport em_fault, em_inverse_check
@@ -14,7 +14,6 @@ from .kinematics cimport EM_FRAME, em_body_jacobian, em_body_pose
 from .point cimport Actuators, PointModel, Prepared
 from .start cimport em_factored_matrix
 
-cdef double ROUNDED = 1e-8  # about the square root of the rounding of doubles
 
 cdef class CompiledModel(PointModel):
     """One `em_model`: adds evaluation at many states to `PointModel`."""
@@ -307,35 +306,6 @@ cdef class CompiledModel(PointModel):
         with nogil:
             self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
         return J.array
-
-    def approximate_slopes(self, double t, y, Prepared c not None, u, int least_norm, atol):
-        """The Frobenius norm of (da/dx, da/dv) at a state y, and both (n, 2 n), approximately, by finite differences.
-
-        The difference of x_k and v_k is atol_k plus their rounding. The norm is 0 if a cannot be evaluated at y; infinite
-        if it cannot at a neighbouring state.
-        """
-        cdef em_fault fault
-        cdef int i, k, n = self.n
-        cdef double size = 0.0, was, slope
-        cdef Numbers state = floats(y, (self.n_state,), "y"), s = floats(u, (self.n_inputs,), "inputs")
-        cdef Numbers z = zeros((2 * n,)), here = zeros((n,)), a = zeros((n,)), multipliers = zeros((self.m,))
-        cdef Numbers difference = floats(atol, self.vector, "atol"), slopes = zeros((n, 2 * n))
-        memcpy(z.data, state.data, n * sizeof(double))
-        if self.model.velocity(t, state.data, c.c, z.data + n, &fault) != 0 or self.model.acceleration(
-                t, z.data, z.data + n, c.c, s.data, least_norm, here.data, multipliers.data, &fault) != 0:
-            return 0.0, slopes.array
-        for k in range(2 * n):
-            was = z.data[k]
-            z.data[k] += difference.data[k % n] + ROUNDED * fabs(was)
-            if z.data[k] == was or self.model.acceleration(t, z.data, z.data + n, c.c, s.data, least_norm, a.data,
-                                                           multipliers.data, &fault) != 0:
-                return INFINITY, slopes.array
-            for i in range(n):
-                slope = (a.data[i] - here.data[i]) / (z.data[k] - was)
-                size += slope ** 2
-                slopes.data[2 * n * i + k] = slope
-            z.data[k] = was
-        return size ** 0.5, slopes.array
 
     def motion_jacobian(self, double t, z, Prepared c not None, u, int least_norm):
         """(2 n, 2 n): d (v, a) / d (x, v)."""

@@ -5,7 +5,7 @@ from inspect import signature
 from typing import Any, NamedTuple
 
 from ..arguments.differentiation import differentiated
-from ..arguments.methods import AUTO, METHODS, Method, method_of
+from ..arguments.methods import AUTO, METHODS, method_of
 from ..arguments.tasks import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
@@ -15,11 +15,11 @@ from ..runtime import CompiledModel
 from ..runtime.checkpoints import CheckpointedRun
 from .compiled_run import solution_of
 from .initial_state.consistency import check_direction
-from .method_selection import automatic_of_run
+from .method_selection import automatic_of_run, longest_of
 from .sensitivity.adjoint import Adjoint, steps_within
 from .sensitivity.run_path import path_of
 from .sensitivity.sensitivities import directions
-from .simulate import NAMES, refused, simulate
+from .simulate import NAMES, refused, run_changing, simulate
 from .task_of_run import task_of_run
 
 _NOT_HERE = ("system", "t_span", "positional", "misspelt", "estimate_error", "sensitivities", "method", "dense_output")
@@ -55,7 +55,7 @@ def derivable_run(
         raise ModelError(f"{compiled.name}: memory is {shown(memory)}; give a number of megabytes, 0 or more")
     task, shared = task_of_run(system, compiled, t_span, *(given[name] for name in _ORDER))
     named = method_of(method, NAMES)
-    chosen: Method = automatic_of_run(task)[0] if named == AUTO else METHODS[named]
+    chosen = longest_of(run_changing(task, automatic_of_run(task))) if named == AUTO else METHODS[named]
     if task.t_end < task.t_start:
         check_direction(compiled, task.t_start, task.t_end)
     varied = directions(differentiated(compiled, by, given["v0"], "by"), task)

@@ -25,6 +25,7 @@ from ..codegen.model import ModelError
 from ..results.charts import in_charts_of
 from ..results.solution import Solution
 from ..runtime import CompiledModel
+from .method_selection import longest_of
 
 Runner = Callable[[Task, Method], Solution]
 
@@ -84,10 +85,11 @@ def with_error_estimate(task: Task, method: Method, checker: CompiledModel | Non
         show an error of the formulation itself.
     """
     solution, first = _clocked(run, task, method)
-    checking = checker_of(method)
+    used = longest_of(solution)
+    checking = checker_of(used)
     if not len(solution.t) or solution.t[-1] == task.t_start:
         return _blank(solution, task)
-    tighter = _tighter(task, solution, TIGHTER if method == checking else TIGHTER_ACROSS)
+    tighter = _tighter(task, solution, TIGHTER if used == checking else TIGHTER_ACROSS)
     if checker is not None:
         tighter = _on(checker, tighter)
     second, seconds = _clocked(run, tighter, checking)

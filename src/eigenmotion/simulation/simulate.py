@@ -74,10 +74,9 @@ def simulate(
     method
         "rk34", "dopri5", "dop853": Runge-Kutta. "ra15": eight Radau nodes in parallel, order 15, often the fastest for
         smooth motions and tight tolerances. "radau5", "radau9": implicit, for stiff scenes, Radau IIA of orders 5 and 9
-        on the motion (x, v). "auto": "radau9" if the scene is stiff at its start, else "dop853" or "ra15", depending on
-        tolerance, formulation and processor; it changes during the run where the other kind costs less
-        (`Solution.methods`, docs/stiff.md). All are compiled; upper or lower case. For solvers of SciPy and SUNDIALS
-        use `System.rhs` and `System.jacobian`.
+        on the motion (x, v). "auto": begins with "dop853" or "ra15", depending on tolerance, formulation and processor,
+        and changes to "radau9" and back during the run where that costs less (`Solution.methods`, docs/stiff.md). All
+        are compiled; upper or lower case. For solvers of SciPy and SUNDIALS use `System.rhs` and `System.jacobian`.
     rtol, atol
         The error of a step in x_k and v_k is below atol_k + rtol |.|. atol: a number, or a mapping coordinate -> number
         (also for the velocity; 1e-9 for others).
@@ -147,7 +146,7 @@ def _run(
 
     shared : the constraint rows whose multipliers are not unique
     """
-    chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
+    chosen = automatic_of_run(task) if named == AUTO else METHODS[named]
     run = run_changing if named == AUTO else run_task
     if task.inputs.sampled:
         _check_sampled(task, estimate_error)
@@ -162,8 +161,6 @@ def _run(
     else:
         checker = None if estimate_error is True else _checker(estimate_error)
         solution = with_error_estimate(task, chosen, checker, run)
-    if why:
-        solution["message"] += why
     if shared:
         solution["not_unique"] = shared
         solution["message"] = with_shared(solution["message"], task.model, shared)

@@ -144,7 +144,7 @@ EM_INLINE void em_group_judge(em_lane_state *w, const real *argument, const real
         apart += state * state;
         driven += rate * rate;
     }
-    const em_truth stiff = em_is_stiff(EM_DOP853_STABLE, *w->h, apart, driven);
+    const em_truth stiff = em_is_stiff(em_stability_bound(EM_DOP853_STABLE, w->group->rtol), *w->h, apart, driven);
     *w->stiff = em_where(judged, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
 }
 

@@ -4,11 +4,12 @@
  * counted in right-hand sides, never timed: the same run changes at the same steps.
  *
  * From the explicit method to the implicit one: once stability, not the error, has limited so many steps that they cost
- * as much as a trial of the implicit method, and at least as many would follow. So a trial in vain costs no more than
- * what the run has taken until then. Back: the largest eigenvalue of the Jacobian gives the step that stability would
- * allow. If explicit steps of that size, or of the present one if that is shorter, cost clearly less, the run changes
- * back, unless the tolerance is so tight that it could not tell when the motion is stiff again; each return from a short
- * trial doubles the number of steps before the next one. */
+ * as much as a trial of the implicit method, and at least as many would follow; or a few steps, if the trial costs less
+ * than a hundredth of those that would follow. So a trial in vain costs little beside what the run takes anyway. Back:
+ * the largest eigenvalue of the Jacobian gives the step that stability would allow. If explicit steps of that size, or
+ * of the present one if that is shorter, cost clearly less, the run changes back. The error may allow shorter explicit steps than that: if they then
+ * cost clearly more than the implicit ones did, the run returns. Each return from a trial in vain doubles the wait for
+ * the next one. */
 #ifndef EM_METHOD_CHANGE_H
 #define EM_METHOD_CHANGE_H
 
@@ -16,7 +17,6 @@
 
 #define EM_CLEARLY_LESS 0.7      /* of the cost: else a change does not pay */
 #define EM_STABLE_SIZE 4.0       /* of explicit steps, times the largest eigenvalue; EM_DOP853_STABLE */
-#define EM_TELLS 1e-11           /* rtol, below which rounding keeps explicit steps so short that they look stable */
 #define EM_EXPLICIT_STEP 12.0    /* right-hand sides of an explicit step */
 #define EM_NODE_RATE (EM_LANES > 2 ? 0.3 : 1.0) /* cost of a right-hand side on lanes, in scalar ones; */
 #define EM_STAGE_RATE 1.5        /* of one in an implicit stage, with its share of the linear equations; */
@@ -28,10 +28,13 @@ enum {
     EM_STRAINED_NODES = 10,  /* the same if a step has nodes */
     EM_STEPS_AHEAD = 200,    /* fewer explicit steps to the end do not pay for a change */
     EM_NODES_AHEAD = 50,
-    EM_WINDOW = 8,           /* implicit steps whose cost is counted */
-    EM_DEAR_WINDOWS = 2,     /* windows in a row in which explicit steps would have cost less */
-    EM_SHORT_TRIAL = 3,      /* windows, the fewest: a trial that lasted no longer was in vain */
-    EM_LONGEST_PATIENCE = 6, /* doublings */
+    EM_FEW = 2,              /* a trial that costs a hundredth of what follows is made after this part of them */
+    EM_HUNDREDTH = 100,
+    EM_WINDOW = 8,           /* steps whose cost is counted */
+    EM_DEAR_WINDOWS = 2,     /* windows in a row in which the other method would have cost less */
+    EM_SHORT_TRIAL = 3,      /* windows, the fewest: a trial of the implicit method that lasted no longer was in vain; */
+    EM_TRIAL = 6,            /* and one of the explicit method */
+    EM_LONGEST_PATIENCE = 6, /* doublings of the wait after trials in vain */
     EM_POWERS = 24           /* of the Jacobian; the growth over two thirds of them counts */
 };
 
@@ -42,10 +45,11 @@ static double em_cost_so_far(const em_run_state *w) {
     return rate * (double)run->n_rhs + EM_SLOPES_RATE * (double)run->n_jacobians + EM_FACTORS_RATE * (double)run->n_factors;
 }
 
-static void em_begin_window(em_run_state *w) {
-    w->choice.t = w->t;
-    w->choice.cost = em_cost_so_far(w);
-    w->choice.steps = 0;
+static em_cost_window em_window_from_here(const em_run_state *w) { return (em_cost_window){w->t, em_cost_so_far(w), 0}; }
+
+/* The cost of the steps in a window, per unit of time. */
+static double em_cost_rate(const em_run_state *w, const em_cost_window *window) {
+    return (em_cost_so_far(w) - window->cost) / fabs(w->t - window->t);
 }
 
 /* next (2 n) <- (v, K x + D v) for z = (x, v). Returns its length. */
@@ -104,39 +108,69 @@ static int em_change_method(em_run_state *w) {
     if (em_enter_mode(w) < 0 || em_enter_interval(w) < 0) return em_end_with(w, w->reason);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     if (w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g)) return em_end_with(w, w->reason);
-    w->choice.strained = w->choice.windows = w->choice.dear = 0;
-    em_begin_window(w);
+    w->choice.windows = w->choice.dear = 0;
+    w->choice.window = w->choice.limited = em_window_from_here(w);
     return em_note_method(w);
 }
 
-/* After an explicit step: whether the implicit method should be tried. */
-static int em_explicit_is_strained(em_run_state *w) {
+/* Ends a window of steps once it is full, and counts it as dear if `other`, the cost of the other method per unit of
+ * time, is clearly less. The first after a change does not count, since its steps may be short. */
+static void em_end_window(em_run_state *w, double other, double rate) {
     em_choice *const c = &w->choice;
-    const int nodes = w->scheme.at_nodes, many = (nodes ? EM_STRAINED_NODES : EM_STRAINED_STEPS) << c->patience;
-    c->strained = w->stiff ? c->strained + 1 : c->strained > 2 ? c->strained - 2 : 0;
-    if (c->strained == 0) em_begin_window(w);
-    if (c->strained < many) return 0;
+    c->dear = c->windows > 0 && other < EM_CLEARLY_LESS * rate ? c->dear + 1 : 0;
+    ++c->windows;
+    c->window = em_window_from_here(w);
+}
+
+/* After an explicit step: whether stability has limited so many that the implicit method should be tried. */
+static int em_explicit_is_strained(em_run_state *w) {
+    em_cost_window *const limited = &w->choice.limited;
+    const int nodes = w->scheme.at_nodes, many = (nodes ? EM_STRAINED_NODES : EM_STRAINED_STEPS) << w->choice.patience;
+    limited->steps = w->stiff ? limited->steps + 1 : limited->steps > 2 ? limited->steps - 2 : 0;
+    if (limited->steps == 0) *limited = em_window_from_here(w);
+    if (limited->steps < many / EM_FEW) return 0;
     const double ahead = fabs(w->run->t_end - w->t) / fabs(w->h);
-    if (!(ahead > em_max(many, nodes ? EM_NODES_AHEAD : EM_STEPS_AHEAD))) return 0;
-    c->rate = (em_cost_so_far(w) - c->cost) / fabs(w->t - c->t);
+    const double least = em_max(many, nodes ? EM_NODES_AHEAD : EM_STEPS_AHEAD);
+    return ahead > (limited->steps < many ? EM_HUNDREDTH * (double)many : least);
+}
+
+static int em_doubled(int times) { return times + (times < EM_LONGEST_PATIENCE); }
+
+/* After an explicit step: whether the implicit method would cost less, because stability limits the steps, or because it
+ * has cost less before, which is seen in the first windows after a change. */
+static int em_explicit_is_dear(em_run_state *w) {
+    em_choice *const c = &w->choice;
+    const int strained = em_explicit_is_strained(w);
+    if (++c->window.steps >= EM_WINDOW && c->implicit_rate > 0.0 && c->windows < EM_TRIAL) {
+        em_end_window(w, c->implicit_rate, c->explicit_rate = em_cost_rate(w, &c->window));
+    }
+    if (!strained && c->dear < EM_DEAR_WINDOWS) return 0;
+    if (strained) c->explicit_rate = em_cost_rate(w, &c->limited);
+    if (c->implicit_rate > 0.0 && c->windows < EM_TRIAL) c->reluctance = em_doubled(c->reluctance);
     return 1;
 }
 
-/* After an implicit step: whether the explicit method would cost less, in windows in a row. The first has the short
- * steps after a change; in the next two, the cost of the explicit method before it counts, too. */
+/* The cost of explicit steps per unit of time: of steps as long as stability allows, but no longer than the present ones.
+ * For some windows after explicit steps their cost counts: if it was less, for the implicit method may be a trial in
+ * vain; if it was more after a trial of explicit steps, for their errors need shorter steps. */
+static double em_explicit_cost(const em_run_state *w) {
+    const em_choice *const c = &w->choice;
+    const double present = fabs(w->t - c->window.t) / c->window.steps;
+    const double stable = EM_EXPLICIT_STEP / em_min(EM_STABLE_SIZE / em_fastest_rate(w), present);
+    if (!(c->windows < EM_SHORT_TRIAL << c->reluctance && c->explicit_rate > 0.0)) return stable;
+    return c->reluctance > 0 ? em_max(stable, c->explicit_rate) : em_min(stable, c->explicit_rate);
+}
+
+/* After an implicit step: whether the explicit method would cost less, in windows in a row. */
 static int em_implicit_is_dear(em_run_state *w) {
     em_choice *const c = &w->choice;
-    if (w->rtol < EM_TELLS || ++c->steps < EM_WINDOW) return 0;
-    const double span = fabs(w->t - c->t), rate = (em_cost_so_far(w) - c->cost) / span, fastest = em_fastest_rate(w);
-    const double size = em_min(EM_STABLE_SIZE / fastest, span / c->steps);
-    const double last = c->windows < 3 && c->rate > 0.0 ? c->rate : INFINITY;
-    const int dear = em_min(EM_EXPLICIT_STEP / size, last) < EM_CLEARLY_LESS * rate && c->windows > 0;
-    c->dear = dear ? c->dear + 1 : 0;
-    ++c->windows;
-    em_begin_window(w);
+    if (++c->window.steps < EM_WINDOW) return 0;
+    const double rate = em_cost_rate(w, &c->window), step = fabs(w->t - c->window.t) / c->window.steps;
+    em_end_window(w, em_explicit_cost(w), rate);
     if (c->dear < EM_DEAR_WINDOWS) return 0;
-    c->patience = c->windows > EM_SHORT_TRIAL ? 0 : c->patience + (c->patience < EM_LONGEST_PATIENCE);
-    w->h_next = em_min(w->h_next, size);
+    c->patience = c->windows > EM_SHORT_TRIAL ? 0 : em_doubled(c->patience);
+    c->implicit_rate = rate;
+    w->h_next = em_min(em_min(w->h_next, step), EM_STABLE_SIZE / em_fastest_rate(w));
     return 1;
 }
 
@@ -144,7 +178,7 @@ static int em_implicit_is_dear(em_run_state *w) {
  * method: the caller may have to load derivatives. Returns as a step. */
 static int em_consider_method(em_run_state *w) {
     em_run *const run = w->run;
-    if (w->scheme.radau_iia == NULL) return run->waits = em_explicit_is_strained(w), EM_CONTINUE;
+    if (w->scheme.radau_iia == NULL) return run->waits = em_explicit_is_dear(w), EM_CONTINUE;
     return em_implicit_is_dear(w) ? em_change_method(w) : EM_CONTINUE;
 }
 

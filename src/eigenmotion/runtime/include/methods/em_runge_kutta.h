@@ -41,7 +41,7 @@ EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_run_state *w) 
         rate[k] = w->f_new[k] - w->K[last][k];
     }
     const double apart = em_weighted_squares(2 * w->n, state, w->weight), driven = em_weighted_squares(2 * w->n, rate, w->weight);
-    w->stiff = em_is_stiff(stable, w->h, apart, driven);
+    w->stiff = em_is_stiff(em_stability_bound(stable, w->rtol), w->h, apart, driven);
     return 0;
 }
 

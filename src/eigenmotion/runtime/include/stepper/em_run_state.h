@@ -104,14 +104,22 @@ typedef struct em_implicit {
                                                 they are averaged */
 } em_implicit;
 
+/* Steps whose cost is counted, from a time on; cost: of the run until then, in right-hand sides. */
+typedef struct em_cost_window {
+    double t, cost;
+    int steps;
+} em_cost_window;
+
 /* What the choice of the method carries from step to step (em_method_change.h). */
 typedef struct em_choice {
-    double t, cost;    /* at the start of a window of steps; cost in right-hand sides */
-    double rate;       /* cost per unit of time of the explicit method when it was left, 0: unknown */
-    int strained;      /* explicit steps that stability limited */
-    int steps, windows, dear; /* implicit steps in the window; windows since the change; the last ones in a row in
-                                 which explicit steps would have cost less */
-    int patience;      /* doublings of the number of strained steps before the next change */
+    em_cost_window window; /* the last steps */
+    em_cost_window limited; /* the explicit steps that stability has limited, about in a row */
+    double explicit_rate;  /* cost per unit of time of the explicit method when it was left, 0: unknown; */
+    double implicit_rate;  /* and of the implicit one */
+    int windows, dear;     /* since the change; the last ones in a row in which the other method would have cost less */
+    int patience;          /* after trials of the implicit method in vain: doublings of the strained steps before the
+                              next; */
+    int reluctance;        /* after those of the explicit method: of the windows in which its cost is remembered */
 } em_choice;
 
 /* Everything a run carries from step to step. `_new` is at the end of the current step. Saved are its first part,

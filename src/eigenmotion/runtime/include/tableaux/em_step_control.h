@@ -58,6 +58,12 @@ EM_INLINE real em_error_of_two(real h, real first, real second, double count) {
     return em_where(denominator == 0.0, em_real(0.0), fabs(h) * first / sqrt(denominator * count));
 }
 
+#define EM_NEAR_ROUNDING 1e-11 /* rtol */
+
+/* The bound that is compared: near rounding, the rounding of stiff forces keeps steps a few times shorter than stability
+ * does, and far longer than accuracy asks of smooth motions. */
+EM_INLINE double em_stability_bound(double stable, double rtol) { return rtol < EM_NEAR_ROUNDING ? 0.3 * stable : stable; }
+
 /* Whether stability limits the step size (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): two
  * states at the same time, and their rates, with these weighted sums of squares of their differences, give an
  * estimate of the dominant eigenvalue; `stable` bounds the stability region of the method. */
