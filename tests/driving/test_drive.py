@@ -1,6 +1,7 @@
 """Prescribed motions against closed forms, power balances, and runs with the forces found."""
 
 import pickle
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 
@@ -13,7 +14,9 @@ from sympy import asin, cos, sin, sqrt
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from eigenmotion.cli.simulation.drive import summary
 
+from ..support.generation import system_for
 from . import linkages
 
 
@@ -308,4 +311,33 @@ def test_pictures():
     speed, force = figure.axes[-1].get_lines()[0].get_data()
     assert np.array_equal(speed, driven.v[0])
     assert np.array_equal(force, driven.forces[0])
+    assert [axes.get_ylabel() for axes in driven.plot("q2", "lambda0").axes if axes.get_ylabel()][:2] == [
+        "$q_{2}$",
+        "$\\lambda_{0}$",
+    ]
+    with pytest.raises(em.ModelError, match="unknown column 'q9'"):
+        driven.plot("q9")
     driven.animate(fps=5)._draw_was_started = True  # matplotlib warns of animations that nobody shows
+
+
+def test_units_of_forces_stand_in_pictures_tables_and_words(tmp_path):
+    """Energy over the coordinate's unit; of an input its own; none where the model does not say that of energy."""
+    pytest.importorskip("matplotlib")
+    x, q, u = dynamicsymbols("x q u")
+    units = {x: "mm", q: "rad", u: "N mm", "energy": "mJ"}
+    model = em.Model(name="in_mm", coordinates=[x, q], kinetic_energy=(x.diff() ** 2 + q.diff() ** 2) / 2,
+                     forces={q: u}, inputs={u: 0.0}, units=units)  # fmt: skip
+    times, paths = np.linspace(0.0, 1.0, 5), {"x": em.t**2, "q": em.t}
+    driven = em.drive(system_for(model, "lagrange"), times, paths)
+    assert [axes.get_ylabel() for axes in driven.plot().axes] == [
+        "coordinates [mm]", "coordinates [rad]", "forces [mJ/mm]", "forces [mJ/rad]", "power [mJ/s]", "forces",
+    ]  # fmt: skip
+    driven.save(tmp_path / "a.csv")
+    names = (tmp_path / "a.csv").read_text().splitlines()[0].split(",")
+    assert {"force_x [mJ/mm]", "force_q [mJ/rad]", "power_q [mJ/s]", "x' [mm/s]", "u [N mm]"} <= set(names)
+    by_input = em.drive(system_for(model, "lagrange"), times, paths, actuators=("x", "u"))
+    assert "2 mJ/mm" in summary(by_input)
+    assert "0 N mm" in summary(by_input)
+    bare = em.drive(system_for(replace(model, units={}), "lagrange"), times, paths)
+    assert "[" not in summary(bare) + "".join(axes.get_ylabel() for axes in bare.plot().axes)
+    assert "t = 0 ... 1 in" in summary(bare)

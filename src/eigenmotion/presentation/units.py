@@ -20,6 +20,30 @@ def unit_of(units: Units, name: str, order: int = 0) -> str:
     return f"{unit}/{time_unit(units)}" + (f"^{order}" if order > 1 else "")
 
 
+def force_unit(units: Units, name: str) -> str:
+    """Return the unit of the force on a coordinate, energy over its unit; "" if the model does not say both.
+
+    Examples
+    --------
+    >>> force_unit({"x": "mm", "energy": "mJ"}, "x"), force_unit({"x": "mm"}, "x")
+    ('mJ/mm', '')
+    """
+    energy, unit = (unit_of(units, one) for one in ("energy", name))
+    return f"{energy}/{unit}" if energy and unit else ""
+
+
+def power_unit(units: Units) -> str:
+    """Return the unit of power, energy over time; "" if the model does not say that of energy.
+
+    Examples
+    --------
+    >>> power_unit({"energy": "mJ"}), power_unit({"x": "mm"})
+    ('mJ/s', '')
+    """
+    energy = unit_of(units, "energy")
+    return f"{energy}/{time_unit(units)}" if energy else ""
+
+
 def time_unit(units: Units) -> str:
     """Return the unit of the time: seconds, unless the units of the model have another; "" for a model without units.
 

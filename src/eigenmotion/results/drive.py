@@ -1,7 +1,7 @@
 """Result of `drive`: a prescribed motion, and the forces that it takes."""
 
 import io
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -9,18 +9,19 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments.named_values import Vector
+from ..arguments.named_values import Vector, unknown
 from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
 from ..files import write
 from ..presentation.figures import plain_text
 from ..presentation.tables import as_csv
-from ..presentation.units import time_unit, unit_of, with_unit
+from ..presentation.units import force_unit, power_unit, time_unit, unit_of, with_unit
 from ..runtime import CompiledModel, Prepared
 from .between_rows import between
 from .columns import columns, moving
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times
-from .pictures.driven_motion import driven_motion
+from .pictures.driven_motion import Lines, driven_motion
+from .pictures.labelled_lines import label
 from .pictures.moving_shapes import Drawing, require_drawing
 
 
@@ -125,20 +126,59 @@ class Drive:
         """Return the motion as a matplotlib animation, as `Solution.animate` does; needs the extra `plot`."""
         return animation(self.drawn(frame_times(self.t[0], self.t[-1], speed, fps)), fps)
 
-    def plot(self) -> Any:
-        """Return a figure of the motion, forces and powers over time, and of forces over speeds; needs `plot`."""
-        lines = [
-            ("coordinates", self.coordinates, self.x),
-            ("forces", self.actuators, self.forces),
-            ("power", self.actuators, self.power),
-        ]
+    def plot(self, *names: str) -> Any:
+        """Return a figure of the motion, forces and powers over time, and of forces over speeds; needs `plot`.
+
+        Parameters
+        ----------
+        names
+            Columns of the table in place of the motion, forces and powers, each on its own axes: reactions and other
+            outputs, for example.
+
+        Raises
+        ------
+        ModelError
+            An unknown name, or matplotlib is not installed.
+        """
+        units = self.model.units
         speeds = {
-            name: (self.v[self.coordinates.index(name)], row)
+            name: (self.v[self.coordinates.index(name)], row, unit_of(units, name, 1), self.units[f"force_{name}"])
             for name, row in zip(self.actuators, self.forces, strict=True)
             if name in self.coordinates
         }
-        along = with_unit("time $t$", plain_text(time_unit(self.model.units))), self.t
+        along = with_unit("time $t$", plain_text(time_unit(units))), self.t
+        lines = self._chosen(names) if names else self._standard()
         return driven_motion(self.model.name, along, lines, speeds, self.drawing)
+
+    def _standard(self) -> list[Lines]:
+        """Return coordinates, forces and powers, those of each unit on their own axes."""
+        rows = ("coordinates", self.coordinates, self.x, ""), ("forces", self.actuators, self.forces, "force_")
+        lines = list[Lines]()
+        for kind, names, values, prefix in (*rows, ("power", self.actuators, self.power, "power_")):
+            words = [self.units[prefix + name] for name in names]
+            for unit in dict.fromkeys(words):
+                of = [k for k, word in enumerate(words) if word == unit]
+                lines.append((with_unit(kind, plain_text(unit)), [names[k] for k in of], values[of]))
+        return lines
+
+    def _chosen(self, names: Sequence[str]) -> list[Lines]:
+        known, rows = self.table()
+        if missing := set(names) - set(known[1:]):
+            raise ModelError(f"{self.model.name}: {unknown('column', missing, known[1:])}")
+        places = [known.index(name) for name in names]
+        words = [with_unit(label(name), plain_text(self.units.get(name, ""))) for name in names]
+        return [(word, [name], rows[:, [k]].T) for word, name, k in zip(words, names, places, strict=True)]
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Column of the table -> unit, "" where there is none; multipliers have no unit."""
+        of, coordinates = self.model.units, self.coordinates
+        words = {"t": time_unit(of)}
+        words |= {f"{name}{orders * chr(39)}": unit_of(of, name, orders) for name in coordinates for orders in range(3)}
+        words |= {f"force_{name}": force_unit(of, name) if name in coordinates else unit_of(of, name)
+                  for name in self.actuators}  # fmt: skip
+        words |= {f"power_{name}": power_unit(of) for name in self.actuators}
+        return words | {name: unit_of(of, name) for name in (*self.outputs, *self.states, *self.model.inputs)}
 
     def table(self) -> tuple[list[str], Vector]:
         """Return names of columns and numbers (k, columns): t; coordinates; rates, marked '; accelerations, marked ''.
@@ -183,12 +223,8 @@ class Drive:
 
 def _csv(motion: Drive) -> bytes:
     """Return the table; behind the names of columns are their units, if the model has any."""
-    (names, rows), units = motion.table(), motion.model.units
-    words = {"t": time_unit(units)} | {
-        f"{name}{orders * chr(39)}": unit_of(units, name, orders) for name in motion.coordinates for orders in range(3)
-    }
-    words |= {name: unit_of(units, name) for name in (*motion.outputs, *motion.states, *motion.model.inputs)}
-    return as_csv([with_unit(name, words.get(name, "")) for name in names], rows.tolist()).encode()
+    (names, rows), units = motion.table(), motion.units
+    return as_csv([with_unit(name, units.get(name, "")) for name in names], rows.tolist()).encode()
 
 
 def _npz(motion: Drive) -> bytes:

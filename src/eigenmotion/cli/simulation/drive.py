@@ -146,14 +146,29 @@ def _samples(file: Path, name: str) -> tuple[Any, Any]:
 
 
 def summary(result: Drive) -> str:
-    """Return a line for each actuator."""
-    head = f"{'actuator':<16} {'largest force':>15} {'at t':>9} {'rms':>13} {'largest speed':>15} {'largest power':>15}"
-    lines = [f"{result.model.name}, t = {result.t[0]:g} ... {result.t[-1]:g} s in {len(result.t)} rows", "", head]
-    for k, name in enumerate(result.actuators):
-        force, power = result.forces[k], result.power[k]
-        peak = int(np.abs(force).argmax())
-        rms = math.sqrt(trapezoid(force**2, result.t) / (result.t[-1] - result.t[0]))
-        speed = f"{np.abs(result.v[result.coordinates.index(name)]).max():.6g}" if name in result.coordinates else ""
-        lines.append(f"{name:<16} {force[peak]:>15.6g} {result.t[peak]:>9.4g} {rms:>13.6g} {speed:>15} "
-                     f"{np.abs(power).max():>15.6g}")  # fmt: skip
-    return "\n".join(lines)
+    """Return a line for each actuator; numbers have their units if the model has any."""
+    unit = result.units["t"]
+    span = f"t = {result.t[0]:g} ... {result.t[-1]:g}{unit and ' '}{unit} in {len(result.t)} rows"
+    head = ("actuator", "largest force", "at t", "rms", "largest speed", "largest power")
+    rows = [head, *(_of_actuator(result, k) for k in range(len(result.actuators)))]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ["  ".join([row[0].ljust(widths[0]), *map(str.rjust, row[1:], widths[1:])]).rstrip() for row in rows]
+    return "\n".join([f"{result.model.name}, {span}", "", *lines])
+
+
+def _of_actuator(result: Drive, k: int) -> tuple[str, ...]:
+    name, force, power, units = result.actuators[k], result.forces[k], result.power[k], result.units
+    peak = int(np.abs(force).argmax())
+    rms = math.sqrt(trapezoid(force**2, result.t) / (result.t[-1] - result.t[0]))
+    by = {"force": force[peak], "t": result.t[peak], "rms": rms, "power": np.abs(power).max()}
+    of = {
+        "force": units[f"force_{name}"],
+        "t": units["t"],
+        "rms": units[f"force_{name}"],
+        "power": units[f"power_{name}"],
+    }
+    texts = {what: f"{value:.6g} {of[what]}".rstrip() for what, value in by.items()}
+    speed = ""
+    if name in result.coordinates:
+        speed = f"{np.abs(result.v[result.coordinates.index(name)]).max():.6g} {units[name + chr(39)]}".rstrip()
+    return name, texts["force"], texts["t"], texts["rms"], speed, texts["power"]

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import COLOURS, blank, uncluttered
+from ...presentation.figures import COLOURS, blank, plain_text, uncluttered
+from ...presentation.units import with_unit
 from .labelled_lines import draw_lines, label, name_lines
 from .moving_shapes import Drawing
 from .sketch import draw_motion
@@ -19,7 +20,7 @@ def driven_motion(
     name: str,
     along: tuple[str, Vector],
     lines: Sequence[Lines],
-    speeds: Mapping[str, tuple[Vector, Vector]],
+    speeds: Mapping[str, tuple[Vector, Vector, str, str]],
     drawing: Drawing | None,
 ) -> Any:
     """Return the figure.
@@ -31,8 +32,8 @@ def driven_motion(
     lines
         For each panel over time its label, the names of its lines, and their values (count, k).
     speeds
-        Actuator -> its speed and force, (k,) each. A ring marks the root of the mean square of the force, which heats a
-        motor, and a dot the largest force.
+        Actuator -> its speed and force, (k,) each, and their units. A ring marks the root of the mean square of the
+        force, which heats a motor, and a dot the largest force.
     """
     time, t = along
     beside = bool(speeds) + (drawing is not None)
@@ -58,9 +59,9 @@ def driven_motion(
     return figure
 
 
-def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector]]) -> None:
+def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector, str, str]]) -> None:
     """Draw the force of each actuator over its speed: what its motor must be able to give."""
-    for (name, (speed, force)), colour in zip(speeds.items(), COLOURS * len(speeds), strict=False):
+    for (name, (speed, force, *_)), colour in zip(speeds.items(), COLOURS * len(speeds), strict=False):
         axes.plot(speed, force, color=colour, linewidth=1.6, label=label(name))
         peak = int(np.abs(force).argmax())
         axes.plot(speed[peak], force[peak], "o", color=colour, markersize=5)
@@ -69,7 +70,10 @@ def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector]]) -> None
         )
     axes.axvline(0.0, color="0.6", linewidth=0.8, zorder=0)
     uncluttered(axes)
-    one = next(iter(speeds)) if len(speeds) == 1 else None
-    axes.set(xlabel=f"speed of {label(one)}" if one else "speeds", ylabel=f"force on {label(one)}" if one else "forces")
+    one = label(next(iter(speeds))) if len(speeds) == 1 else None
+    units = {tuple(map(plain_text, of)) for _, _, *of in speeds.values()}
+    words = (f"speed of {one}", f"force on {one}") if one else ("speeds", "forces")
+    axes.set(**{f"{axis}label": with_unit(word, unit) for axis, word, unit in
+                zip("xy", words, units.pop() if len(units) == 1 else ("", ""), strict=True)})  # fmt: skip
     if one is None:
         axes.legend(frameon=False)
