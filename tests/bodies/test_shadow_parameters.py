@@ -9,7 +9,6 @@ from eigenmotion.codegen.equations.tree.shadow_parameters import rotations
 from scipy.integrate import solve_ivp
 
 import eigenmotion as em
-from eigenmotion.report.formulations import subject
 
 INERTIA = np.array([1.0, 2.0, 2.5])
 CENTER = np.array([0.1, -0.05, 0.2])
@@ -314,11 +313,6 @@ def test_a_motion_turns_back():
     assert (np.diff(back.t) == 0).sum() >= 4
     assert np.abs(back.x[:, -1]).max() < 1e-5
     assert np.abs(back.v[:, -1] - [*PUSH, *SPIN / 4]).max() < 1e-5
-
-
-def test_a_report_says_that_its_solvers_do_not_turn():
-    with pytest.raises(em.ModelError, match="spherical or free joints"):
-        subject(swinging_body(), lambda *_: None)
 
 
 def test_a_unit_turns(tmp_path):

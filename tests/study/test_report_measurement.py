@@ -136,7 +136,7 @@ def test_a_run_that_raises_as_it_is_timed_has_no_time(clock):
 
 def _peers() -> Peers:
     model = model_of("pendulum")
-    return peers.peers(classical(model), peers.Start(np.array([*model.initial_x, *model.initial_v]), 1.0))
+    return peers.peers(classical(model), peers.Start(np.array([*model.initial_x, *model.initial_v]), model.n, 1.0))
 
 
 def test_peers_that_are_missing_are_named(monkeypatch):

@@ -35,6 +35,7 @@ class Reference:
     t : (k,) [s]; x : (k, n + p) coordinates and first-order states, v : (k, n), rounded to double
     errors : (k,) estimated error of the reference, scaled as in `scaled_error`
     how : description of the computation
+    why : why it is not independent of the runs that are compared with it; "": it is
     """
 
     t: Vector
@@ -42,6 +43,7 @@ class Reference:
     v: Vector
     errors: Vector
     how: str
+    why: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,15 +5,16 @@ from dataclasses import dataclass, field
 
 from ..arguments.named_values import Vector
 from ..codegen.model import Model, ModelError
-from ..codegen.model.symbolic.lagrange import Lagrange
+from ..comparison.obstacles import acts, without_reference
 from ..progress import Progress, part
 from ..reference.lagrange_equations import classical
 from ..reference.motion import Reference, reference, rows_of
 from ..results.solution import Solution
 from ..system.system import System
+from .agreement import agreement
 from .formulations import Subject, subject
 from .measure import Budget, Judge, Measurement, measure, skipped
-from .peers import Start, peers
+from .peers import PEERS, Peers, Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
 from .solvers import OUR_TOLERANCES, Problem, Solver, explicit_solvers, implicit_solvers
 
@@ -81,26 +82,29 @@ def examine(model: Model, options: ReportOptions, progress: Progress) -> Finding
     built = subject(model, part(progress, 0.0, 0.2))
     system, parameters = built.systems[0], options.settings.get("parameters", {})
     progress(0.2, "reference")
-    values = {**parameters, **options.settings.get("inputs", {})}
-    equations, probe = classical(model).with_values(values), _probe(system, options)
-    rows = rows_of(probe)
-    known = reference(equations, rows[0], options.t_end, along=(probe.t, rows))
-    solvers, absent = _solvers(built, options, equations, rows[0])
-    measured = measure(solvers, Judge(known, system, parameters), options.budget, part(progress, 0.3, 1.0))
+    probe, why = _probe(system, options), without_reference(model)
+    start = rows_of(probe)[0]
+    if why:
+        known = agreement(built.systems, options.problem, start, why)
+        others = Peers((), ((PEERS, f"left out, since they have no {why}"),))
+    else:
+        equations = classical(model).with_values({**parameters, **options.settings.get("inputs", {})})
+        known = reference(equations, start, options.t_end, along=(probe.t, rows_of(probe)))
+        others = peers(equations, Start(start, system.n, options.t_end))
+    solvers = _solvers(built, options, others)
+    judge = Judge(known, system, parameters, acts(model))
+    measured = measure(solvers, judge, options.budget, part(progress, 0.3, 1.0))
     lines = curves(measured)
     left = skipped(solvers, measured, options.budget)
-    return Findings(built, options, rows[0], known, measured, absent, left, lines, recommend(lines, options.error))
+    return Findings(built, options, start, known, measured, others.absent, left, lines, recommend(lines, options.error))
 
 
-def _solvers(
-    built: Subject, options: ReportOptions, equations: Lagrange, y: Vector
-) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
-    """Return our solvers and those of peers, and the peers that are absent."""
+def _solvers(built: Subject, options: ReportOptions, others: Peers) -> list[Solver]:
+    """Return our solvers and those of peers."""
     ours = [
         solver for system in built.systems for solver in explicit_solvers(system, options.problem, options.tolerances)
     ]
-    others = peers(equations, Start(y, len(equations.x), options.t_end))
-    return [*ours, *implicit_solvers(built.systems, options.problem), *others.solvers], others.absent
+    return [*ours, *implicit_solvers(built.systems, options.problem), *others.solvers]
 
 
 def _probe(system: System, options: ReportOptions) -> Solution:

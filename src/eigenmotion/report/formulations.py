@@ -48,21 +48,11 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
     Raises
     ------
     ModelError, BuildError
-        No formulation can be built; or the model has event actions, which the other solvers do not support.
+        No formulation can be built.
     """
-    if any(event.acts for _, event in model.events) or model.contacts:
-        raise ModelError(
-            f"{model.name}: its events act on the motion, and a report compares motions without impacts and contacts. "
-            "Take out what acts, or compare runs by simulate(..., estimate_error=True)."
-        )
     start = time.perf_counter()
-    trees = derive(as_mechanism(model)).trees
+    derive(as_mechanism(model))
     derivation = time.perf_counter() - start
-    if trees is not None and trees.rotations:
-        raise ModelError(
-            f"{model.name}: it has spherical or free joints. A run replaces their parameters by the shadow set, and "
-            "the other solvers of a report do not. Compare runs by simulate(..., estimate_error=True)."
-        )
     built = []
     for k, formulation in enumerate(FORMULATIONS):
         progress(k / len(FORMULATIONS), f"building {formulation}")

@@ -11,6 +11,7 @@ from scipy.integrate import trapezoid
 from ..arguments.named_values import Vector
 from ..progress import Progress
 from ..reference.motion import Reference, scaled_error
+from ..reference.rotations import in_sets_of
 from ..system.system import System
 from .solvers import Attempt, Solver, Track
 
@@ -66,11 +67,15 @@ class Measurement:
 
 @dataclass(frozen=True, slots=True)
 class Judge:
-    """Comparison of runs with the reference; the system computes residuals and energy from the rows of any solver."""
+    """Comparison of runs with the reference; the system computes residuals and energy from the rows of any solver.
+
+    acts : whether rows change and energy is lost at events: neither is then computed
+    """
 
     reference: Reference
     system: System
     parameters: Mapping[str, float] = field(default_factory=dict)
+    acts: bool = False
 
     def __call__(self, blank: Measurement, track: Track) -> Measurement:
         """Return the measurement with all numbers but the time."""
@@ -86,13 +91,28 @@ class Judge:
         return self._compared(counted, x, v)
 
     def _compared(self, counted: Measurement, x: Vector, v: Vector) -> Measurement:
-        t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare(self.parameters)
-        q, w = self._whole(x, v)
+        x, v = self._in_sets(x, v)
         errors, rates = scaled_error(x, self.reference.x), scaled_error(v, self.reference.v)
-        return replace(
+        compared = replace(
             counted,
             error_end=float(errors[-1]), error_max=float(errors.max()),
             velocity_error_end=float(rates[-1]), velocity_error_max=float(rates.max()),
+        )  # fmt: skip
+        return compared if self.acts else self._checked(compared, x, v)
+
+    def _in_sets(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        """Return x (k, n + p), v (k, n) with rotations in the parameters of the reference."""
+        n, known, compiled = self.system.n, self.reference, self.system.compiled
+        exact, own = (np.concatenate([q[:, :n], w], axis=1) for q, w in ((known.x, known.v), (x, v)))
+        rows = in_sets_of(exact, own, n, compiled.rotations)
+        return np.concatenate([rows[:, :n], x[:, n:]], axis=1), rows[:, n:]
+
+    def _checked(self, compared: Measurement, x: Vector, v: Vector) -> Measurement:
+        """Return the measurement with residuals of constraints and the energy."""
+        t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare(self.parameters)
+        q, w = self._whole(x, v)
+        return replace(
+            compared,
             constraint_violation=_largest(compiled.constraint_rows(t, q, w, prepared)),
             position_violation=_largest(compiled.position_rows(t, q, prepared)),
             energy_integral=self._energy_integral(q, w),

@@ -15,6 +15,8 @@ from ..codegen.model.symbolic.lagrange import Lagrange
 from ..reference.lagrange_equations import double, explicit
 from .solvers import MOST_STEPS, Attempt, Solver, Track, track_of
 
+PEERS = "SciPy, heyoka.py, CasADi/CVODES"
+"""All of them, in the order in which they are measured."""
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
 _SCIPY = ("DOP853", "LSODA", "Radau")
 _TAYLOR_TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)  # each needs a compilation of a second or two

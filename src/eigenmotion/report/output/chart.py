@@ -24,7 +24,7 @@ class Line:
     @property
     def end(self) -> tuple[float, float]:
         """Error and height of the most accurate point, at which the label is."""
-        return min(self.points)[:2]
+        return min(point[:2] for point in self.points)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ def recommendation(findings: Findings) -> tuple[str, ...]:
     """Return the recommendation as sentences: what to use, alternatives, times of others, warnings."""
     advice = findings.recommendation
     if advice.chosen is None:
-        return (_not_reached(findings), *_caution(findings))
+        return (_not_reached(findings), *_unsure(findings), *_caution(findings))
     best = advice.chosen
     choice = (
         f"formulation {best.formulation}, method {best.method}, rtol = atol = {best.tolerance:.1e}: error "
@@ -31,7 +31,8 @@ def recommendation(findings: Findings) -> tuple[str, ...]:
         f'(0, {findings.options.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
         f"atol={best.tolerance:.1e})"
     )
-    return (choice, call, _measured(best), *_as_fast(findings), *_others(findings), *_spread(best), *_caution(findings))
+    doubts = (*_spread(best), *_unsure(findings), *_caution(findings))
+    return (choice, call, _measured(best), *_as_fast(findings), *_others(findings), *doubts)
 
 
 def _measured(best: Measurement) -> str:
@@ -81,6 +82,19 @@ def _spread(best: Measurement) -> tuple[str, ...]:
     words = (
         f"The times spread: the upper quartile of this run is {high / low:.2g} times the lower one, as where others "
         "use the machine. Measure again on a quiet one before you choose by them."
+    )
+    return (words,)
+
+
+def _unsure(findings: Findings) -> tuple[str, ...]:
+    """Return where the reference comes from, if from this tool."""
+    reference = findings.reference
+    if not reference.why:
+        return ()
+    words = (
+        f"No independent reference, because of {reference.why}: errors are differences from a tight run of this tool, "
+        f"which another formulation and method repeats to {number(float(reference.errors.max()))}. A fault that both "
+        "share stays hidden."
     )
     return (words,)
 

@@ -37,6 +37,7 @@ class Trial:
     nearby : whether perturbed starts are possible, to measure kappa (they are not if the motion begins in contact)
     tolerance : of all methods, in place of those of the case
     otherwise : what to compare with if `truth` is not reached, from the reason; None: a run that succeeds is wrong
+    rotations : coordinates of each rotation that a run may turn to its other set of parameters
     may_lose_digits : whether runs are not judged where perturbations grow to the size of the motion
     """
 
@@ -57,6 +58,7 @@ class Trial:
     otherwise: Callable[[str], Truth] | None = None
     may_lose_digits: bool = False
     z0: Vector = field(default_factory=lambda: np.zeros(0))
+    rotations: tuple[tuple[int, ...], ...] = ()
 
     @property
     def row(self) -> Vector:

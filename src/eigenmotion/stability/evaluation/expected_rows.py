@@ -6,6 +6,7 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...reference.integration import NotReachedError
+from ...reference.rotations import in_sets_of
 from ...runtime import EvaluationError
 from ...system.system import System
 from ..cases.case import Trial
@@ -36,7 +37,7 @@ class Expected:
 
     def error_of(self, rows: Vector) -> float:
         """Return the largest scaled error of rows (k, 2n + p); angles that wind are compared modulo a turn."""
-        difference = rows - self.exact
+        difference = in_sets_of(self.exact, rows, len(self.trial.x0), self.trial.rotations) - self.exact
         if self.trial.turns is not None:
             winding = np.flatnonzero(self.trial.turns)
             turns = self.trial.turns[winding]

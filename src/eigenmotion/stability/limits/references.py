@@ -8,17 +8,15 @@ from itertools import count
 from typing import Any
 
 import numpy as np
-from sympy.core.function import AppliedUndef
 
 from ...arguments.named_values import Vector
 from ...building.build import build
-from ...codegen.model import Model, ModelError
+from ...codegen.model import Model
+from ...comparison.tight_runs import tight_rows
 from ...reference.collocation import Collocation
 from ...reference.extended_precision import Extended, Rhs
 from ...reference.integration import Midpoint, NotReachedError, Scheme, integrate_adaptive
-from ...reference.motion import rates_of, rows_of
-from ...runtime import EvaluationError
-from ...simulation.simulate import simulate
+from ...reference.motion import rates_of
 from ...system.system import System
 from ..evaluation.contact_outputs import with_contact_outputs
 from ..expectation.truth import FINE, Integrated
@@ -32,19 +30,6 @@ _EVERY = 500  # evaluations between two readings of the clock, which may take lo
 _MOST_STEPS = 200_000
 _METHODS = (("dop853", "radau9"), ("radau9", "dop853"), ("dop853", "radau9"))  # by level, in order of preference
 _TIGHT = (1e-12, 1e-12, 1e-10)  # tolerances by level
-
-
-def without_reference(model: Model) -> str:
-    """Return why a model's motion has no independent reference; "" if it has."""
-    if model.contacts:
-        return "contacts and friction"
-    if any(event.acts for _, event in model.events):
-        return "events that act on the motion"
-    if model.tables:
-        return "tables"
-    if model.n > MOST_COORDINATES:
-        return f"{model.n} coordinates, more than {MOST_COORDINATES}"
-    return "energies of a tree of bodies" if isinstance(model.kinetic_energy, AppliedUndef) else ""
 
 
 @dataclass(frozen=True)
@@ -122,23 +107,12 @@ class TightRuns:
         NotReachedError
             No method reaches the end.
         """
-        formulation, said = self.formulations[-1 if level == 1 else 0], ""
-        for method in _METHODS[level]:
-            try:
-                done = self._run(formulation, method, start, times, _TIGHT[level])
-            except (ModelError, EvaluationError) as error:
-                said = str(error)
-                continue
-            if done.success and len(done.t) == len(times) - 1:
-                return np.vstack([start, rows_of(done)])
-            said = done.message
-        raise NotReachedError(f"{self.why}; and two tight runs do not reach the end: {said}")
-
-    def _run(self, formulation: str, method: str, start: Vector, times: Vector, tolerance: float) -> Any:
-        n, system = self.model.n, system_of(self.model, formulation)
-        x0, v0 = np.delete(start, np.s_[n : 2 * n]), start[n : 2 * n]
-        return simulate(
-            system, (float(times[0]), float(times[-1])), x0=x0, v0=v0, parameters=self.parameters,
-            inputs=self.inputs, method=method, rtol=tolerance, atol=tolerance * self.units, t_eval=times[1:],
-            max_steps=_MOST_STEPS,
-        )  # fmt: skip
+        system = system_of(self.model, self.formulations[-1 if level == 1 else 0])
+        tolerance = _TIGHT[level]
+        try:
+            return tight_rows(
+                system, _METHODS[level], start, times, tolerance, parameters=self.parameters, inputs=self.inputs,
+                max_steps=_MOST_STEPS, atol=tolerance * self.units,
+            )[0]  # fmt: skip
+        except NotReachedError as error:
+            raise NotReachedError(f"{self.why}; and two tight runs do not reach the end: {error}") from error

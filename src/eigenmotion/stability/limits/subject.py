@@ -12,13 +12,14 @@ import numpy as np
 from ...analysis.equilibrium.assemble import assemble
 from ...arguments.named_values import Vector, spelled
 from ...codegen.model import Model, ModelError
+from ...comparison.obstacles import acts, without_reference
 from ...reference.motion import rates_of, rows_of
 from ...runtime import EvaluationError
 from ...simulation.simulate import simulate
 from ...system.system import System
 from ..cases.case import Trial, rows, spread
 from ..expectation.truth import Truth, lagrange
-from .references import Independent, TightRuns, system_of, without_reference
+from .references import MOST_COORDINATES, Independent, TightRuns, system_of
 
 PERIODS = 20  # of the fastest oscillation, to which spans are limited
 SPAN = 5.0  # characteristic periods of a run, unless the span is what is varied
@@ -70,8 +71,7 @@ class Subject:
     @property
     def conserves(self) -> bool:
         """Whether the energy is constant; between impacts only it is not."""
-        acts = bool(self.model.contacts) or any(event.acts for _, event in self.model.events)
-        return self.system.conserves_energy and not acts
+        return self.system.conserves_energy and not acts(self.model)
 
     @property
     def span(self) -> float:
@@ -91,7 +91,7 @@ class Subject:
             label, parameters, x0, v0, self.units, 0.0, rows(0.0, end, _ROWS), truth,
             conserves=self.conserves, periods=periods, inputs=self.inputs, tolerance=tolerance,
             otherwise=tight if truth.independent else None, may_lose_digits=True,
-            nearby=not self.model.contacts, z0=self.z0,
+            nearby=not self.model.contacts, z0=self.z0, rotations=self.system.compiled.rotations,
         )  # fmt: skip
 
     def _truth(
@@ -155,7 +155,7 @@ def subject(model: Model, formulations: tuple[str, ...], settings: Mapping[str, 
     x0, v0, z0 = np.split(found[0], (n, 2 * n))
     return Subject(
         model, formulations, parameters, inputs, x0, v0, z0, t_end, _period(motion, t_end), units,
-        found[:: max(1, len(found) // 8)].copy(), without_reference(model), patience,
+        found[:: max(1, len(found) // 8)].copy(), without_reference(model, MOST_COORDINATES), patience,
     )  # fmt: skip
 
 

@@ -1,0 +1,1 @@
+"""Comparison of runs with other runs of this tool, for models without an independent reference."""
