@@ -68,6 +68,17 @@ def test_each_unit_has_its_axes_and_the_row_its_name(browser):
     assert browser.ask("document.querySelectorAll('#checks figure').length") == 2  # energy and constraints
 
 
+def test_names_beside_sliders_are_not_cut(browser):
+    fits = """(() => { const names = [...document.querySelectorAll(".control .name")], short = names[0].innerHTML;
+        names[0].textContent = "shoulder_pan";
+        const cut = names[0].scrollWidth > names[0].clientWidth;
+        document.querySelector("#initial").parentElement.dispatchEvent(new Event("toggle"));
+        const found = [cut, names.every((name) => name.scrollWidth <= name.clientWidth), names[0].title];
+        names[0].innerHTML = short;
+        return found; })()"""
+    assert browser.ask(fits) == [True, True, "theta"]
+
+
 def test_plots_are_over_a_coordinate(browser):
     choose(browser, "\u03b8")
     drawn = "((plot) => [plot.abscissa.text, Array.from(plot.places), plot.across])(eigenmotion.plots[2])"

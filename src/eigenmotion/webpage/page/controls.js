@@ -5,7 +5,7 @@ class Control {
     Object.assign(this, { start: value, limits: [low, high], changed });
     const row = document.createElement("div");
     row.className = about.measured ? "control measured" : "control";
-    row.innerHTML = `<span class="name">${label}</span><span class="range"><input type="range" step="any"><input
+    row.innerHTML = `<span class="name" title="${plain(name)}">${label}</span><span class="range"><input type="range" step="any"><input
       class="limit" type="number" step="any"><input class="limit" type="number" step="any"></span><input type="number"
       class="value" step="any">${about.measured ? `<span class="unit" title="${plain(unit)}">${plain(inPrint(unit))}</span>` : ""}`;
     [this.slider, this.low, this.high, this.field] = row.querySelectorAll("input");
@@ -65,6 +65,12 @@ class Control {
   }
 
   print() { this.field.value = String(this.value).includes("e") ? +this.value.toPrecision(3) : +this.value.toPrecision(6); }
+}
+
+// The column of names is as wide as the longest of them. Those of a folded list have no width before it is opened.
+function fitNames() {
+  const widths = [...document.querySelectorAll(".control .name")].map((name) => name.scrollWidth);
+  document.documentElement.style.setProperty("--names", `${Math.max(0, ...widths)}px`);
 }
 
 const short = (value) => +value.toPrecision(4);

@@ -42,6 +42,8 @@ class Page {
         (k, value) => { this.engine.v.set(this.start.v); this.engine.v[k] = this.start.v[k] = value; }, true),
     };
     this.start = { x: Array.from(this.engine.x), v: Array.from(this.engine.v) };
+    fitNames();
+    for (const id of ["initial", "parameters"]) element(id).parentElement.addEventListener("toggle", fitNames);
   }
 
   // At most one run per frame, however fast a slider moves.
