@@ -205,3 +205,15 @@ def test_inertial_parameters_have_the_values_of_the_file(write):
     assert symbolic.acceleration(x, v)[0] == pytest.approx(plain.acceleration(x, v)[0], rel=1e-12)
     lighter = symbolic.mass_matrix(x, parameters={"m_tool": 0.0, "Ixx_tool": 0, "Iyy_tool": 0, "Izz_tool": 0})
     assert lighter[1, 1] == pytest.approx(plain.mass_matrix(x)[1, 1] - 0.001 - 0.5 * (0.1**2 + 0.4**2))
+
+
+def test_units_are_those_of_the_format(write):
+    path = write(link("base", 1.0), link("rod", 1.2, center=(0, 0, -0.4)), link("slide", 0.5),
+                 joint("pin", "continuous", "base", "rod", axis=(0, 1, 0)),
+                 joint("rail", "prismatic", "rod", "slide", axis=(0, 0, 1)))  # fmt: skip
+    made = em.read_urdf(path, base="floating")
+    units = dict(made.model(units={made.coordinates[-1]: "mm", "time": "s"}).units)
+    assert {units[f"base_{axis}"] for axis in "xyz"} == {"m"}
+    assert (units["pin"], units["tau_pin"], units["rail"], units["tau_rail"]) == ("rad", "N m", "mm", "N")
+    assert (units["energy"], units["length"]) == ("J", "m")
+    assert "base_s1" not in units

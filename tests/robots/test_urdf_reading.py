@@ -153,7 +153,7 @@ def test_commands_take_files_of_robots(write, tmp_path, capsys):
     path = write(*TWO, name="swinging")
     saved = tmp_path / "run.csv"
     assert main(["run", str(path), "--t-end", "1", "--save", str(saved)]) == 0
-    assert saved.read_text().startswith("t,swing,swing'")
+    assert saved.read_text().startswith("t [s],swing [rad],swing' [rad/s]")
     assert em.load_model(path, base="floating", locked="swing").n == 6
     with pytest.raises(em.ModelError, match="a robot has no argument `gravity` for texts"):
         em.load_model(path, gravity="0")

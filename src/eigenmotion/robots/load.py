@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ..codegen.model import Model, ModelError
-from ..codegen.model.normalise import shown
+from ..codegen.model.normalise import name_of, shown
 from . import mjcf, urdf
 from .assembly import robot_of
 from .robot import Robot
@@ -77,9 +78,20 @@ def read_urdf(
     if base not in ("fixed", "floating"):
         raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
     described = urdf.read(_file(path), base, meshes)
-    return robot_of(
+    made = robot_of(
         described, locked=locked, close=close or {}, gravity=gravity, name=name, symbolic=inertial_parameters
     )
+    return replace(made, fields={**made.fields, "units": _si(made)})
+
+
+def _si(robot: Robot) -> dict[str, str]:
+    """Return the units of coordinates and torques: those of the format URDF are metres, kilograms and seconds."""
+    coordinates = {name_of(q): unit for q, unit in robot.tree.units("m").items()}
+    torques = {
+        name_of(torque): "N" if robot.joints[joint].kind == "prismatic" else "N m"
+        for joint, torque in robot.torques.items()
+    }
+    return {**coordinates, **torques, "length": "m", "energy": "J"}
 
 
 def read_mjcf(

@@ -9,7 +9,7 @@ from typing import Any
 import sympy
 
 from ..codegen.model import Contact, Friction, Model, ModelError, Tree, draw
-from ..codegen.model.normalise import pairs_of, sequence_of
+from ..codegen.model.normalise import name_of, pairs_of, sequence_of
 from ..codegen.model.tree.tree import Body
 from .description import Joint
 
@@ -125,6 +125,8 @@ def _combined(field: str, own: Any, more: Any) -> Any:
         return (*own, *sequence_of(more, field))
     if field in _MERGED:
         return {**own, **dict(pairs_of(more, field))}
+    if field == "units":
+        return {**own, **{name_of(key): unit for key, unit in pairs_of(more, field)}}
     if field == "forces":
         given = dict(pairs_of(more, field))
         return {**own, **{q: own.get(q, sympy.S.Zero) + force for q, force in given.items()}}
