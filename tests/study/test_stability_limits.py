@@ -14,6 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, build
 from eigenmotion.arguments.named_values import Vector
 from eigenmotion.cli import main
+from eigenmotion.comparison.deadline import NONE, Deadline
 from eigenmotion.stability import Outcome, Variant, examine, limits_of, summary_of, write_limits
 from eigenmotion.stability.cases.case import Trial
 from eigenmotion.stability.evaluation.expected_rows import Expected
@@ -134,7 +135,7 @@ def test_every_outcome(kappa, own, independent, error, indicator, outcome):
 
 def test_euler_angles_of_a_top_are_singular_upright():
     own = of(heavy_top.model, t_end=1.0)
-    (mass,) = searches(own, 30.0)
+    (mass,) = searches(own, Deadline().sooner(30.0))
     assert mass.found is not None
     theta = own.system.coordinates.index("theta")
     assert np.sin(mass.found.x[theta]) == pytest.approx(0.0, abs=1e-5)
@@ -147,7 +148,7 @@ def test_a_rod_as_short_as_the_crank_has_a_dead_centre():
     values = {"theta": 1.0, "phi": 1.0, "x": 0.6 * np.cos(1.0)}
     rates = {"theta": 1.0, "phi": 1.0, "x": -0.6 * np.sin(1.0)}
     own = of(slider_crank.model, t_end=0.3, parameters={"r": 0.3, "l": 0.3}, x0=values, v0=rates)
-    found = searches(own, 60.0)[1].found
+    found = searches(own, Deadline().sooner(60.0))[1].found
     assert found is not None
     assert np.cos(found.x[0]) == pytest.approx(0.0, abs=1e-4)
     x, v = near_on_the_constraints(own, found.near(1e-3, own.units))
@@ -159,7 +160,7 @@ def near_on_the_constraints(own: Subject, x: Vector) -> tuple[Vector, Vector]:
 
 
 def test_a_pendulum_has_no_singular_position():
-    (mass,) = searches(of(pendulum_model.model), 20.0)
+    (mass,) = searches(of(pendulum_model.model), Deadline().sooner(20.0))
     assert mass.found is None
     assert "no singular position found" in mass.words
 
@@ -217,7 +218,7 @@ def test_first_values_of_all_cases_run_first():
 
 
 def test_ranges_end_before_the_first_refusal(short):
-    own = replace(short.own, patience=20.0)
+    own = replace(short.own, patience=20.0, deadline=NONE)
     case = replace(case_of(own, "parameter_d", ("dop853", "radau9")), values=(1e-2, 1e2, 1e4, 1e6))
     points = tuple(examine(case, value) for value in case.values)
     matrix = replace(short.matrix, points=points, own=(case,))

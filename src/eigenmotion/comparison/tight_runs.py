@@ -1,6 +1,6 @@
 """Tight runs: rows of one run at a tolerance close to rounding, from a given row."""
 
-from collections.abc import Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -9,20 +9,24 @@ from ..arguments.named_values import Vector
 from ..codegen.model import ModelError
 from ..reference.integration import NotReachedError
 from ..reference.motion import rows_of
+from ..results.solution import Solution
 from ..runtime import EvaluationError
 from ..simulation.simulate import simulate
 from ..system.system import System
 
 
 def tight_rows(
-    system: System, methods: tuple[str, ...], start: Vector, times: Vector, tolerance: float, **given: Any
-) -> tuple[Vector, str]:
+    system: System, methods: tuple[str, ...], start: Vector, times: Vector, tolerance: float,
+    run: Callable[..., Solution] = simulate, **given: Any,
+) -> tuple[Vector, str]:  # fmt: skip
     """Return rows (k, 2n + p) of (x, v, z) at times (k,), the first of which is the start, and the method.
 
     Parameters
     ----------
     methods
         In order of preference: the first that reaches the end counts.
+    run
+        `simulate`, or what limits it.
     given
         Further arguments of `simulate`.
 
@@ -31,10 +35,12 @@ def tight_rows(
     NotReachedError
         No method reaches the end.
     """
-    said = ""
+    said, n = "", system.n
+    options = {"rtol": tolerance, "atol": tolerance, "t_eval": times[1:]} | given
+    x0, v0, span = np.delete(start, np.s_[n : 2 * n]), start[n : 2 * n], (float(times[0]), float(times[-1]))
     for method in methods:
         try:
-            done = _run(system, method, start, times, {"rtol": tolerance, "atol": tolerance} | given)
+            done = run(system=system, t_span=span, x0=x0, v0=v0, method=method, **options)
         except (ModelError, EvaluationError) as error:
             said = str(error)
             continue
@@ -42,9 +48,3 @@ def tight_rows(
             return np.vstack([start, rows_of(done)]), method
         said = done.message
     raise NotReachedError(said)
-
-
-def _run(system: System, method: str, start: Vector, times: Vector, given: Mapping[str, Any]) -> Any:
-    n, span = system.n, (float(times[0]), float(times[-1]))
-    x0, v0 = np.delete(start, np.s_[n : 2 * n]), start[n : 2 * n]
-    return simulate(system, span, x0=x0, v0=v0, method=method, t_eval=times[1:], **given)

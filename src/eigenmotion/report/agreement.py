@@ -1,6 +1,7 @@
 """Agreement of two tight runs of this tool: the reference of a report where there is no independent one."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -28,11 +29,12 @@ def agreement(systems: Sequence[System], problem: Problem, start: Vector, why: s
     """
     first, second = systems[0], systems[-1]
     times = np.linspace(0.0, problem.t_end, ROWS)
-    given = {name: problem.settings[name] for name in ("parameters", "inputs") if name in problem.settings}
+    given: dict[str, Any] = {name: problem.settings.get(name) for name in ("parameters", "inputs")}
+    given["max_steps"] = MOST_STEPS
     try:
-        fine, method = tight_rows(first, _METHODS, start, times, _FINE, max_steps=MOST_STEPS, **given)
+        fine, method = tight_rows(first, _METHODS, start, times, _FINE, **given)
         others = tuple(name for name in _METHODS if name != method)[:2]
-        check, other = tight_rows(second, others, start, times, _CHECK, max_steps=MOST_STEPS, **given)
+        check, other = tight_rows(second, others, start, times, _CHECK, **given)
     except NotReachedError as error:
         raise ModelError(
             f"{first.name}: there is no independent reference ({why}), and tight runs do not reach the end: {error} "

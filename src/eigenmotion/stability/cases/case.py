@@ -9,6 +9,7 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...arguments.signals import Signal
 from ...codegen.model import Model
+from ...comparison.deadline import NONE, Deadline
 from ...reference.extended_precision import Rhs
 from ..expectation.truth import Integrated, Truth
 from .variants import UNCONSTRAINED, Variant
@@ -38,6 +39,7 @@ class Trial:
     tolerance : of all methods, in place of those of the case
     otherwise : what to compare with if `truth` is not reached, from the reason; None: a run that succeeds is wrong
     rotations : coordinates of each rotation that a run may turn to its other set of parameters
+    deadline : of its runs
     may_lose_digits : whether runs are not judged where perturbations grow to the size of the motion
     """
 
@@ -59,6 +61,7 @@ class Trial:
     may_lose_digits: bool = False
     z0: Vector = field(default_factory=lambda: np.zeros(0))
     rotations: tuple[tuple[int, ...], ...] = ()
+    deadline: Deadline = NONE
 
     @property
     def row(self) -> Vector:

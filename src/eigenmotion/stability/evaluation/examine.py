@@ -4,7 +4,7 @@ import time
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from ...building.build import build
 from ...building.errors import BuildError
 from ...codegen.model import Model, ModelError
+from ...comparison.deadline import TooLateError
 from ...reference.motion import rows_of
 from ...results.solution import Solution
 from ...runtime import EvaluationError, StopReason
@@ -58,7 +59,8 @@ def examine(
     planted
         Systems to use instead of the built ones; tests plant faults in them.
     seconds
-        Time for all runs, after which no more begin. The reference is not counted.
+        Time for all runs; those that do not end in it, or at the deadline of the trial, are left out. The reference is
+        not counted.
 
     Raises
     ------
@@ -70,13 +72,10 @@ def examine(
     built = {variant: known.get(variant) or program(case, value, variant) for variant in case.variants}
     expected = expected_of(case.trial(value), next((s for s in built.values() if isinstance(s, System)), None))
     chosen = [(variant, method) for method in case.tolerances for variant in case.variants]
-    until = time.monotonic() + seconds
-    cells = tuple(
-        _cell(case, model, expected, built[variant], variant, method)
-        for variant, method in chosen
-        if time.monotonic() < until
-    )
     trial = expected.trial
+    limited = replace(expected, trial=replace(trial, deadline=trial.deadline.sooner(seconds)))
+    tried = (_cell(case, model, limited, built[variant], variant, method) for variant, method in chosen)
+    cells = tuple(cell for cell in tried if cell is not None)
     return PointResult(
         case.name, trial.label, expected.how, expected.error, expected.kappa, trial.periods, cells,
         left_out=len(chosen) - len(cells), independent=trial.truth.independent,
@@ -102,7 +101,8 @@ def _built(model: Model, options: tuple[tuple[str, str], ...], flags: str | None
 
 def _cell(
     case: Case, model: Model, expected: Expected, system: System | str, variant: Variant, method: str
-) -> Cell:  # fmt: skip
+) -> Cell | None:  # fmt: skip
+    """Return the outcome of a run; None if the deadline did not allow it to end."""
     tolerance = expected.trial.tolerance or case.tolerances[method]
     blank = Cell(case.name, expected.trial.label, variant.label, method, tolerance)
     if isinstance(system, str):
@@ -110,6 +110,8 @@ def _cell(
     begin = time.perf_counter()
     try:
         solution = _run(case, expected.trial, system, variant, method)
+    except TooLateError:
+        return None
     except (ModelError, EvaluationError) as error:
         return replace(blank, reason="start refused", message=str(error), seconds=time.perf_counter() - begin)
     except Exception as error:  # any other exception is not a named reason
@@ -120,7 +122,10 @@ def _cell(
     compared = _compared(done, expected, system, solution)
     if not solution.modes:
         return compared
-    at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
+    try:
+        at_every_step = _run(case, expected.trial, system, variant, method, every_step=True)
+    except TooLateError:
+        return None
     return _with_conditions(compared, largest_violation(at_every_step, system, model, expected.trial.parameters))
 
 
@@ -134,22 +139,23 @@ def _with_conditions(compared: Cell, by: float) -> Cell:
 def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str, every_step: bool = False) -> Solution:
     tolerance = trial.tolerance or case.tolerances[method]
     options: dict[str, Any] = variant.run
+    run = partial(
+        simulate,
+        system,
+        (trial.start, float(trial.times[-1])),
+        x0=np.concatenate([trial.x0, trial.z0]),
+        v0=trial.v0,
+        parameters=trial.parameters,
+        inputs=trial.inputs,
+        method=method,
+        rtol=tolerance,
+        atol=tolerance * trial.units,
+        t_eval=None if every_step else trial.times,
+        **options,
+    )
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        return simulate(
-            system,
-            (trial.start, float(trial.times[-1])),
-            x0=np.concatenate([trial.x0, trial.z0]),
-            v0=trial.v0,
-            parameters=trial.parameters,
-            inputs=trial.inputs,
-            method=method,
-            rtol=tolerance,
-            atol=tolerance * trial.units,
-            t_eval=None if every_step else trial.times,
-            max_steps=case.max_steps,
-            **options,
-        )
+        return trial.deadline.complete(lambda steps: run(max_steps=steps), case.max_steps)
 
 
 def _compared(done: Cell, expected: Expected, system: System, solution: Solution) -> Cell:

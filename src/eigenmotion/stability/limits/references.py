@@ -12,11 +12,14 @@ import numpy as np
 from ...arguments.named_values import Vector
 from ...building.build import build
 from ...codegen.model import Model
+from ...comparison.deadline import NONE, Deadline, TooLateError
 from ...comparison.tight_runs import tight_rows
 from ...reference.collocation import Collocation
 from ...reference.extended_precision import Extended, Rhs
 from ...reference.integration import Midpoint, NotReachedError, Scheme, integrate_adaptive
 from ...reference.motion import rates_of
+from ...results.solution import Solution
+from ...simulation.simulate import simulate
 from ...system.system import System
 from ..evaluation.contact_outputs import with_contact_outputs
 from ..expectation.truth import FINE, Integrated
@@ -26,7 +29,7 @@ MOST_COORDINATES = 10
 _DECAYS = 1e4  # e-foldings of the fastest decay in the span beyond which stability would limit explicit steps
 _FINE, _QUICK = ((7, 1e-14), (5, 1e-13), (5, 1e-9)), ((6, 1e-12), (5, 1e-11), (4, 1e-8))
 """Columns and tolerances of extrapolated steps, by level"""
-_EVERY = 500  # evaluations between two readings of the clock, which may take longer than they
+_EVERY = 20  # evaluations between two readings of the clock
 _MOST_STEPS = 200_000
 _METHODS = (("dop853", "radau9"), ("radau9", "dop853"), ("dop853", "radau9"))  # by level, in order of preference
 _TIGHT = (1e-12, 1e-12, 1e-10)  # tolerances by level
@@ -37,10 +40,12 @@ class Independent(Integrated):
     """Extrapolation, or collocation if parts are strongly damped, in extended precision.
 
     until : reading of `time.process_time` at which it gives up
+    deadline : at which it gives up, too
     fine : whether it is to judge runs with tolerances below 1e-8
     """
 
     until: float = np.inf
+    deadline: Deadline = NONE
     fine: bool = True
 
     def _integrated(self, rhs: Rhs, z: Vector, elapsed: Vector, level: int) -> Extended:
@@ -54,7 +59,7 @@ class Independent(Integrated):
         calls = count()
 
         def timed(now: Any, z: Extended) -> Extended:
-            if next(calls) % _EVERY == 0 and time.process_time() > self.until:
+            if next(calls) % _EVERY == 0 and (time.process_time() > self.until or self.deadline.left < 0):
                 raise NotReachedError("the reference in extended precision takes too long")
             return rhs(now, z)
 
@@ -87,6 +92,7 @@ class TightRuns:
     inputs: Mapping[str, Any]
     units: Vector
     why: str
+    deadline: Deadline = NONE
     own: float = 1e-13
     independent: bool = field(default=False, init=False)
 
@@ -109,10 +115,14 @@ class TightRuns:
         """
         system = system_of(self.model, self.formulations[-1 if level == 1 else 0])
         tolerance = _TIGHT[level]
+        given = {"parameters": self.parameters, "inputs": self.inputs, "atol": tolerance * self.units}
+
+        def run(**more: Any) -> Solution:
+            return self.deadline.complete(lambda steps: simulate(**more, max_steps=steps), _MOST_STEPS)
+
         try:
-            return tight_rows(
-                system, _METHODS[level], start, times, tolerance, parameters=self.parameters, inputs=self.inputs,
-                max_steps=_MOST_STEPS, atol=tolerance * self.units,
-            )[0]  # fmt: skip
+            return tight_rows(system, _METHODS[level], start, times, tolerance, run, **given)[0]
+        except TooLateError:
+            raise NotReachedError(f"{self.why}; and two tight runs do not end in time") from None
         except NotReachedError as error:
             raise NotReachedError(f"{self.why}; and two tight runs do not reach the end: {error}") from error

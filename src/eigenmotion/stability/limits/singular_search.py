@@ -4,7 +4,6 @@ Unknowns are x and a unit vector w: M(x) w = 0 (or A(x)^T w = 0), w.w = 1, phi(x
 from rows of the motion and from random positions. M and A are scaled by their sizes at the start.
 """
 
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import pi
@@ -13,6 +12,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ...arguments.named_values import Vector
+from ...comparison.deadline import Deadline, TooLateError
 from .subject import Subject
 
 _BOX = pi  # largest change of a coordinate, at least this many of its units
@@ -42,11 +42,14 @@ class Search:
     words: str
 
 
-def searches(own: Subject, seconds: float) -> tuple[Search, ...]:
+def searches(own: Subject, deadline: Deadline) -> tuple[Search, ...]:
     """Return the results for M and, if there are constraints, for them."""
     rows = own.system.m and not own.model.contacts  # whether a contact is closed changes within a run
     kinds = [("mass matrix", _mass(own))] + ([("constraints", _rows(own))] if rows else [])
-    return tuple(_search(own, what, scaled, time.monotonic() + seconds / len(kinds)) for what, scaled in kinds)
+    return tuple(
+        _search(own, what, scaled, deadline.sooner(deadline.left / (len(kinds) - k)))
+        for k, (what, scaled) in enumerate(kinds)
+    )
 
 
 def _mass(own: Subject) -> Callable[[Vector], Vector]:
@@ -66,11 +69,11 @@ def _rows(own: Subject) -> Callable[[Vector], Vector]:
     return lambda x: columns(x) / np.where(size > 0, size, 1.0)
 
 
-def _search(own: Subject, what: str, scaled: Callable[[Vector], Vector], until: float) -> Search:
+def _search(own: Subject, what: str, scaled: Callable[[Vector], Vector], deadline: Deadline) -> Search:
     first = _least(scaled(own.x0))
     if first < 1e-10:
         return Search(None, f"{what}: singular at the start itself, and so in every run")
-    solved = list(_solutions(own, scaled, until))
+    solved = list(_solutions(own, scaled, deadline))
     hits = [x for x in solved if _least(scaled(x)) < _SINGULAR * first and _open(own, x) < _CLOSED]
     if not hits:
         return Search(None, f"{what}: no singular position found from {len(solved)} places near the start")
@@ -81,24 +84,27 @@ def _search(own: Subject, what: str, scaled: Callable[[Vector], Vector], until: 
     return Search(SingularPosition(what, x, towards), f"{what}: singular at {place}")
 
 
-def _solutions(own: Subject, scaled: Callable[[Vector], Vector], until: float) -> Iterator[Vector]:
+def _solutions(own: Subject, scaled: Callable[[Vector], Vector], deadline: Deadline) -> Iterator[Vector]:
     n = len(own.x0)
     box = _BOX * np.maximum(own.lengths, 1.0)
     low, high = own.x0 - box, own.x0 + box
 
     def residual(z: Vector) -> Vector:
+        if deadline.left < 0:
+            raise TooLateError
         w = z[n:]
         with np.errstate(all="ignore"):
             values = np.concatenate([scaled(z[:n]) @ w, [w @ w - 1], _phi(own, z[:n])])
         return np.asarray(np.nan_to_num(values, nan=1e6, posinf=1e6, neginf=-1e6))
 
     for x in _places(own, low, high):
-        if time.monotonic() > until:
-            return
         _, _, right = np.linalg.svd(np.nan_to_num(scaled(x)))
         z, free = np.concatenate([x, right[-1]]), np.full(len(right), 2.0)
         limits = np.concatenate([low, -free]), np.concatenate([high, free])
-        found = least_squares(residual, z, bounds=limits, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=80)
+        try:
+            found = least_squares(residual, z, bounds=limits, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=80)
+        except TooLateError:
+            return
         yield found.x[:n]
 
 

@@ -1,7 +1,7 @@
 """Subject of an examination: a user's model with its start, span and units."""
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from math import pi
@@ -12,8 +12,10 @@ import numpy as np
 from ...analysis.equilibrium.assemble import assemble
 from ...arguments.named_values import Vector, spelled
 from ...codegen.model import Model, ModelError
+from ...comparison.deadline import NONE, Deadline, TooLateError
 from ...comparison.obstacles import acts, without_reference
 from ...reference.motion import rates_of, rows_of
+from ...results.solution import Solution
 from ...runtime import EvaluationError
 from ...simulation.simulate import simulate
 from ...system.system import System
@@ -25,6 +27,7 @@ PERIODS = 20  # of the fastest oscillation, to which spans are limited
 SPAN = 5.0  # characteristic periods of a run, unless the span is what is varied
 _ROWS = 40
 _LONGER = 4.0  # patience for references over given spans
+_PROBING = 3.0  # patience for that run
 _PROBE = 400  # rows of the run that the periods and units are taken from
 
 
@@ -42,6 +45,7 @@ class Subject:
     motion : (k, 2n + p) rows of the motion, in which singular positions are looked for
     why : why there is no independent reference; "": there is one
     patience : [s] of the processor for a reference
+    deadline : of all runs and references
     """
 
     model: Model
@@ -57,6 +61,7 @@ class Subject:
     motion: Vector
     why: str = ""
     patience: float = 5.0
+    deadline: Deadline = NONE
 
     @property
     def system(self) -> System:
@@ -85,13 +90,16 @@ class Subject:
         """Return the run with other parameters or another start."""
         parameters = {**self.parameters, **(changed or {})}
         x0, v0 = self.consistent(*(start or (self.x0, self.v0)), parameters)
-        tight = partial(TightRuns, self.model, self.formulations, parameters, self.inputs, self.units)
+        tight = partial(
+            TightRuns, self.model, self.formulations, parameters, self.inputs, self.units, deadline=self.deadline
+        )
         truth, end = self._truth(tight, (x0, v0), parameters, span, fine=bool(span or tolerance))
         return Trial(
             label, parameters, x0, v0, self.units, 0.0, rows(0.0, end, _ROWS), truth,
             conserves=self.conserves, periods=periods, inputs=self.inputs, tolerance=tolerance,
             otherwise=tight if truth.independent else None, may_lose_digits=True,
             nearby=not self.model.contacts, z0=self.z0, rotations=self.system.compiled.rotations,
+            deadline=self.deadline,
         )  # fmt: skip
 
     def _truth(
@@ -116,7 +124,7 @@ class Subject:
             end = 2 * pi * PERIODS / fastest
         until = time.process_time() + self.patience * (_LONGER if span else 1.0)
         scale = spread(self.units, len(self.x0)) + np.abs(y)
-        return Independent(rhs, scale, until=until, fine=fine), end
+        return Independent(rhs, scale, until=until, deadline=self.deadline, fine=fine), end
 
     def consistent(self, x0: Vector, v0: Vector, parameters: Mapping[str, float]) -> tuple[Vector, Vector]:
         """Return the nearest start on the constraints; the same if there is none, which runs refuse."""
@@ -136,8 +144,10 @@ def _fastest(rates: Any) -> float:
     return float(max(np.abs(rates.imag).max(), rates.real.max()))
 
 
-def subject(model: Model, formulations: tuple[str, ...], settings: Mapping[str, Mapping[str, float]], t_end: float,
-            patience: float) -> Subject:  # fmt: skip
+def subject(
+    model: Model, formulations: tuple[str, ...], settings: Mapping[str, Mapping[str, float]], t_end: float,
+    patience: float, deadline: Deadline = NONE,
+) -> Subject:  # fmt: skip
     """Return the subject, from a run of its motion.
 
     Raises
@@ -147,7 +157,7 @@ def subject(model: Model, formulations: tuple[str, ...], settings: Mapping[str, 
     """
     system, given = system_of(model, formulations[0]), dict(settings)
     parameters, inputs = given.get("parameters", {}), given.get("inputs", {})
-    motion = _motion(system, given, t_end)
+    motion = _motion(system, given, t_end, deadline, _PROBING * patience)
     found, n = rows_of(motion), system.n
     largest = np.max(np.abs(found), axis=0)
     sizes = np.concatenate([np.maximum(largest[:n], largest[n : 2 * n]), largest[2 * n :]])
@@ -155,18 +165,21 @@ def subject(model: Model, formulations: tuple[str, ...], settings: Mapping[str, 
     x0, v0, z0 = np.split(found[0], (n, 2 * n))
     return Subject(
         model, formulations, parameters, inputs, x0, v0, z0, t_end, _period(motion, t_end), units,
-        found[:: max(1, len(found) // 8)].copy(), without_reference(model, MOST_COORDINATES), patience,
+        found[:: max(1, len(found) // 8)].copy(), without_reference(model, MOST_COORDINATES), patience, deadline,
     )  # fmt: skip
 
 
-def _motion(system: System, settings: Mapping[str, Any], t_end: float) -> Any:
-    """Return a run by the first method that reaches the end, or else the longest."""
-    best = None
+def _motion(system: System, settings: Mapping[str, Any], t_end: float, deadline: Deadline, seconds: float) -> Any:
+    """Return a run by the first method that reaches the end in some seconds, or else the longest."""
+    best, times = None, np.linspace(0.0, t_end, _PROBE)
     for method in ("dop853", "radau9"):
-        done = simulate(
-            system, (0.0, t_end), method=method, rtol=1e-8, atol=1e-10, t_eval=np.linspace(0.0, t_end, _PROBE),
-            max_steps=100_000, **settings,
+        run = partial(
+            simulate, system, (0.0, t_end), method=method, rtol=1e-8, atol=1e-10, t_eval=times, **settings
         )  # fmt: skip
+        try:
+            done = deadline.sooner(seconds).run(partial(_with_steps, run), 100_000)
+        except TooLateError:
+            break
         if done.success:
             return done
         best = done if best is None or len(done.t) > len(best.t) else best
@@ -176,6 +189,10 @@ def _motion(system: System, settings: Mapping[str, Any], t_end: float) -> Any:
             "Give another start with --set, or values under which it moves."
         )
     return best
+
+
+def _with_steps(run: Callable[..., Solution], steps: int) -> Solution:
+    return run(max_steps=steps)
 
 
 def _period(motion: Any, t_end: float) -> float:

@@ -3,14 +3,15 @@
 import multiprocessing
 import os
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...building.errors import BuildError
 from ...building.request import request
 from ...codegen.choices import FORMULATIONS
 from ...codegen.model import Model, ModelError
+from ...comparison.deadline import Deadline
 from ...progress import Progress
 from ..cases.case import Case, power
 from ..evaluation.examine import PointResult, examine
@@ -23,7 +24,8 @@ from .subject import Subject, subject
 BUDGET = 90.0
 """[s] default time for an examination"""
 _BUILDS, _SEARCH, _PATIENCE, _POINT = 0.4, 0.06, 0.03, 0.1  # parts of the budget for builds, search, references, points
-_LEAST = 1.0  # [s]
+_LEAST, _FIRST = 1.0, 10.0  # [s] of such a part; of the first point and what comes before it, after the builds
+_WORTH = 0.5  # part of a point's mean time that must be left for another to begin
 _PLACE = tuple[str, float]
 
 
@@ -57,7 +59,7 @@ def limits_of(
     t_end
         [s] longest span of the runs that vary other things than the span.
     budget
-        [s] after which no more runs begin, except those of the first point; those that were not run are named.
+        [s] after which no run goes on, except those of the first point; those that were not run are named.
 
     Raises
     ------
@@ -76,9 +78,10 @@ def limits_of(
     clock = _Clock(begin, budget, progress or (lambda *_: None))
     formulations, unbuilt = _built(model, clock)
     clock(f"motion of {model.name}")
-    own = subject(model, formulations, settings or {}, t_end, max(_LEAST, _PATIENCE * budget))
+    deadline = Deadline(max(clock.until, time.monotonic() + _FIRST))
+    own = subject(model, formulations, settings or {}, t_end, max(_LEAST, _PATIENCE * budget), deadline)
     clock("singular positions")
-    searched = searches(own, max(_LEAST, _SEARCH * budget))
+    searched = searches(own, deadline.sooner(max(_LEAST, _SEARCH * budget)))
     cases = families(own, [one.found for one in searched if one.found])
     points = in_order(cases)
     results = _examined(cases, points, clock, workers)
@@ -167,43 +170,66 @@ def _examined(
     known = {case.name: case for case in cases}
     results: dict[_PLACE, PointResult] = {}
     each = max(_LEAST, _POINT * clock.budget)
-    for place, result in _stream(known, points, clock.until, each, workers):
-        results[place] = result
+    for place, result in _stream(known, points, Pace(Deadline(clock.until)), each, workers):
+        if result.cells or not results:
+            results[place] = result
         clock(f"{len(results)} of {len(points)} points, {known[place[0]].title}")
     return results
 
 
+@dataclass
+class Pace:
+    """Whether another point may begin: the first always, others if about as much time is left as one takes."""
+
+    deadline: Deadline
+    begun: int = 0
+    seconds: list[float] = field(default_factory=list)
+
+    def allows(self) -> bool:
+        """Return whether a point may begin."""
+        mean = sum(self.seconds) / len(self.seconds) if self.seconds else 0.0
+        return self.begun == 0 or self.deadline.left > _WORTH * mean
+
+    def begin(self) -> float:
+        """Count a point that begins; return when."""
+        self.begun += 1
+        return self.deadline.now()
+
+    def end(self, begin: float) -> None:
+        """Note the time that a point took."""
+        self.seconds.append(self.deadline.now() - begin)
+
+
 def _stream(
-    known: Mapping[str, Case], points: Sequence[_PLACE], until: float, each: float, workers: int
+    known: Mapping[str, Case], points: Sequence[_PLACE], pace: Pace, each: float, workers: int
 ) -> Iterator[tuple[_PLACE, PointResult]]:
-    """Yield the results; no point begins after `until`, except the first: one is always examined."""
+    """Yield the results of the points that the pace allows."""
     if workers <= 1:
-        for place, (name, value) in enumerate(points):
-            if place > 0 and time.monotonic() >= until:
+        for name, value in points:
+            if not pace.allows():
                 return
-            yield (name, value), examine(known[name], value, seconds=each)
+            begin = pace.begin()
+            result = examine(known[name], value, seconds=each)
+            pace.end(begin)
+            yield (name, value), result
         return
     with ProcessPoolExecutor(workers, mp_context=_SPAWN, initializer=_take, initargs=(known,)) as pool:
-        yield from _fed(pool, iter(points), until, each, workers)
+        yield from _fed(pool, iter(points), pace, each, workers)
 
 
 def _fed(
-    pool: ProcessPoolExecutor, points: Iterator[_PLACE], until: float, each: float, workers: int
+    pool: ProcessPoolExecutor, points: Iterator[_PLACE], pace: Pace, each: float, workers: int
 ) -> Iterator[tuple[_PLACE, PointResult]]:
-    running: dict[Future[PointResult], _PLACE] = {}
-    late = 1  # points that begin after `until`
+    running: dict[Future[PointResult], tuple[_PLACE, float]] = {}
     while True:
-        for place in _next(points, workers - len(running) if time.monotonic() < until else late):
-            late = 0
-            running[pool.submit(_examine, place, each)] = place
+        while len(running) < workers and pace.allows() and (place := next(points, None)) is not None:
+            running[pool.submit(_examine, place, each)] = place, pace.begin()
         if not running:
             return
         for future in wait(running, return_when=FIRST_COMPLETED).done:
-            yield running.pop(future), future.result()
-
-
-def _next(points: Iterator[_PLACE], count: int) -> Iterable[_PLACE]:
-    return [place for _, place in zip(range(count), points, strict=False)]
+            place, begin = running.pop(future)
+            pace.end(begin)
+            yield place, future.result()
 
 
 _KNOWN: dict[str, Case] = {}
