@@ -9,6 +9,7 @@ import pytest
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from eigenmotion.results.between_rows import passages
 
 from ..support.generation import system_for
 
@@ -138,6 +139,15 @@ def test_a_motion_is_known_where_a_coordinate_passes_values(run):
     np.testing.assert_allclose(found.outputs["pull"], -places, atol=1e-8)
     back = system_for(_spring()).simulate((0, -3), dense_output=True, **TOLERANCES).over("q", [0.5])
     np.testing.assert_allclose(back.t, -np.arccos(0.5), atol=1e-8)
+
+
+def test_the_ends_of_a_motion_are_reached_to_rounding():
+    """Rows are on the constraints to rounding, and the motion between them beside these: of a crank driven from 0."""
+    ends, at = np.linspace(0.0, 3.0, 4), lambda t: 2 * t + 1e-32
+    places = np.array([-1e-32, 3.0, 6.0 * (1 + 1e-15)])
+    np.testing.assert_allclose(passages("q", at, ends, places), [0.0, 1.5, 3.0], atol=1e-14)
+    with pytest.raises(em.ModelError, match="q does not reach -1e-12"):
+        passages("q", at, ends, np.array([-1e-12]))
 
 
 def test_values_that_are_not_passed_once_are_refused(run):

@@ -10,6 +10,8 @@ from ..codegen.model.normalise import ModelError
 
 _WITHIN = 8  # points of each step at which the direction is looked at
 _HALVINGS = 60  # of a step: to rounding
+_ROUNDED = 64 * np.finfo(float).eps
+"""Rounding error of an end of a motion, relative to the larger one."""
 
 
 def between(t: Vector, x: Vector, v: Vector, at: Vector) -> tuple[Vector, Vector]:
@@ -53,7 +55,8 @@ def passages(name: str, q: Callable[[Vector], Vector], ends: Vector, values: Vec
             "before, or take rows over the time"
         )
     low, high = sorted((float(x[0]), float(x[-1])))
-    if outside := [value for value in values.tolist() if not low <= value <= high]:
+    rounded = _ROUNDED * max(-low, high)  # rows are on the constraints, and values between them beside these
+    if outside := [value for value in values.tolist() if not low - rounded <= value <= high + rounded]:
         raise ModelError(f"{name} does not reach {outside[0]:.6g}: it goes from {x[0]:.6g} to {x[-1]:.6g}")
     after = np.clip(np.searchsorted(sign * x, sign * values), 1, len(t) - 1)
     before, behind = t[after - 1], t[after]
