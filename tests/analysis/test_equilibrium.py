@@ -136,6 +136,8 @@ def test_a_loop_is_closed_on_either_branch_and_its_rate_kept(crank):
 def test_a_loop_that_cannot_be_closed():
     with pytest.raises(ModelError, match=r"cannot be closed: tried .* row 0 by"):
         em.assemble(system_of("four_bar", "lagrange"), parameters={"b": 5.0})
+    with pytest.raises(ModelError, match=r"they are off, row 0 by -?0\.\d+\. Look"):  # row 1 can be met
+        em.assemble(system_of("four_bar", "lagrange"), [0.0, 0.0, 0.0], keep=["q1", "q2", "q3"])
     with pytest.raises(ModelError, match="with q1, q2, q3 kept"):
         em.assemble(system_of("four_bar", "lagrange"), [1.0, 1.0, 1.0], keep=["q1", "q2", "q3"])
     with pytest.raises(ModelError, match=r"\(q1, q2\) contradict"):

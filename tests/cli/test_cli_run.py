@@ -25,6 +25,13 @@ def test_run_prints_a_summary(scene, capsys):
     assert "angle" in rows
 
 
+@pytest.mark.parametrize(("end", "mode"), [("0.2", "friction slides forward"), ("2", "friction stuck")])
+def test_run_says_the_mode_in_words(capsys, end, mode):
+    """A block that is pushed up an incline comes to rest there after 0.39 s."""
+    assert main(["run", "models/block_on_incline.py", "--t-end", end]) == 0
+    assert summary_of(capsys.readouterr().out)["mode at the end"] == mode
+
+
 def test_run_takes_parameters_initial_values_and_rates(scene, capsys):
     assert main(["run", "scene.py", "--t-end", "1.5", "--set", "g=0", "--set", "angle=0.25", "--set", "angle'=2"]) == 0
     final = capsys.readouterr().out.splitlines()[-1].split()

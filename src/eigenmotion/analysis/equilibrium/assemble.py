@@ -201,7 +201,9 @@ class _Loop:
         return bool((np.abs(phi) <= _CLOSED * rounding).all())
 
     def _refuse(self, x: Vector) -> None:
-        rows = ", ".join(f"{self.c.row_names[k]} by {r:.3g}" for k, r in enumerate(self._phi(x)[0].tolist()))
+        phi, rounding = closure(self.c, self.prepared, self.t, x)
+        left = np.flatnonzero(~(np.abs(phi) <= _CLOSED * rounding)).tolist()
+        rows = ", ".join(f"{self.c.row_names[k]} by {phi[k]:.3g}" for k in left)
         names = [name for k, name in enumerate(self.c.coordinates) if k not in self.free]
         kept = f" with {', '.join(names)} kept" if names else ""
         raise ModelError(

@@ -36,6 +36,14 @@ def summary(system: CompiledSystem, solution: Solution, seconds: float) -> str:
     return "\n".join([*lines, "", _final_state(system, solution)])
 
 
+_MODES = {
+    ("held", 1.0): "held",
+    ("stuck", 1.0): "stuck",
+    ("slides", 1.0): "slides forward",
+    ("slides", -1.0): "slides back",
+}
+
+
 def _methods(solution: Solution) -> str:
     return " and ".join(dict.fromkeys(name for _, name in solution.methods)) or solution.method
 
@@ -49,8 +57,9 @@ def _events(system: CompiledSystem, solution: Solution) -> list[tuple[str, str]]
         )
         rows.append((f"event {name}", f"{len(times)} times, {last}" if len(times) > 1 else last or "did not happen"))
     if solution.modes:
-        mode = ", ".join(f"{name} = {value:g}" for name, value in solution.modes[-1][1].items())
-        rows.append(("mode at the end", mode))
+        mode = ((*name.rpartition("_"), value) for name, value in solution.modes[-1][1].items())
+        texts = [f"{name} {_MODES[kind, value]}" for name, _, kind, value in mode if (kind, value) in _MODES]
+        rows.append(("mode at the end", ", ".join(texts) or "nothing touches or rubs"))
     return rows
 
 
