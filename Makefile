@@ -15,6 +15,7 @@ VARIANTS     := cholesky lagrange inverse
 ALL          := build/generated
 TYPES  := build/types/eigenmotion
 DOCS   := $(VENV)/.docs
+SCREENSHOTS := build/screenshots
 # Robots of many joints take minutes to build for a page
 LIVE   ?= $(filter-out humanoid quadruped,$(basename $(notdir $(MODELS))))
 WORKED := docs/made/tutorial.done docs/made/index.done
@@ -26,7 +27,7 @@ quick test fuzz nightly docs check: export OPENBLAS_NUM_THREADS ?= 1
 # SciPy's splines solve equations by BLAS, whose kernels round differently on each processor: sources are compared with one
 generated regenerate generate-all: export OPENBLAS_CORETYPE := Haswell
 
-.PHONY: demo quick test fuzz nightly docs check lint types generated regenerate bench clean
+.PHONY: demo quick test fuzz nightly docs screenshots check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -44,7 +45,7 @@ quick: $(READY)
 
 # PYTEST_ARGS="-k name" runs a part. Bytecode is kept: pytest takes 6 seconds a process to rewrite assertions anew
 test: $(READY)
-	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto $(PYTEST_ARGS)
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto --screenshots $(SCREENSHOTS) $(PYTEST_ARGS)
 
 # Random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
 fuzz: $(READY)
@@ -76,7 +77,14 @@ $(PEERS): $(READY)
 docs: $(DOCS) $(WORKED) $(SHOWN)
 	$(BIN)/sphinx-build -q -W --keep-going -d build/doctrees docs build/site
 	$(BIN)/python docs/making/links.py build/site
+	$(BIN)/pytest -q tests/docs/test_site_looks.py --site build/site --screenshots $(SCREENSHOTS)
 	@echo "the site: build/site/index.html"
+
+# Photographs to look at of every page of the site, of each model's page, and of reports: 1400 and 400 pixels wide, light
+# and dark; PYTEST_ARGS="-k four_bar" takes some. Their faults end it, as far as they can be found without eyes
+screenshots: docs
+	$(BIN)/pytest -q -m "" tests/docs/test_site_looks.py tests/export/test_page_looks.py --site build/site \
+	    --screenshots $(SCREENSHOTS) $(PYTEST_ARGS)
 
 # A page of the documentation, worked through: what its snippets draw is shown on it
 $(WORKED): docs/made/%.done: docs/%.md docs/making/work.py docs/making/snippets.py $(wildcard src/eigenmotion/webpage/page/* src/eigenmotion/webpage/page/*/*) | $(READY)

@@ -45,8 +45,16 @@ LEFT_OUT = pytest.StashKey[Counter[str]]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add what `make nightly` uses."""
+    """Add what `make nightly`, `make docs` and `make screenshots` use."""
     parser.addoption("--slice", metavar="K/N", help="of the cases run at night only, one of N parts (default: all)")
+    parser.addoption("--site", type=Path, metavar="FOLDER", help="the site whose looks are tested")
+    parser.addoption("--screenshots", type=_folder, metavar="FOLDER", help="where photographs of pages are kept")
+
+
+def _folder(name: str) -> Path:
+    """Return a folder, which is made."""
+    Path(name).mkdir(parents=True, exist_ok=True)
+    return Path(name).resolve()
 
 
 def pytest_configure(config: pytest.Config) -> None:

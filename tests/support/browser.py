@@ -21,6 +21,7 @@ from eigenmotion.webpage import wasm
 from eigenmotion.webpage.page import Run, page
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
+TALLEST = 8000  # [pixel] of a photograph
 _OPTIONS = ("--headless=new", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
             "--disable-dev-shm-usage", "--no-first-run", "--disable-background-networking",
             "--remote-debugging-pipe", "--hide-scrollbars")  # fmt: skip
@@ -118,8 +119,13 @@ class Browser:
         return found["result"].get("value")
 
     def photograph(self, path: Path, whole: bool = False) -> None:
-        """Write what the page looks like to a .png."""
-        path.write_bytes(base64.b64decode(self.call("Page.captureScreenshot", captureBeyondViewport=whole)["data"]))
+        """Write what the page looks like to a .png; `whole`: what is below the window, too, down to TALLEST."""
+        more: dict[str, Any] = {}
+        if whole:
+            size = self.call("Page.getLayoutMetrics")["cssContentSize"]
+            clip = {"x": 0, "y": 0, "width": size["width"], "height": min(size["height"], TALLEST), "scale": 1}
+            more = {"captureBeyondViewport": True, "clip": clip}
+        path.write_bytes(base64.b64decode(self.call("Page.captureScreenshot", **more)["data"]))
 
     def close(self) -> None:
         """End the browser."""
