@@ -24,7 +24,8 @@ OPTIMISED = (
 STANDARD = ("-std=c11",)  # without warnings, which users of a model cannot act on
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # code that runs once; no warnings about Python's headers
-HURRIED = ("-O1",)  # for functions that are called rarely
+HURRIED = {"duals": ("-O1",), "aside": ("-O1",)}
+"""Units whose functions no step calls, or seldom -> the flags that follow the others (docs/flags.md)."""
 UNITS = {
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
@@ -74,7 +75,14 @@ class Toolchain:
         The predefined macros of the compiler depend on all three.
         """
         macros = self._ask(*self.optimised, *self.flags, *_MACROS)
-        fixed = (*STANDARD, *SHARED, *MODULE, *HURRIED, *link_flags(self.command), *map(str, UNITS.items()))
+        fixed = (
+            *STANDARD,
+            *SHARED,
+            *MODULE,
+            *map(str, HURRIED.items()),
+            *link_flags(self.command),
+            *map(str, UNITS.items()),
+        )
         flags = (*self.optimised, *fixed, *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
@@ -96,7 +104,7 @@ class Toolchain:
 
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """Compile a unit, STEM.c -> STEM_UNIT.o; return the name of the object."""
-        target, optimised = f"{stem}_{unit}.o", HURRIED if unit == "duals" else self.optimised
+        target, optimised = f"{stem}_{unit}.o", (*self.optimised, *HURRIED.get(unit, ()))
         macros = (f"-D{macro}" for macro in UNITS[unit])
         self._run(*self._object(optimised), *macros, "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
