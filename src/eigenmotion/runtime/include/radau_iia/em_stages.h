@@ -111,29 +111,42 @@ static double em_stage_noise(const em_run_state *w) {
     return em_min(0.3, EM_STAGE_ROUNDING * sqrt(sum / (2 * w->n)));
 }
 
-/* The change of the velocities by the residuals if the system were not stiff, in tolerances. */
-static double em_size_of_residuals(const em_radau_iia *rk, const em_run_state *w) {
-    double sum = 0.0;
-    for (int i = 0; i < rk->stages; ++i) sum += em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n);
-    return fabs(w->h) * sqrt(em_mean(sum, 2 * w->n * rk->stages));
+/* size (stages) <- the change of the velocities by the residuals of each stage if it were not stiff, in tolerances. */
+EM_INLINE void em_sizes_of_residuals(const em_radau_iia *rk, const em_run_state *w, double *size) {
+    for (int i = 0; i < rk->stages; ++i)
+        size[i] = fabs(w->h) * sqrt(em_mean(em_weighted_squares(w->n, w->stages.r + i * w->stride, w->weight + w->n), w->n));
 }
 
-/* Whether changes may be small only because the Jacobian of an earlier state is too stiff: then residuals do not
- * decrease. */
-static int em_trusts_slopes(const em_run_state *w, double residual, double before) {
-    return em_slopes_are_fresh(w) || residual <= EM_ITERATION_TOLERANCE || residual <= EM_STAGNANT * before;
+/* What rounding of x and v leaves of a residual, in the same measure. */
+static double em_residual_noise(const em_run_state *w) {
+    const em_implicit *q = &w->stages;
+    double noise[w->n];
+    for (int k = 0; k < w->n; ++k) {
+        noise[k] = 0.0;
+        for (int l = 0; l < w->n; ++l) noise[k] += fabs(q->K[k * w->n + l] * w->y[l]) + fabs(q->D[k * w->n + l] * w->y[w->n + l]);
+    }
+    return fabs(w->h) * DBL_EPSILON * sqrt(em_mean(em_weighted_squares(w->n, noise, w->weight + w->n), w->n));
+}
+
+/* Whether changes are small because the stages are solved. They may also be small because the Jacobian is stiffer than
+ * the motion at a stage, where stiffness has ended: then its residual does not decrease. */
+EM_INLINE int em_trusts_slopes(const em_radau_iia *rk, const em_run_state *w, const double *residual, const double *before) {
+    const double least = em_max(EM_ITERATION_TOLERANCE, em_residual_noise(w));
+    for (int i = 0; i < rk->stages; ++i)
+        if (residual[i] > em_max(least, EM_STAGNANT * before[i])) return 0;
+    return 1;
 }
 
 /* Iterates to convergence; q->contraction <- the rate of convergence. */
 EM_INLINE int em_iterate_stages_of(const em_radau_iia *rk, em_run_state *w, int stride) {
     em_implicit *q = &w->stages;
     const int most = em_most_iterations(rk);
-    double change[EM_MOST_NODES * stride], before = 0.0, left = 1.0, residual = 0.0;
+    double change[EM_MOST_NODES * stride], residual[EM_MOST_NODES] = {0.0}, last[EM_MOST_NODES], before = 0.0, left = 1.0;
     q->contraction = 0.0;
     for (q->iterations = 1; q->iterations <= most; ++q->iterations) {
-        const double last = residual;
+        memcpy(last, residual, sizeof last);
         if (em_stage_residuals(rk, w, stride)) return EM_NO_RATE;
-        residual = em_size_of_residuals(rk, w);
+        em_sizes_of_residuals(rk, w, residual);
         if (q->own) em_coupled_changes(rk, w, change);
         else em_shared_changes(rk, w, stride, change);
         const double size = em_take_changes(rk, w, stride, change);
@@ -146,7 +159,7 @@ EM_INLINE int em_iterate_stages_of(const em_radau_iia *rk, em_run_state *w, int 
             if (!(left * size * em_power(factor, most - q->iterations) <= EM_ITERATION_TOLERANCE)) return EM_NOT_SOLVED;
         }
         if (left * size <= EM_ITERATION_TOLERANCE) {
-            if (q->own || em_trusts_slopes(w, residual, last)) return EM_SOLVED;
+            if (q->own || em_trusts_slopes(rk, w, residual, last)) return EM_SOLVED;
             if (q->iterations > 1) return EM_NOT_SOLVED;
         }
         before = size;
