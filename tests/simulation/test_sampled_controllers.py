@@ -193,6 +193,20 @@ def test_what_is_no_controller(given, words):
         Sampled(*given)
 
 
+@pytest.mark.parametrize("function", [lambda x, v, t: 0.0, lambda v, x, t: 0.0, lambda t, y: 0.0, lambda: 0.0])
+def test_another_order_of_arguments_is_named(function):
+    """Such a function would take the time for a position, without an error."""
+    with pytest.raises(ModelError, match=r"called with \(t, x, v\), but <lambda> takes \("):
+        Sampled(function, PERIOD)
+    with pytest.raises(ModelError, match=r"called with \(t, x, v\)"):
+        Sampled(make=lambda: function, period=PERIOD).controller()
+
+
+def test_other_names_of_arguments_are_taken():
+    for function in (lambda *given: 0.0, lambda time, q, qdot: 0.0, lambda t, x, v, gain=1.0: 0.0, damping, Integral()):
+        assert Sampled(function, PERIOD).controller() is function
+
+
 @pytest.mark.parametrize("steppers", [System.stepper, lambda system, inputs: system.steppers(2, inputs=inputs)])
 def test_steppers_do_not_ask(steppers):
     with pytest.raises(ModelError, match=r"Sampled.* between two advances"):

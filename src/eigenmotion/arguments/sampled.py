@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from inspect import signature
 from math import isfinite
 from typing import Any, TypeAlias, cast
 
@@ -40,7 +41,8 @@ class Sampled:
     Raises
     ------
     ModelError
-        The function cannot be called, or a number is out of range.
+        The function cannot be called with (t, x, v), or names these arguments in another order; or a number is out of
+        range.
 
     Examples
     --------
@@ -62,6 +64,8 @@ class Sampled:
             argument = getattr(self, name)
             if argument is not None and not callable(argument):
                 raise ModelError(f"the {name} of a Sampled input is {shown(argument)}, which cannot be called")
+        if self.function is not None:
+            _check_arguments(self.function)
         for name in ("period", "delay"):
             object.__setattr__(self, name, number(getattr(self, name), f"the {name} of a Sampled input"))
         if not self.period > 0:
@@ -87,7 +91,27 @@ class Sampled:
         function = self.make()
         if not callable(function):
             raise ModelError(f"make of a Sampled input returned {shown(function)}, which cannot be called")
+        _check_arguments(function)
         return function
+
+
+def _check_arguments(function: Controller) -> None:
+    """Raise ModelError if a function cannot be called with (t, x, v), or has these names in another order."""
+    try:
+        taken = signature(function)
+    except (TypeError, ValueError):  # of some compiled functions
+        return
+    try:
+        names = tuple(taken.bind(0.0, 0.0, 0.0).arguments)
+    except TypeError:
+        names = tuple(taken.parameters)
+    else:
+        if sorted(names) != ["t", "v", "x"] or names == ("t", "x", "v"):
+            return
+    raise ModelError(
+        f"the function of a Sampled input is called with (t, x, v), but {getattr(function, '__name__', shown(function))} "
+        f"takes ({', '.join(names)})"
+    )
 
 
 def _initial(argument: Any) -> float | tuple[float, ...]:
