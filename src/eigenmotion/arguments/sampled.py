@@ -108,10 +108,8 @@ def _check_arguments(function: Controller) -> None:
     else:
         if sorted(names) != ["t", "v", "x"] or names == ("t", "x", "v"):
             return
-    raise ModelError(
-        f"the function of a Sampled input is called with (t, x, v), but {getattr(function, '__name__', shown(function))} "
-        f"takes ({', '.join(names)})"
-    )
+    name = getattr(function, "__name__", shown(function))
+    raise ModelError(f"the function of a Sampled input is called with (t, x, v), but {name} takes ({', '.join(names)})")
 
 
 def _initial(argument: Any) -> float | tuple[float, ...]:
