@@ -358,6 +358,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "paper": ("models", "arguments", "presentation", "results", "system", "building"),
     "cli": (
         "",
+        "progress",
         "codegen.model",
         "codegen.choices",
         "arguments",

@@ -49,7 +49,7 @@ def by_day() -> Matrix:
     By few formulations and options: all of them by night, and in processes, which take seconds to start.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("eigenmotion.stability.evaluation.matrix._pool", lambda _: ThreadPoolExecutor(1))
+        patch.setattr("eigenmotion.stability.evaluation.matrix.Pool", lambda _: ThreadPoolExecutor(1))
         for name, variants in BY_DAY.items():
             case = CASES[name]
             fewer = replace(case, reduced=case.reduced[-1:], max_steps=case.max_steps // 100, variants=variants)

@@ -1,7 +1,8 @@
 """Common arguments and options of the commands."""
 
 import tempfile
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -13,6 +14,7 @@ from eigenmotion.arguments.named_values import spelled
 from eigenmotion.building.request import Request, request
 from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, OF_TREES, SCHUR
 from eigenmotion.codegen.model import Model
+from eigenmotion.progress import Progress, bar
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -123,6 +125,23 @@ output = folder("generated", "generated files")
 def listed(text: str | None) -> tuple[str, ...] | None:
     """Return the names of a text, which commas separate; None without one."""
     return None if text is None else tuple(name.strip() for name in text.split(","))
+
+
+@contextmanager
+def bar_until_interrupted(name: str) -> Iterator[Progress]:
+    """Show the progress of a task that writes its files at its end; Ctrl-C says how far it came."""
+    reached = "before it began"
+
+    def noted(done: float, what: str) -> None:
+        nonlocal reached
+        reached = f"at {100 * done:.0f} %, {what}"
+        progress(done, what)
+
+    with bar(name) as progress:
+        try:
+            yield noted
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(f"{reached}: nothing of {name} is written") from None
 
 
 def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:

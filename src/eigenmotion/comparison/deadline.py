@@ -7,6 +7,7 @@ from math import inf
 
 from ..results.solution import Solution
 from ..runtime import StopReason
+from .interrupts import uninterrupted
 
 _TRIAL = 20  # the part of a run's steps that is tried first, to see what a step takes
 _LEAST = 100  # steps
@@ -43,12 +44,12 @@ class Deadline:
         if self.left <= 0:
             raise TooLateError
         trial, begin = min(most, max(_LEAST, most // _TRIAL)), self.now()
-        done = run(trial)
+        done = uninterrupted(run(trial))
         if trial == most or done.stop is not StopReason.TOO_MANY_STEPS:
             return done
         each = max((self.now() - begin) / trial, 1e-9)
         allowed = int(min(most, self.left / each))
-        return run(allowed) if allowed > trial else done
+        return uninterrupted(run(allowed)) if allowed > trial else done
 
     def complete(self, run: Callable[[int], Solution], most: int) -> Solution:
         """Return run(most steps).

@@ -13,6 +13,7 @@ from ..results.solution import Solution
 from ..runtime import EvaluationError
 from ..simulation.simulate import simulate
 from ..system.system import System
+from .interrupts import uninterrupted
 
 
 def tight_rows(
@@ -40,7 +41,7 @@ def tight_rows(
     x0, v0, span = np.delete(start, np.s_[n : 2 * n]), start[n : 2 * n], (float(times[0]), float(times[-1]))
     for method in methods:
         try:
-            done = run(system=system, t_span=span, x0=x0, v0=v0, method=method, **options)
+            done = uninterrupted(run(system=system, t_span=span, x0=x0, v0=v0, method=method, **options))
         except (ModelError, EvaluationError) as error:
             said = str(error)
             continue

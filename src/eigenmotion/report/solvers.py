@@ -8,6 +8,7 @@ import numpy as np
 
 from ..arguments import methods
 from ..arguments.named_values import Vector
+from ..comparison.interrupts import uninterrupted
 from ..reference.motion import positions, rows_of
 from ..results.solution import Solution
 from ..simulation.simulate import simulate
@@ -83,8 +84,8 @@ class Problem:
     def simulate(self, system: System, method: str, tolerance: float, t_eval: Vector | None = None) -> Solution:
         """Run one method at one tolerance."""
         given: dict[str, Any] = {**self.settings, "max_steps": MOST_STEPS}
-        return simulate(
-            system, (0.0, self.t_end), method=method, rtol=tolerance, atol=tolerance, t_eval=t_eval, **given
+        return uninterrupted(
+            simulate(system, (0.0, self.t_end), method=method, rtol=tolerance, atol=tolerance, t_eval=t_eval, **given)
         )
 
 

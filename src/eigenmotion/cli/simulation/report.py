@@ -7,11 +7,21 @@ import click
 
 from eigenmotion.building.request import Request, request
 from eigenmotion.presentation.figures import require_matplotlib
-from eigenmotion.progress import bar
 from eigenmotion.report import ReportOptions, examine
 from eigenmotion.report.output import recommendation, write_report
 
-from ..options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, folder, setting, values
+from ..options import (
+    ABOVE_ZERO,
+    assignments,
+    bar_until_interrupted,
+    check_writable,
+    define,
+    distinct,
+    ending,
+    folder,
+    setting,
+    values,
+)
 
 
 @click.command("report")
@@ -57,7 +67,7 @@ def command(
 def _report(requests: list[Request], options: list[ReportOptions], output: Path, everything: bool) -> None:
     reports = []
     for each, settings in zip(requests, options, strict=True):
-        with bar(each.model.name) as progress:
+        with bar_until_interrupted(each.model.name) as progress:
             reports.append(examine(each.model, settings, progress))
     page, *others = write_report(reports, output, everything)
     advice = {report.name: recommendation(report) for report in reports}

@@ -7,7 +7,6 @@ import click
 
 from eigenmotion.building.request import request
 from eigenmotion.presentation.figures import require_matplotlib
-from eigenmotion.progress import bar
 from eigenmotion.stability import (
     BUDGET,
     CASES,
@@ -21,7 +20,17 @@ from eigenmotion.stability import (
     write_matrix,
 )
 
-from ..options import ABOVE_ZERO, assignments, check_writable, define, ending, folder, setting, values
+from ..options import (
+    ABOVE_ZERO,
+    assignments,
+    bar_until_interrupted,
+    check_writable,
+    define,
+    ending,
+    folder,
+    setting,
+    values,
+)
 
 _WORKERS = min(2, os.cpu_count() or 1)
 
@@ -57,7 +66,8 @@ def command(
 
     Without a MODEL: runs the built-in cases, which takes a quarter of an hour.
 
-    Writes stability.html, stability.json and the pictures. Exits with 3 if a run that reports success is wrong.
+    Writes stability.html, stability.json and the pictures. Exits with 3 if a run that reports success is wrong. Ctrl-C
+    ends a MODEL's examination with what was found until then.
     """
     if model is None and (settings or define):
         raise click.UsageError("--set and -D are for a MODEL: name one")
@@ -75,15 +85,16 @@ def _own(
     workers: int,
 ) -> int:  # fmt: skip
     model = request(file, assignments(define, "-D")).model
-    with bar(model.name) as progress:
+    with bar_until_interrupted(model.name) as progress:
         found = limits_of(
             model, values(model, settings), t_end=t_end, budget=budget, workers=workers, progress=progress
         )  # fmt: skip
-    return _told(summary_of(found), write_limits(found, output), found.matrix)
+    code = _told(summary_of(found), write_limits(found, output), found.matrix)
+    return 130 if found.interrupted else code
 
 
 def _built_in(names: tuple[str, ...], output: Path, workers: int) -> int:
-    with bar("stability") as progress:
+    with bar_until_interrupted("stability") as progress:
         matrix: Matrix = survey(names or tuple(CASES), workers, progress)
     return _told(summary(matrix), write_matrix(matrix, output), matrix)
 

@@ -1,12 +1,12 @@
 """Stability matrix: all points of all cases, examined in parallel."""
 
-import multiprocessing
 import time
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from typing import TypeVar
 
+from ...comparison.interrupts import Pool
 from ...progress import Progress, part
 from ..cases.case import Case
 from ..cases.catalogue import CASES
@@ -59,7 +59,7 @@ def survey(names: Sequence[str], workers: int, progress: Progress, reduced: bool
     if workers <= 1:
         results = _in_turn(points, progress)
     else:
-        with _pool(workers) as pool:
+        with Pool(workers) as pool:
             results = _in_parallel(pool, points, progress)
     return Matrix(tuple(results[one] for one in points), time.perf_counter() - begin, workers)
 
@@ -70,11 +70,6 @@ def _in_turn(points: Sequence[CaseValue], progress: Progress) -> dict[CaseValue,
         results[name, value] = examine(CASES[name], value)
         progress((k + 1) / len(points), name)
     return results
-
-
-def _pool(workers: int) -> ProcessPoolExecutor:
-    """Return a pool of new processes, since forks of a process with threads may hang."""
-    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
 
 
 def _in_parallel(pool: ProcessPoolExecutor, points: Sequence[CaseValue], progress: Progress

@@ -1,10 +1,9 @@
 """Examination of a user's model within a time budget: builds, search, and the points one after the other."""
 
-import multiprocessing
 import os
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field
 
 from ...building.errors import BuildError
@@ -12,6 +11,7 @@ from ...building.request import request
 from ...codegen.choices import FORMULATIONS
 from ...codegen.model import Model, ModelError
 from ...comparison.deadline import Deadline
+from ...comparison.interrupts import SPAWN, Pool, ends_silently, starting
 from ...progress import Progress
 from ..cases.case import Case, power
 from ..evaluation.examine import PointResult, examine
@@ -36,6 +36,7 @@ class Limits:
     unbuilt : formulations that do not exist for the model, and why
     searched : in words, for singular positions
     left_out : (case title, labels of points) that the budget did not allow
+    interrupted : whether Ctrl-C ended the examination
     """
 
     own: Subject
@@ -44,6 +45,7 @@ class Limits:
     unbuilt: tuple[tuple[str, str], ...]
     searched: tuple[str, ...]
     left_out: tuple[tuple[str, tuple[str, ...]], ...]
+    interrupted: bool = False
 
 
 def limits_of(
@@ -84,10 +86,11 @@ def limits_of(
     searched = searches(own, deadline.sooner(max(_LEAST, _SEARCH * budget)))
     cases = families(own, [one.found for one in searched if one.found])
     points = in_order(cases)
-    results = _examined(cases, points, clock, workers)
+    results, interrupted = _examined(cases, points, clock, workers)
     done = tuple(results[place] for case in cases for place in _sorted(case) if place in results)
     matrix = Matrix(done, time.monotonic() - begin, workers, tuple(cases))
-    return Limits(own, matrix, budget, unbuilt, tuple(one.words for one in searched), _left_out(cases, results))
+    return Limits(own, matrix, budget, unbuilt, tuple(one.words for one in searched), _left_out(cases, results),
+                  interrupted)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -145,19 +148,18 @@ def _built(model: Model, clock: _Clock) -> tuple[tuple[str, ...], tuple[tuple[st
 
 def _in_time(model: Model, name: str, seconds: float) -> bool:
     """Build in a process that is ended if it takes too long; the result is then in the cache."""
-    builder = _SPAWN.Process(target=_try_to_build, args=(model, name), daemon=True)
-    builder.start()
-    builder.join(seconds)
-    if builder.is_alive():
+    builder = SPAWN.Process(target=_try_to_build, args=(model, name), daemon=True)
+    with starting():
+        builder.start()
+    try:
+        builder.join(seconds)
+        return not builder.is_alive()
+    finally:
         builder.terminate()
-        return False
-    return True
-
-
-_SPAWN = multiprocessing.get_context("spawn")
 
 
 def _try_to_build(model: Model, name: str) -> None:
+    ends_silently()
     try:
         system_of(model, name)
     except (ModelError, BuildError):  # the caller meets the same error
@@ -166,15 +168,21 @@ def _try_to_build(model: Model, name: str) -> None:
 
 def _examined(
     cases: Sequence[Case], points: Sequence[_PLACE], clock: _Clock, workers: int
-) -> dict[_PLACE, PointResult]:
+) -> tuple[dict[_PLACE, PointResult], bool]:
+    """Return the results, and whether Ctrl-C ended the examination after some of them."""
     known = {case.name: case for case in cases}
     results: dict[_PLACE, PointResult] = {}
     each = max(_LEAST, _POINT * clock.budget)
-    for place, result in _stream(known, points, Pace(Deadline(clock.until)), each, workers):
-        if result.cells or not results:
-            results[place] = result
-        clock(f"{len(results)} of {len(points)} points, {known[place[0]].title}")
-    return results
+    try:
+        for place, result in _stream(known, points, Pace(Deadline(clock.until)), each, workers):
+            if result.cells or not results:
+                results[place] = result
+            clock(f"{len(results)} of {len(points)} points, {known[place[0]].title}")
+    except KeyboardInterrupt:
+        if not results:
+            raise
+        return results, True
+    return results, False
 
 
 @dataclass
@@ -213,12 +221,12 @@ def _stream(
             pace.end(begin)
             yield (name, value), result
         return
-    with ProcessPoolExecutor(workers, mp_context=_SPAWN, initializer=_take, initargs=(known,)) as pool:
+    with Pool(workers, _take, (known,)) as pool:
         yield from _fed(pool, iter(points), pace, each, workers)
 
 
 def _fed(
-    pool: ProcessPoolExecutor, points: Iterator[_PLACE], pace: Pace, each: float, workers: int
+    pool: Pool, points: Iterator[_PLACE], pace: Pace, each: float, workers: int
 ) -> Iterator[tuple[_PLACE, PointResult]]:
     running: dict[Future[PointResult], tuple[_PLACE, float]] = {}
     while True:

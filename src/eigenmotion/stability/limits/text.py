@@ -18,6 +18,8 @@ def summary_of(found: Limits) -> tuple[str, ...]:
 
 def _lines(found: Limits) -> Iterator[str]:
     matrix = found.matrix
+    if found.interrupted:
+        yield f"interrupted after {len(matrix.points)} of {_count(found)} points: the rest was not run"
     yield (
         f"{found.own.model.name}: {len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: "
         f"{counted(matrix)}."
@@ -113,6 +115,10 @@ def _doubts(found: Limits) -> Iterator[str]:
         yield f"no independent reference in {len(points)} points: {places(found.matrix, points)}"
 
 
+def _count(found: Limits) -> int:
+    return len(found.matrix.points) + sum(len(labels) for _, labels in found.left_out)
+
+
 def _rest(found: Limits) -> Iterator[str]:
     """Yield what was not run."""
     count = sum(len(labels) for _, labels in found.left_out)
@@ -124,5 +130,5 @@ def _rest(found: Limits) -> Iterator[str]:
     if runs:
         points = [point for point in found.matrix.points if point.left_out]
         yield f"not run, {runs} runs of points that took too long: {places(found.matrix, points)}"
-    if count or runs or any("budget" in why for _, why in found.unbuilt):
+    if not found.interrupted and (count or runs) or any("budget" in why for _, why in found.unbuilt):
         yield f"the budget of {found.budget:g} s was too short for these: raise --budget"
