@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.results.between_rows import passages
 
-from ..support.generation import system_for
+from ..support.generation import system_for, system_of
 
 q, z, u = dynamicsymbols("q z u")
 TOLERANCES = {"rtol": 1e-10, "atol": 1e-10}
@@ -139,6 +139,24 @@ def test_a_motion_is_known_where_a_coordinate_passes_values(run):
     np.testing.assert_allclose(found.outputs["pull"], -places, atol=1e-8)
     back = system_for(_spring()).simulate((0, -3), dense_output=True, **TOLERANCES).over("q", [0.5])
     np.testing.assert_allclose(back.t, -np.arccos(0.5), atol=1e-8)
+
+
+def test_multipliers_have_the_names_of_their_rows():
+    """A puck on a floor, between two rails, that rubs in two directions."""
+    x, y, z = dynamicsymbols("x y z")
+    model = em.Model(
+        name="named_rows", coordinates=[x, y, z], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
+        potential_energy=9.81 * z, holonomic_constraints={"rail": [y, 2 * y]}, initial={x.diff(): 1.0},
+        contacts={"floor": em.Contact(z), "rub": em.Friction((x.diff(), y.diff()), limit=2.0)},
+    )  # fmt: skip
+    system = system_for(model, "lagrange")
+    run = system.simulate((0, 0.1))
+    names = ["lambda_rail[0]", "lambda_rail[1]", "lambda_floor", "lambda_rub[0]", "lambda_rub[1]"]
+    assert [name for name in run.table() if name.startswith("lambda")] == names
+    np.testing.assert_allclose(run.table()["lambda_floor"], -9.81)
+    np.testing.assert_array_equal([run.table()[name] for name in names], run.multipliers)
+    unnamed = system_of("four_bar", "lagrange").simulate((0, 0.1)).table()
+    assert [name for name in unnamed if name.startswith("lambda")] == ["lambda0", "lambda1"]
 
 
 def test_the_ends_of_a_motion_are_reached_to_rounding():

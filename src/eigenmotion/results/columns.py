@@ -3,6 +3,8 @@
 from collections import Counter
 from collections.abc import Collection, Sequence
 
+from ..runtime import CompiledModel
+
 
 def columns(ours: Collection[str], users: Sequence[tuple[str, str]]) -> list[str]:
     """Return a column name for each (kind, name) of the user's.
@@ -28,3 +30,12 @@ def moving(ours: Collection[str], coordinates: Sequence[str]) -> list[str]:
     return columns(
         ours, [*(("coordinate", name) for name in coordinates), *(("rate", f"{name}'") for name in coordinates)]
     )
+
+
+def reactions(model: CompiledModel) -> tuple[str, ...]:
+    """Return the columns of multipliers: lambda_NAME of rows with names, contacts and frictions, else lambda0, ..."""
+    names = {k: f"_{name}" for k, name in enumerate(model.row_names) if name != f"row {k}"}
+    for event, _, _, row, _, shift, _ in model.switches:
+        cone = shift >= 0
+        names |= {row + k: f"_{model.events[event]}{f'[{k}]' * cone}" for k in range(1 + cone)}
+    return tuple(f"lambda{names.get(k, k)}" for k in range(model.m))

@@ -18,7 +18,7 @@ from ..presentation.tables import as_csv
 from ..presentation.units import force_unit, power_unit, time_unit, unit_of, with_unit
 from ..runtime import CompiledModel, Prepared
 from .between_rows import between
-from .columns import columns, moving
+from .columns import columns, moving, reactions
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times
 from .pictures.driven_motion import Lines, driven_motion
 from .pictures.labelled_lines import label
@@ -185,7 +185,7 @@ class Drive:
 
         Behind these are forces, powers, multipliers, outputs, states and inputs.
         """
-        ours = ["t", *(f"lambda{k}" for k in range(self.model.m))]
+        ours = ["t", *reactions(self.model)]
         motion = moving(ours, self.coordinates)
         marked = [*motion, *(f"{name}''" for name in self.coordinates)]
         others = {

@@ -8,14 +8,14 @@ from typing import Any
 from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError
 from ..presentation.units import time_unit, unit_of
-from .columns import columns, moving
+from .columns import columns, moving, reactions
 from .trajectory import Trajectory
 
 
 def table(rows: Trajectory) -> dict[str, Vector]:
     """Return column -> (k,): t, coordinates, rates (marked '), multipliers, energy, outputs, states."""
     model, n = rows.model, rows.n
-    ours = ["t", *(f"lambda{k}" for k in range(model.m)), "energy"]
+    ours = ["t", *reactions(model), "energy"]
     coordinates = model.coordinates[:n]
     motion = moving(ours, coordinates)
     others = [*(("output", name) for name in rows.outputs), *(("state", name) for name in rows.states)]

@@ -327,8 +327,8 @@ class Solution(dict[str, Any]):
     def table(self) -> dict[str, Vector]:
         """Return column -> (k,): t, coordinates, rates (marked '), multipliers, energy, outputs, states.
 
-        A column has the name of its quantity. Multipliers are lambda0, lambda1, ... If a name is taken, its kind is put
-        before it, as in output_energy.
+        A column has the name of its quantity. Multipliers are lambda_NAME of rows with names, and else lambda0,
+        lambda1, ... If a name is taken, its kind is put before it, as in output_energy.
 
         Raises
         ------

@@ -57,7 +57,7 @@ class PointModel:
     acting: tuple[bool, ...]
     rotations: tuple[tuple[int, int, int], ...]
     """Coordinates that are modified Rodrigues parameters and may be replaced by their shadow set."""
-    switches: tuple[tuple[int, int, int, int, int, int], ...]
+    switches: tuple[tuple[int, int, int, int, int, int, int], ...]
     has_cones: bool
     acts: bool
     shapes: tuple[tuple[str, int, int, Vector | None], ...]

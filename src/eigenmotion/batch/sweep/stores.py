@@ -175,13 +175,12 @@ def _save_csv(parts: Parts, path: Path) -> None:
 
 def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterator[list[Any]]]:
     """Return the names of the columns, and the lines, one for each run and time."""
-    reactions = [f"lambda{k}" for k in range(arrays["multipliers"].shape[1])]
-    ours = ["run", "t", *reactions, "energy", "t_end", "stop"]
+    ours = ["run", "t", *parts.reactions, "energy", "t_end", "stop"]
     motion = moving(ours, parts.coordinates)
     named = _named(arrays, {*ours, *motion, *parts.coordinates})
     swept, outputs = ({column: arrays[key] for key, column in named.items() if key.startswith(kind)}
                       for kind in (_SWEPT, _OUTPUT))  # fmt: skip
-    head = ["run", *swept, "t", *motion, *reactions, "energy", *outputs, "t_end", "stop"]
+    head = ["run", *swept, "t", *motion, *parts.reactions, "energy", *outputs, "t_end", "stop"]
 
     def rows() -> Iterator[list[Any]]:
         for k in range(len(arrays["t_end"])):

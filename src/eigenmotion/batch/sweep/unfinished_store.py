@@ -37,7 +37,8 @@ _LOCK, _OF = "lock", "of"
 class Parts:
     """The parts of one sweep.
 
-    order : the description of the sweep, as JSON data; time (nt,), coordinates (n,) : common to all runs
+    order : the description of the sweep, as JSON data; time (nt,), coordinates (n,), reactions (m,), the columns of
+    multipliers : common to all runs
     """
 
     store: Path
@@ -45,6 +46,7 @@ class Parts:
     count: int
     time: NDArray[np.float64]
     coordinates: tuple[str, ...]
+    reactions: tuple[str, ...]
 
     @property
     def folder(self) -> Path:

@@ -22,6 +22,7 @@ from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.presentation.figures import FORMATS, require_matplotlib
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock, counted, duration
+from eigenmotion.results.columns import reactions
 from eigenmotion.results.output import ensemble_plot
 from eigenmotion.runtime import EvaluationError
 from eigenmotion.system.system import System
@@ -98,7 +99,7 @@ def command(
     order = _order_of(
         design, arguments, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk
     )
-    parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates)
+    parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates, reactions(system.compiled))
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), arguments)
     with parts.locked():
         if resume and is_done(parts):
