@@ -11,7 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.webpage.faces import around
-from eigenmotion.webpage.mathml import label, mathml
+from eigenmotion.webpage.mathml import in_words, label, mathml
 from eigenmotion.webpage.page import Run, about, summary
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -49,6 +49,33 @@ def test_equations_are_spaced_as_latex_does():
     assert "<mtext>otherwise</mtext>" in cases
 
 
+def test_rates_of_words_are_apart():
+    swing, rope = dynamicsymbols("swing rope")
+    product = mathml(2 * swing.diff() * rope.diff() * Symbol("m"))
+    assert product.count("<mspace width='0.1667em'/>") == 3  # around each rate
+    assert "<mspace" not in mathml(2 * dynamicsymbols("q").diff() * dynamicsymbols("r").diff())
+
+
+def test_names_of_several_words_stay_as_they_are():
+    assert in_words("contact_force") == "<math><mtext>contact_force</mtext></math>"
+    for name in ("tension", "x_tip", "theta_max"):
+        assert in_words(name) == label(Symbol(name))
+
+
+def multiplier_of(name: str) -> str:
+    return f"<math><msub><mi>λ</mi><mtext>{name}</mtext></msub></math>"
+
+
+def in_space() -> em.Model:
+    """A point on a floor, with friction in both directions."""
+    x, y, z = dynamicsymbols("x y z")
+    return em.Model(
+        name="puck", coordinates=[x, y, z], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
+        potential_energy=10 * z, initial={x.diff(): 1.0},
+        contacts={"floor": em.Contact(z), "slip": em.Friction([x.diff(), y.diff()], limit=0.3, normal="floor")},
+    )  # fmt: skip
+
+
 def test_multipliers_have_the_names_of_rows_and_contacts():
     told = about(em.load_model(MODELS / "gripper.py"), Run(), True)
     assert [one["name"] for one in told["multipliers"]] == [
@@ -56,9 +83,11 @@ def test_multipliers_have_the_names_of_rows_and_contacts():
     ]
     assert [one["name"] for one in told["outputs"]] == ["gap", "rod"]
     told = about(em.load_model(MODELS / "pendulum_with_stop.py"), Run(), True)
-    assert told["multipliers"] == [{"name": "wall", "label": "λ<sub>wall</sub>"}]
+    assert told["multipliers"] == [{"name": "wall", "label": multiplier_of("wall")}]
     told = about(em.load_model(MODELS / "four_bar.py"), Run(), True)
-    assert [one["label"] for one in told["multipliers"]] == ["λ<sub>0</sub>", "λ<sub>1</sub>"]
+    assert [one["label"] for one in told["multipliers"]] == [multiplier_of("0"), multiplier_of("1")]
+    told = about(in_space(), Run(), True)
+    assert [one["name"] for one in told["multipliers"]] == ["floor", "slip[0]", "slip[1]"]
 
 
 def test_sliders_begin_where_they_are_told_to():

@@ -116,6 +116,20 @@ def test_named_multipliers_have_axes_and_numbered_ones_none():
     np.testing.assert_allclose(ends, [-2.0, -3.0], atol=1e-9)  # -A^T lambda carries the weights
 
 
+def test_multipliers_of_contacts_and_frictions_have_their_names():
+    z = dynamicsymbols("z")
+    model = em.Model(
+        name="stone", coordinates=[x, y, z], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + z.diff() ** 2) / 2,
+        potential_energy=10 * z, initial={x.diff(): 3.0, y.diff(): 4.0},
+        contacts={"floor": em.Contact(z), "slip": em.Friction([x.diff(), y.diff()], limit=0.3, normal="floor")},
+    )  # fmt: skip
+    run = system_for(model, "lagrange").simulate((0, 1), dense_output=True)
+    _, floor, slip, _ = run.plot().axes
+    assert (floor.get_ylabel(), slip.get_ylabel()) == ("multiplier of floor", "multipliers of slip")
+    np.testing.assert_allclose(lines(floor)[0].get_ydata(), -10.0, atol=1e-9)  # -A^T lambda carries the weight
+    assert [line.get_label() for line in lines(slip)] == ["slip[0]", "slip[1]"]
+
+
 def test_medians_join_swept_values_and_not_sampled_ones():
     swept = {"k": np.array([1.0, 1.0, 1.0, 2.0, 2.0]), "m": np.arange(5.0)}
     final = np.array([[1.0], [2.0], [9.0], [4.0], [np.nan]])
@@ -139,6 +153,18 @@ def test_a_coordinate_takes_the_place_of_the_time():
     assert [list(row.get_positions()) for row in strip.collections] == [list(places[:, 0]) for places in run.y_events]
     circle, _ = run.plot("y'", over="y").axes  # which turns back
     assert circle.get_xlim() == (pytest.approx(-1, abs=1e-3), pytest.approx(1, abs=1e-3))
+
+
+def test_units_are_raised_in_pictures():
+    model = em.Model(name="fall", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=-10 * x,
+                     outputs={"g": 10 * x.diff() ** 0, "p": x.diff()},
+                     units={x: "m", "g": "m/s^2", "p": "kg m s^-1", "energy": "kg m^2/s^2", "time": "s"})  # fmt: skip
+    run = system_for(model, "lagrange").simulate((0, 1), dense_output=True)
+    assert [axes.get_ylabel() for axes in run.plot().axes] == ["$x$ [m]", "$g$ [m/s²]", "$p$ [kg·m·s⁻¹]"]
+    assert run.plot("energy", over="x").axes[0].get_xlabel() == "$x$ [m]"
+    assert run.plot("energy").axes[0].get_ylabel() == "energy [kg·m²/s²]"
+    head, _, _ = run.at([0, 1]).to_csv().partition("\n")
+    assert head == "t [s],x [m],x' [m/s],energy [kg m^2/s^2],g [m/s^2],p [kg m s^-1]"  # as given
 
 
 def test_axes_are_named_by_what_is_on_them():

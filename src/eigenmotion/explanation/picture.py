@@ -6,7 +6,7 @@ from typing import Any
 from ..codegen.anatomy import Variation
 from ..codegen.equations.specialise import Block
 from ..presentation.figures import BLUE, SKY, VERMILION, blank, plain_text
-from ..presentation.units import unit_of, with_unit
+from ..presentation.units import on_axis, unit_of
 from .savings import Savings
 from .sentences import sentences, short
 
@@ -19,7 +19,7 @@ _KEY = (("varies", BLUE), ("of time alone", "#7a9cc6"), ("constant", SKY), ("zer
 
 def figure(found: Savings) -> Any:
     """Return the figure: matrices above, lines of text below."""
-    names = [short(with_unit(name, unit_of(found.units, name))) for name in found.anatomy.names]
+    names = [short(on_axis(name, unit_of(found.units, name))) for name in found.anatomy.names]
     rows = [short(name) for name in found.rows]
     left = max(len(name) for name in (*names, *rows)) * _LETTER + 0.3
     side = min(_WIDTH - left - 0.2, max(1.5, 0.42 * len(names)))

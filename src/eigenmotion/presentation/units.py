@@ -1,5 +1,6 @@
 """Units as words behind names: of axes, sliders and columns. A model without units has none anywhere."""
 
+import re
 from collections.abc import Mapping
 
 Units = Mapping[str, str] | None
@@ -56,7 +57,7 @@ def time_unit(units: Units) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """Return a text with its unit in brackets.
+    """Return a text with its unit in brackets, as it was given: for files, and for the terminal.
 
     Examples
     --------
@@ -64,3 +65,29 @@ def with_unit(text: str, unit: str) -> str:
     ('theta [rad]', 'theta')
     """
     return f"{text} [{unit}]" if unit else text
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def in_print(unit: str) -> str:
+    """Return a unit as it is printed, with raised powers and points between factors; pages do the same.
+
+    Examples
+    --------
+    >>> in_print("kg m^2/s^2"), in_print("N*m"), in_print("s^-1")
+    ('kg·m²/s²', 'N·m', 's⁻¹')
+    """
+    raised = re.sub(r"(?:\^|\*\*)(-?\d+)", lambda power: power[1].translate(_RAISED), unit)
+    return re.sub(r"(?<=\S) +(?=\S)", "·", raised).replace("*", "·")
+
+
+def on_axis(text: str, unit: str) -> str:
+    """Return a text with its unit in brackets, for pictures.
+
+    Examples
+    --------
+    >>> on_axis("a", "m/s^2"), on_axis("a", "")
+    ('a [m/s²]', 'a')
+    """
+    return with_unit(text, in_print(unit))

@@ -15,7 +15,7 @@ from ..codegen.model.normalise import ModelError
 from ..files import write
 from ..presentation.figures import plain_text
 from ..presentation.tables import as_csv
-from ..presentation.units import force_unit, power_unit, time_unit, unit_of, with_unit
+from ..presentation.units import force_unit, on_axis, power_unit, time_unit, unit_of, with_unit
 from ..runtime import CompiledModel, Prepared
 from .between_rows import between
 from .columns import columns, moving, reactions
@@ -146,7 +146,7 @@ class Drive:
             for name, row in zip(self.actuators, self.forces, strict=True)
             if name in self.coordinates
         }
-        along = with_unit("time $t$", plain_text(time_unit(units))), self.t
+        along = on_axis("time $t$", plain_text(time_unit(units))), self.t
         lines = self._chosen(names) if names else self._standard()
         return driven_motion(self.model.name, along, lines, speeds, self.drawing)
 
@@ -158,7 +158,7 @@ class Drive:
             words = [self.units[prefix + name] for name in names]
             for unit in dict.fromkeys(words):
                 of = [k for k, word in enumerate(words) if word == unit]
-                lines.append((with_unit(kind, plain_text(unit)), [names[k] for k in of], values[of]))
+                lines.append((on_axis(kind, plain_text(unit)), [names[k] for k in of], values[of]))
         return lines
 
     def _chosen(self, names: Sequence[str]) -> list[Lines]:
@@ -166,7 +166,7 @@ class Drive:
         if missing := set(names) - set(known[1:]):
             raise ModelError(f"{self.model.name}: {unknown('column', missing, known[1:])}")
         places = [known.index(name) for name in names]
-        words = [with_unit(label(name), plain_text(self.units.get(name, ""))) for name in names]
+        words = [on_axis(label(name), plain_text(self.units.get(name, ""))) for name in names]
         return [(word, [name], rows[:, [k]].T) for word, name, k in zip(words, names, places, strict=True)]
 
     @property

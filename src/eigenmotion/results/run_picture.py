@@ -8,7 +8,7 @@ import numpy as np
 from ..arguments.named_values import Vector, unknown
 from ..codegen.model.normalise import ModelError
 from ..presentation.figures import plain_text
-from ..presentation.units import time_unit, with_unit
+from ..presentation.units import on_axis, time_unit
 from .motion_table import table, units_of_columns
 from .pictures.labelled_lines import label
 from .pictures.motion_over_time import Panel, motion_over_time
@@ -47,9 +47,9 @@ def run_picture(
     rates = list(columns)[rows.n + 1 : 2 * rows.n + 1]  # over its only coordinate, a model may have nothing else
     chosen = panels.chosen(names) if names else panels.standard(rows) or panels.chosen(rates)
     happened = places if places is not None else [np.empty(0)] * len(model.events)
-    along = with_unit("time $t$", plain_text(time_unit(model.units))), rows.t
+    along = on_axis("time $t$", plain_text(time_unit(model.units))), rows.t
     if over is not None:
-        along = with_unit(label(over), plain_text(units.get(over, ""))), columns[over]
+        along = on_axis(label(over), plain_text(units.get(over, ""))), columns[over]
     return motion_over_time(
         model.name.replace("_", " "), along, chosen, dict(zip(model.events, happened, strict=True)), drawing
     )
@@ -77,9 +77,11 @@ class _Panels:
         return [*motion, *measured, *others, *self._multipliers(rows)]
 
     def _multipliers(self, rows: Trajectory) -> list[Panel]:
-        """Return the multipliers of rows with names: the rows of each name on axes of their own, if names are few."""
-        labels = rows.model.row_names  # "row 2" for the third row, if it has no name
-        named = {name: rows.multipliers[:, k] for k, name in enumerate(labels) if name != f"row {k}"}
+        """Return the multipliers of rows with names: the rows of each name on axes of their own, if names are few.
+
+        Contacts and frictions name theirs.
+        """
+        named = {name: rows.multipliers[:, k] for k, name in _names_of_rows(rows).items()}
         groups: dict[str, dict[str, Vector]] = {}
         for name, values in named.items():
             groups.setdefault(name.partition("[")[0], {})[name] = values
@@ -106,4 +108,14 @@ class _Panels:
 
     def _panel(self, text: str, names: Sequence[str]) -> Panel:
         unit = plain_text(self.units.get(names[0], ""))
-        return with_unit(text, unit), {name: self.columns[name] for name in names}
+        return on_axis(text, unit), {name: self.columns[name] for name in names}
+
+
+def _names_of_rows(rows: Trajectory) -> dict[int, str]:
+    """Return the number of a constraint row -> its name, for those that have one, or that a contact or friction has."""
+    model = rows.model
+    names = {k: name for k, name in enumerate(model.row_names) if name != f"row {k}"}
+    for event, _, _, row, _, shift, _ in model.switches:
+        name, is_cone = model.events[event], shift >= 0
+        names |= {row: f"{name}[0]", row + 1: f"{name}[1]"} if is_cone else {row: name}
+    return dict(sorted(names.items()))

@@ -18,8 +18,11 @@ _TALL = 4000
 _TIMES = "<mo>&#x2062;</mo>"
 _THIN = "<mspace width='0.1667em'/>"
 _WORD = "<mi>[A-Za-z]{2,}</mi>"
+_RATE_OF_WORD = rf"<mover>{_WORD}<mo>(?:·|&#183;)+</mo></mover>"
 _NAMED = rf"(?:<mrow>)?(?:<msu[bp]>)?{_WORD}"
 """The beginning of a function or symbol with a name of several letters, also of a power of it"""
+_WORD_LENGTH = 3
+"""Letters from which the beginning of a name is a word"""
 _HASH = r"__[0-9a-f]{32,}"
 """What the name of a table has behind the user's name"""
 
@@ -99,13 +102,22 @@ def _spaced(text: str) -> str:
     text = text.replace("<mo>&InvisibleTimes;</mo>", _TIMES).replace("<mo>-</mo>", "<mo>&#x2212;</mo>")
     text = text.replace("<mo><</mo>", "<mo>&lt;</mo>")
     text = re.sub(rf"{_TIMES}(?={_NAMED}|<mfrac>)", f"{_TIMES}{_THIN}", text)
-    text = re.sub(rf"(</mo></mrow></mrow>|{_WORD}){_TIMES}(?!{_THIN})", rf"\1{_TIMES}{_THIN}", text)
+    text = re.sub(rf"(</mo></mrow></mrow>|{_WORD}|{_RATE_OF_WORD}){_TIMES}(?!{_THIN})", rf"\1{_TIMES}{_THIN}", text)
+    text = re.sub(rf"{_TIMES}(?!{_THIN})(?=(?:<msup>)?<mover>{_WORD})", f"{_TIMES}{_THIN}", text)
     return re.sub(rf"(<mi>[^<]*?){_HASH}", r"\1", text)
 
 
 def label(symbol: sympy.Basic) -> str:
     """Return the formula of a name or a rate."""
     return f"<math>{mathml(symbol)}</math>"
+
+
+def in_words(name: str) -> str:
+    """Return the formula of a symbol; a name of several words, such as contact_force, stays as it is."""
+    first, *others = name.split("_")
+    if others and len(first) >= _WORD_LENGTH and mathml(sympy.Symbol(first)) == f"<mi>{first}</mi>":  # no Greek letter
+        return f"<math><mtext>{escape(name)}</mtext></math>"
+    return label(sympy.Symbol(name))
 
 
 def formulas(equations: Equations) -> Iterator[str]:

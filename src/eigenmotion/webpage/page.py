@@ -11,7 +11,6 @@ from importlib.resources import files
 from typing import Any
 
 from jinja2 import Environment, FunctionLoader, StrictUndefined
-from sympy import Symbol
 
 from ..building.request import Request
 from ..codegen.compiler import program
@@ -21,7 +20,7 @@ from ..codegen.model.table import TableHandle
 from ..presentation.units import time_unit, unit_of
 from ..runtime.status.stop_reasons import StopReason, explain
 from .faces import faces
-from .mathml import formulas, label
+from .mathml import formulas, in_words, label
 from .three import Three
 from .wasm import module
 
@@ -124,7 +123,7 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
             for u, value in model.inputs
         ],
         "outputs": [
-            {"name": name, "label": label(Symbol(name)), "unit": unit_of(units, name)} for name, _ in model.outputs
+            {"name": name, "label": in_words(name), "unit": unit_of(units, name)} for name, _ in model.outputs
         ],
         "multipliers": _multipliers(model),
         "dimension": model.drawing[0].dimension if model.drawing else 0, "shapes": shapes,
@@ -150,8 +149,13 @@ def _multipliers(model: Model) -> list[dict[str, str]]:
     names = list(model.row_names or ("",) * model.m)
     for one in model.switches:
         row = one.row if one.slides is None else model.h + one.row
-        names[row] = names[row] or one.name
-    return [{"name": name, "label": f"λ<sub>{escape(name or str(k))}</sub>"} for k, name in enumerate(names)]
+        own = (f"{one.name}[0]", f"{one.name}[1]") if one.cone else (one.name,)
+        names[row : row + len(own)] = own
+    return [{"name": name, "label": _label_of_multiplier(name or str(k))} for k, name in enumerate(names)]
+
+
+def _label_of_multiplier(name: str) -> str:
+    return f"<math><msub><mi>λ</mi><mtext>{escape(name)}</mtext></msub></math>"
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from ..building.errors import BuildError
 from ..building.request import request
 from ..codegen.model import Model, ModelError
 from ..files import write
-from .page import Run, page
+from .page import Place, Run, page
 from .three import Three, three
 
 _HEIGHT = 640  # [pixel] of a frame in a notebook
@@ -57,6 +57,7 @@ def show(
     rtol: float = 1e-9,
     atol: float = 1e-9,
     formulation: str | None = None,
+    embed: bool = False,
     **keywords: Any,
 ) -> Page:
     """Return an interactive page of a model: one file that contains its C as WebAssembly and needs no network.
@@ -67,6 +68,8 @@ def show(
         A Model, or the file that defines one; `keywords` are arguments of the file's function.
     t_end, rtol, atol
         Duration [s] and tolerances of the runs.
+    embed
+        Whether the page is for a frame in a page of yours: compact, and it reports its height.
 
     Raises
     ------
@@ -86,7 +89,7 @@ def show(
     requested = request(source, with_meshes(source, keywords), formulation=formulation)
     text = "" if isinstance(source, Model) else Path(source).read_text(encoding="utf-8")
     library, missing = of_space(requested.model)
-    return Page(page(requested, text, Run(t_end, rtol, atol), library), missing)
+    return Page(page(requested, text, Run(t_end, rtol, atol), library, Place(embed)), missing)
 
 
 def with_meshes(source: object, definitions: Mapping[str, object]) -> dict[str, object]:

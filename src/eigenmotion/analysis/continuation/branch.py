@@ -10,7 +10,7 @@ from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
 from ...compiled.compiled_system import CompiledSystem
 from ...presentation.notebook import table
-from ...presentation.units import time_unit, unit_of, with_unit
+from ...presentation.units import on_axis, time_unit, unit_of
 from .curve import Place
 from .cycle_curve import CycleCurve
 from .equilibrium_curve import EquilibriumCurve
@@ -139,10 +139,10 @@ class Branch:
             raise ModelError(f"{self.system.name}: no {named!r} to draw; known are {known}")
         lines = [line for one in (self, *others) for line in one._lines(named)]
         units = self.system.units
-        label = with_unit("period", time_unit(units)) if named == "period" else with_unit(named, unit_of(units, named))
+        label = on_axis("period", time_unit(units)) if named == "period" else on_axis(named, unit_of(units, named))
         if named != "period" and any(one.of_cycles for one in (self, *others)):
             label = f"largest and least {label}"
-        return drawn(self.system.name, with_unit(self.name, unit_of(units, self.name)), label, lines)
+        return drawn(self.system.name, on_axis(self.name, unit_of(units, self.name)), label, lines)
 
     def _widest(self) -> str:
         spans = {name: float(np.ptp([*self.highest[name], *self.lowest[name]])) for name in self.highest}

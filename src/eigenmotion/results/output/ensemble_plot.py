@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLUE, blank, plain_text, uncluttered
-from ...presentation.units import Units, time_unit, unit_of, with_unit
+from ...presentation.units import Units, on_axis, time_unit, unit_of
 
 _BAND = (5, 95)  # percentiles
 
@@ -26,7 +26,7 @@ def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64
         uncluttered(one)
     axes[0].set_title(title)
     axes[0].legend(loc="upper left", frameon=False)
-    axes[-1].set_xlabel(with_unit("time $t$", plain_text(time_unit(units))))
+    axes[-1].set_xlabel(on_axis("time $t$", plain_text(time_unit(units))))
     return figure
 
 
@@ -86,4 +86,4 @@ def _medians(values: Vector, final: Vector) -> tuple[Vector, Vector]:
 def _named(name: str, units: Units, more: str = "") -> str:
     """Return a name with its unit; a rate is marked ', and an initial value (0)."""
     plain = name.removesuffix("(0)")
-    return plain_text(with_unit(name + more, unit_of(units, plain.rstrip("'"), len(plain) - len(plain.rstrip("'")))))
+    return plain_text(on_axis(name + more, unit_of(units, plain.rstrip("'"), len(plain) - len(plain.rstrip("'")))))

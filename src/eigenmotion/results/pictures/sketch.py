@@ -6,7 +6,7 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLACK, BLUE, SKY, VERMILION, plain_text
-from ...presentation.units import Units, time_unit, unit_of, with_unit
+from ...presentation.units import Units, on_axis, time_unit, unit_of
 from .moving_shapes import Drawing
 from .outlines import Outlines, outlines
 
@@ -72,7 +72,7 @@ class Sketch:
 
 def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
     low, high = drawing.box
-    names = [with_unit(name, plain_text(unit_of(drawing.units, "length"))) for name in ("$x$", "$y$", "$z$")]
+    names = [on_axis(name, plain_text(unit_of(drawing.units, "length"))) for name in ("$x$", "$y$", "$z$")]
     if drawing.dimension == len("xy"):
         axes = figure.add_subplot(place, aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.set(xlabel=names[0], ylabel=names[1])

@@ -8,7 +8,7 @@ const plain = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 const POWERS = { "-": "\u207b", 0: "\u2070", 1: "\u00b9", 2: "\u00b2", 3: "\u00b3", 4: "\u2074", 5: "\u2075", 6: "\u2076", 7: "\u2077", 8: "\u2078", 9: "\u2079" };
 
 // A unit with raised powers and products, as "kg·m²".
-const inPrint = (unit) => unit.replace(/\^(-?\d+)/g, (_, power) => [...power].map((digit) => POWERS[digit]).join(""))
+const inPrint = (unit) => unit.replace(/(?:\^|\*\*)(-?\d+)/g, (_, power) => [...power].map((digit) => POWERS[digit]).join(""))
   .replace(/(\S) (?=\S)/g, "$1\u00b7").replaceAll("*", "\u00b7");
 const withUnit = (text, unit) => (unit ? `${text} [${inPrint(unit)}]` : text);
 
