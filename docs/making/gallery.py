@@ -19,8 +19,8 @@ hide-toc: true
 # Gallery
 
 Every mechanism here is one file of `models/`, with an oracle that tests hold it against, and moves on its page under
-your hands. Each is run for ten seconds, or to where it ends, with `dop853` at rtol = atol = 1e-9; the times are those
-of the machine that made this site.
+your hands. Each is run for ten seconds, or to where it ends, with `dop853` at `rtol=1e-9`, `atol=1e-9`; the times are
+those of the machine that made this site.
 
 {cards}
 

@@ -44,7 +44,9 @@ def look_at(browser: Browser, path: Path, name: str, folder: Path) -> list[str]:
 
 
 _READY = """new Promise((done) => {
+    for (const one of document.querySelectorAll("[loading=lazy]")) one.loading = "eager"; // below the window, too
+    const loaded = document.querySelector("iframe") ? new Promise((then) => setTimeout(then, 700)) : null;
     const frames = (left) => (left ? requestAnimationFrame(() => frames(left - 1)) : done(true));
     const moves = () => !document.querySelector("#stage") || window.eigenmotion?.motion;
     const wait = () => (moves() ? frames(3) : setTimeout(wait, 20));
-    document.fonts.ready.then(wait); })"""
+    Promise.all([document.fonts.ready, loaded]).then(wait); })"""

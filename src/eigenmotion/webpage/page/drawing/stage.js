@@ -13,6 +13,10 @@ class Stage {
     });
   }
 
+  // Whether the view is the user's; then a button beside the canvas resets it.
+  get touched() { return this.canvas.classList.contains("touched"); }
+  set touched(yes) { this.canvas.classList.toggle("touched", yes); }
+
   get space() { return this.about.dimension === 3; }
 
   dragged(dx, dy, shifted) {
