@@ -32,10 +32,16 @@ def moving(ours: Collection[str], coordinates: Sequence[str]) -> list[str]:
     )
 
 
-def reactions(model: CompiledModel) -> tuple[str, ...]:
-    """Return the columns of multipliers: lambda_NAME of rows with names, contacts and frictions, else lambda0, ..."""
-    names = {k: f"_{name}" for k, name in enumerate(model.row_names) if name != f"row {k}"}
+def names_of_rows(model: CompiledModel) -> dict[int, str]:
+    """Return the number of a constraint row -> its name, for those that have one, or that a contact or friction has."""
+    names = {k: name for k, name in enumerate(model.row_names) if name != f"row {k}"}
     for event, _, _, row, _, shift, _ in model.switches:
         cone = shift >= 0
-        names |= {row + k: f"_{model.events[event]}{f'[{k}]' * cone}" for k in range(1 + cone)}
-    return tuple(f"lambda{names.get(k, k)}" for k in range(model.m))
+        names |= {row + k: f"{model.events[event]}{f'[{k}]' * cone}" for k in range(1 + cone)}
+    return dict(sorted(names.items()))
+
+
+def reactions(model: CompiledModel) -> tuple[str, ...]:
+    """Return the columns of multipliers: lambda_NAME of rows with names, contacts and frictions, else lambda0, ..."""
+    names = names_of_rows(model)
+    return tuple(f"lambda_{names[k]}" if k in names else f"lambda{k}" for k in range(model.m))

@@ -9,6 +9,7 @@ from ..arguments.named_values import Vector, unknown
 from ..codegen.model.normalise import ModelError
 from ..presentation.figures import plain_text
 from ..presentation.units import on_axis, time_unit
+from .columns import names_of_rows
 from .motion_table import table, units_of_columns
 from .pictures.labelled_lines import label
 from .pictures.motion_over_time import Panel, motion_over_time
@@ -81,7 +82,7 @@ class _Panels:
 
         Contacts and frictions name theirs.
         """
-        named = {name: rows.multipliers[:, k] for k, name in _names_of_rows(rows).items()}
+        named = {name: rows.multipliers[:, k] for k, name in names_of_rows(rows.model).items()}
         groups: dict[str, dict[str, Vector]] = {}
         for name, values in named.items():
             groups.setdefault(name.partition("[")[0], {})[name] = values
@@ -109,13 +110,3 @@ class _Panels:
     def _panel(self, text: str, names: Sequence[str]) -> Panel:
         unit = plain_text(self.units.get(names[0], ""))
         return on_axis(text, unit), {name: self.columns[name] for name in names}
-
-
-def _names_of_rows(rows: Trajectory) -> dict[int, str]:
-    """Return the number of a constraint row -> its name, for those that have one, or that a contact or friction has."""
-    model = rows.model
-    names = {k: name for k, name in enumerate(model.row_names) if name != f"row {k}"}
-    for event, _, _, row, _, shift, _ in model.switches:
-        name, is_cone = model.events[event], shift >= 0
-        names |= {row: f"{name}[0]", row + 1: f"{name}[1]"} if is_cone else {row: name}
-    return dict(sorted(names.items()))
