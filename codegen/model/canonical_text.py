@@ -33,7 +33,7 @@ class _Writer:
         if isinstance(value, tuple):
             return f"({', '.join(map(self, value))})"
         if is_dataclass(value):
-            return self([getattr(value, field.name) for field in fields(value)])
+            return self([getattr(value, field.name) for field in fields(value) if field.compare])
         if isinstance(value, list):
             return f"[{', '.join(map(self, value))}]"
         return repr(value)

@@ -242,10 +242,11 @@ def _rows(arguments: dict[str, Any]) -> tuple[dict[str, tuple[sympy.Expr, ...]],
     """Return constraint rows by kind, and the named rows.
 
     Names come from mappings. Where a kind is no mapping, the entries of `constraint_names` apply: they are those of
-    another model, copied with its fields.
+    another model, copied with its fields, and stay with their rows.
     """
     read = {kind: rows_of(arguments[kind], kind) for kind in KINDS}
-    copied = (one for one in arguments["constraint_names"] if not isinstance(arguments[one.kind], Mapping))
+    copied = (one for one in arguments["constraint_names"]
+              if not isinstance(arguments[one.kind], Mapping) and one.is_in(read[one.kind][0]))  # fmt: skip
     found = (*copied, *(one for _, named in read.values() for one in named))
     names = tuple(sorted(found, key=lambda one: KINDS.index(one.kind)))
     rows = {kind: rows for kind, (rows, _) in read.items()}

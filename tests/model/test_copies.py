@@ -62,6 +62,16 @@ def test_entries_of_a_model_in_lists_add_no_contact_twice():
         replace(model, forces=list(model.forces))
 
 
+def test_names_stay_with_their_rows():
+    """A list of other rows has no names; a list that begins with the model's rows keeps theirs."""
+    model = Model(**STATED)
+    longer = replace(model, holonomic_constraints=[*model.holonomic_constraints, z - x])
+    assert longer.row_names == ("rail", "", "", "rope", "")
+    assert dict(longer.outputs)["pull"] == multiplier(3)
+    with pytest.raises(ModelError, match="'rail'"):
+        replace(model, holonomic_constraints=[z - x])
+
+
 def test_other_forces_leave_the_friction():
     """x'' = -mu g; a copy with other forces had lost its friction, and one with another coefficient kept the old."""
     alone = {"holonomic_constraints": {"rail": y, "level": z}, "nonholonomic_constraints": {}, "outputs": {}}

@@ -39,6 +39,7 @@ def keeping(fields: Mapping[str, Any], stated: Mapping[str, Any]) -> dict[str, A
     changed: dict[str, Any] = {
         name: old for name, old in stated.items() if isinstance(old, tuple) and fields[name] != old
     }
+    changed["constraint_names"] = stated["constraint_names"]  # equal, and with the rows that were stated
     for name, missing in ("forces", 0), ("scales", 1):  # by coordinate: those of a copy may be others
         values = zip(stated["coordinates"], stated[name], strict=True)
         changed[name] = {x: value for x, value in values if value != missing}

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
@@ -16,12 +16,20 @@ Normal = str | int | tuple[str | int, ...] | None
 
 @dataclass(frozen=True, slots=True)
 class NamedRows:
-    """Constraint rows with a name: `count` rows of a kind, from index `first` among the rows of that kind."""
+    """Constraint rows with a name: `count` rows of a kind, from index `first` among the rows of that kind.
+
+    rows : as they were stated: in a copy of the model, the name stays with these
+    """
 
     name: str
     kind: str
     first: int
     count: int
+    rows: tuple[sympy.Expr, ...] = field(default=(), compare=False, repr=False)
+
+    def is_in(self, rows: Sequence[sympy.Expr]) -> bool:
+        """Return whether its rows are at their places among the rows of a kind."""
+        return not self.rows or tuple(rows[self.first : self.first + self.count]) == self.rows
 
 
 def rows_of(constraints: Any, kind: str) -> tuple[tuple[sympy.Expr, ...], tuple[NamedRows, ...]]:
@@ -45,8 +53,9 @@ def rows_of(constraints: Any, kind: str) -> tuple[tuple[sympy.Expr, ...], tuple[
         parts = sequence_of(entry, f"{kind}[{name}]") if several else (entry,)
         if not parts:
             raise ModelError(f"{kind}[{name}] has no row. Give one, or leave it out.")
-        names.append(NamedRows(name, kind, len(rows), len(parts)))
-        rows.extend(expression(row, f"{kind}[{name}][{k}]") for k, row in enumerate(parts))
+        read = tuple(expression(row, f"{kind}[{name}][{k}]") for k, row in enumerate(parts))
+        names.append(NamedRows(name, kind, len(rows), len(read), read))
+        rows.extend(read)
     return tuple(rows), tuple(names)
 
 
