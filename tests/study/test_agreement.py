@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.models import bouncing_ball, double_pendulum, pendulum
 from scipy.spatial.transform import Rotation
 
@@ -12,6 +13,7 @@ from eigenmotion.comparison.obstacles import without_reference
 from eigenmotion.reference.rotations import in_sets_of
 from eigenmotion.report import Budget, ReportOptions, examine
 from eigenmotion.report.agreement import agreement
+from eigenmotion.report.formulations import subject
 from eigenmotion.report.output import recommendation, write_report
 from eigenmotion.report.solvers import Problem
 
@@ -131,6 +133,12 @@ def test_plain_equations_need_no_agreement(name):
 )
 def test_what_plain_equations_lack_is_named(name, why):
     assert without_reference(model_of(name)) == why
+
+
+def test_trees_are_measured_in_the_formulation_that_build_takes():
+    system, *others = subject(model_of("robot_arm"), lambda *_: None).systems
+    assert system.formulation == em.build(model_of("robot_arm")).formulation == "articulated_body"
+    assert [other.formulation for other in others] == list(FORMULATIONS)
 
 
 @pytest.mark.nightly

@@ -54,8 +54,9 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
     derive(as_mechanism(model))
     derivation = time.perf_counter() - start
     built = []
-    for k, formulation in enumerate(FORMULATIONS):
-        progress(k / len(FORMULATIONS), f"building {formulation}")
+    names = tuple(dict.fromkeys((request(model).choices.formulation, *FORMULATIONS)))  # the one that `build` takes, too
+    for k, formulation in enumerate(names):
+        progress(k / len(names), f"building {formulation}")
         built.append(_built(model, formulation))
     builds = Subject(model, derivation, tuple(built))
     if not builds.systems:

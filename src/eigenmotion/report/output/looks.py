@@ -19,6 +19,7 @@ INKS = {
     "cholesky": Ink(FORMULATIONS["cholesky"], "#ff8a3d"),
     "lagrange": Ink(FORMULATIONS["lagrange"], "#2fcf9f"),
     "inverse": Ink(FORMULATIONS["inverse"], "#e29bc4"),
+    "articulated_body": Ink(BLACK, "#f0f0f0"),  # of trees of bodies, which other packages do not get
     "implicit": Ink("#882255", "#d9699b"),
     "heyoka.py": Ink(BLACK, "#f0f0f0"),
     "CVODES": Ink(ORANGE, "#f0b030"),
