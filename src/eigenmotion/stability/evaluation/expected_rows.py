@@ -13,7 +13,8 @@ from ..cases.case import Trial
 from ..expectation.truth import CHECK, FINE, ROUGH
 
 DIRECTIONS = 3  # number of random directions in which the initial data are perturbed
-_DELTA = 1e-6  # size of the perturbations
+_DELTA, _SMALL = 1e-6, 1e-10  # size of the perturbations
+_LINEAR = 1e-2  # size up to which they grow as small ones do
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,8 @@ def _expected(trial: Trial, system: System | None) -> Expected:
         raw = Expected(trial, trial.truth.how, exact, scale, 0.0, 0.0)
         own = raw.error_of(trial.truth.rows(start, times, CHECK)) + trial.truth.own
         kappa = max((_growth(raw, other, times) for other in _perturbed(trial, system)), default=0.0)
+        if trial.may_lose_digits and kappa * _DELTA > _LINEAR:
+            kappa = _steep_growth(raw, times, system)
     return replace(raw, exact=exact[1:], error=own, kappa=kappa)
 
 
@@ -73,20 +76,33 @@ def _none(trial: Trial, why: str) -> Expected:
     return Expected(trial, f"none: {why}", np.full(shape, np.nan), np.ones(shape[1]), np.nan, 0.0)
 
 
-def _growth(expected: Expected, start: Vector, times: Vector) -> float:
+def _growth(expected: Expected, start: Vector, times: Vector, level: int = ROUGH) -> float:
     """Return the largest growth factor of a perturbation of the start."""
     before = float(np.max(np.abs(start - expected.exact[0]) / expected.scale))
     if before == 0.0:
         return 0.0
-    return expected.error_of(expected.trial.truth.rows(start, times, ROUGH)) / before
+    return expected.error_of(expected.trial.truth.rows(start, times, level)) / before
 
 
-def _perturbed(trial: Trial, system: System | None) -> list[Vector]:
+def _steep_growth(expected: Expected, times: Vector, system: System | None) -> float:
+    """Return the growth of a smaller perturbation, where others grow to the motion's own size, as in chaotic motions.
+
+    Infinite if this one does, too, or if there is no time for it.
+    """
+    starts = _perturbed(expected.trial, system, _SMALL)[:1]
+    try:
+        kappa = max((_growth(expected, start, times, FINE) for start in starts), default=np.inf)
+    except NotReachedError:
+        return np.inf
+    return kappa if kappa * _SMALL < _LINEAR else np.inf
+
+
+def _perturbed(trial: Trial, system: System | None, size: float = _DELTA) -> list[Vector]:
     """Return starts near that of the trial, perturbed in random directions and projected onto the constraints."""
     if not trial.nearby:
         return []
     random, start = np.random.default_rng(0), trial.row
-    change = _DELTA * (trial.sizes + np.abs(start))
+    change = size * (trial.sizes + np.abs(start))
     starts = [start + change * random.choice((-1.0, 1.0), len(start)) for _ in range(DIRECTIONS)]
     if system is None or system.m == 0:
         return starts

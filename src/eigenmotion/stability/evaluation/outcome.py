@@ -23,6 +23,8 @@ class Outcome(StrEnum):
     WRONG = "wrong"
 
 
+JUDGED_RIGHT = (Outcome.RIGHT, Outcome.AGREES)
+"""Outcomes of runs that were compared, and passed."""
 OF_OWN_MODELS = (Outcome.AGREES, Outcome.NO_DIGITS, Outcome.DIFFERS)
 """Outcomes that occur only with a user's model, whose motion may have no independent reference."""
 

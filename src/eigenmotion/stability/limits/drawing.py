@@ -5,15 +5,15 @@ from collections.abc import Sequence
 from ...presentation.figures import Picture, picture
 from ..cases.case import Case
 from ..evaluation.matrix import Matrix
-from ..evaluation.outcome import Outcome
-from ..output.drawing import canvas, detail, frame, legend, tile, worst
-from .findings import Combination
+from ..evaluation.outcome import JUDGED_RIGHT, Cell, Outcome
+from ..output.drawing import TYPE, below, canvas, detail, frame, legend, tile, worst, wrapped
+from ..output.groups import alike, named
 from .survey import Limits
 
 _MOST = 12
 """Pictures of single cases: those with the worst outcomes"""
-_WIDTH = 24
-"""Cases in a column each of the overview; of more, those with the worst outcomes"""
+_MOST_ROWS = 24
+"""Rows of the overview"""
 _ORDER = list(Outcome)
 
 
@@ -36,32 +36,48 @@ def _worst(matrix: Matrix, case: Case) -> int:
 
 
 def overview(found: Limits) -> Picture:
-    """Draw each formulation and method (rows) in each case (columns): the worst outcome, right runs / all runs."""
+    """Draw each case in which not every run is right or agrees (rows), by method (columns): the worst outcome.
+
+    Formulations that fare alike share a row. The other cases are listed below.
+    """
     matrix = found.matrix
-    chosen = _by_outcome(matrix, matrix.cases, Outcome.RIGHT)[:_WIDTH]
-    cases = [case for case in matrix.cases if case in chosen]
-    rows: list[Combination] = list(dict.fromkeys((c.variant, c.method) for c in matrix.cells))
-    rows.sort(key=lambda pair: found.own.formulations.index(pair[0]))
-    figure, axes = canvas(2.6 + 0.78 * max(len(cases), 5), 2.0 + 0.26 * len(rows))
-    for column, case in enumerate(cases):
-        for row, pair in enumerate(rows):
-            cells = [c for point in matrix.of(case) for c in point.cells if (c.variant, c.method) == pair]
-            if cells:
-                right = sum(c.outcome in (Outcome.RIGHT, Outcome.AGREES) for c in cells)
-                tile(axes, column, row, worst(cells), f"{right}/{len(cells)}")
-    frame(axes, [_short(case) for case in cases], [f"{variant}, {method}" for variant, method in rows])
-    for k in range(1, len(rows)):
-        if rows[k][0] != rows[k - 1][0]:
-            axes.axhline(k - 0.5, color="0.2", linewidth=1.2)
-    axes.set_title(f"{found.own.model.name}: worst outcome; right or agreeing runs / all runs", fontsize=10)
+    shown = _by_outcome(matrix, matrix.cases, Outcome.NO_DIGITS)
+    methods = list(dict.fromkeys(cell.method for cell in matrix.cells))
+    rows = [row for case in matrix.cases if case in shown for row in _rows(matrix, case)]
+    left = len(rows) - _MOST_ROWS
+    figure, axes = canvas(2.2 + 0.34 * max(min(len(rows), _MOST_ROWS), 1))
+    for k, (_, cells) in enumerate(rows[:_MOST_ROWS]):
+        for column, method in enumerate(methods):
+            own = [cell for cell in cells if cell.method == method]
+            if own:
+                tile(axes, column, k, worst(own), f"{sum(c.outcome in JUDGED_RIGHT for c in own)}/{len(own)}")
+    frame(axes, methods if rows else [], [wrapped(name) for name, _ in rows[:_MOST_ROWS]])
+    words = "worst outcome; runs that are right or agree / all runs" if rows else "every run is right or agrees"
+    axes.set_title(f"{found.own.model.name}: {words}", fontsize=TYPE)
+    below(figure, [f"{_short(case)} ({_count(matrix, case)})" for case in matrix.cases if case not in shown])
     legend(figure, matrix.cells)
-    left = len(matrix.cases) - len(cases)
-    text = "Rows: formulations and methods. Columns: cases, and parameters times 1e-6 to 1e6."
-    return picture(figure, "stability", found.own.model.name, text + (f" Without {left} cases." if left else ""))
+    text = "Rows: cases, and parameters times 1e-6 to 1e6, in which not every run is right or agrees. Columns: methods."
+    return picture(figure, "stability", found.own.model.name, text + (f" Without {left} rows." if left > 0 else ""))
+
+
+def _rows(matrix: Matrix, case: Case) -> list[tuple[str, list[Cell]]]:
+    """Return the rows of a case: label, cells."""
+    cells = [cell for point in matrix.of(case) for cell in point.cells]
+    every = list(dict.fromkeys(cell.variant for cell in cells))
+    rows = []
+    for group in alike(cells, lambda cell: cell.outcome):
+        name = named(group, len(every), [variant for variant in every if variant not in group])
+        label = f"{_short(case)}: {name}" if name else _short(case)
+        rows.append((label, [cell for cell in cells if cell.variant in group]))
+    return rows
+
+
+def _count(matrix: Matrix, case: Case) -> int:
+    return sum(len(point.cells) for point in matrix.of(case))
 
 
 def _short(case: Case) -> str:
-    """Return a title for a narrow column."""
-    words = {"tolerances": "tole-\nrances", "spans": "spans", "singular_mass_matrix": "near\nsingular\nM",
-             "singular_constraints": "near\ndependent\nrows"}  # fmt: skip
-    return words.get(case.name, case.title.removeprefix("Parameter "))
+    """Return a title for a row."""
+    return {"singular_mass_matrix": "near singular M", "singular_constraints": "near dependent rows"}.get(
+        case.name, case.title.removeprefix("Parameter ")
+    )

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 
 from ..evaluation.examine import PointResult
 from ..evaluation.matrix import Matrix
-from ..evaluation.outcome import Cell, Outcome
+from ..evaluation.outcome import JUDGED_RIGHT, Cell, Outcome
 from .families import PARAMETER
 
 GOOD = (Outcome.RIGHT, Outcome.AGREES, Outcome.NO_DIGITS)
 """Outcomes that say nothing against a run."""
-JUDGED_RIGHT = (Outcome.RIGHT, Outcome.AGREES)
 Combination = tuple[str, str]
 
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from ..evaluation.outcome import Cell, Outcome
+from ..evaluation.outcome import JUDGED_RIGHT, Cell, Outcome
 from ..output.text import counted, described
-from .findings import JUDGED_RIGHT, Range, Record, places, ranges, records
+from .findings import Range, Record, places, ranges, records
 from .survey import Limits
 
 _MOST = 5
