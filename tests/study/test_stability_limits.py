@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from eigenmotion.models import double_pendulum, heavy_top, pendulum_with_stop, slider_crank
 from eigenmotion.models import pendulum as pendulum_model
-from sympy import sqrt, symbols
+from sympy import sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, build
@@ -89,6 +89,21 @@ def test_contacts_have_no_independent_reference_and_say_so():
     assert own.why == "contacts and friction"
     point = examine(case_of(own, "tolerances", ("dop853",)), 1e-6)
     assert "contacts and friction" in point.how
+    assert {cell.outcome for cell in point.cells} == {Outcome.AGREES}
+
+
+def test_a_coordinate_that_is_held_has_no_size_of_its_own():
+    """A crank held by a prescribed motion moves by rounding only, which is no unit of tolerances."""
+    q, s, path = dynamicsymbols("q s path")
+    model = Model(
+        name="driven_crank", coordinates=[q, s], kinetic_energy=(2 * q.diff() ** 2 + (1 + s**2) * s.diff() ** 2) / 2,
+        potential_energy=9.81 * s * sin(q) + 100 * (s - 0.5) ** 2, holonomic_constraints={"drive": q - path},
+        inputs={path: 0.0}, initial={s: 0.6},
+    )  # fmt: skip
+    own = of(model, ("lagrange", "cholesky"), t_end=1.0)
+    assert own.why == "prescribed motions"
+    assert own.units[0] == 1.0
+    point = examine(case_of(own, "tolerances", ("dop853", "radau9")), 1e-8)
     assert {cell.outcome for cell in point.cells} == {Outcome.AGREES}
 
 

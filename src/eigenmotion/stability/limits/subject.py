@@ -28,6 +28,7 @@ SPAN = 5.0  # characteristic periods of a run, unless the span is what is varied
 _ROWS = 40
 _LONGER = 4.0  # patience for references over given spans
 _PROBING = 3.0  # patience for that run
+_NOISE = 1e-9  # sizes below are errors of that run: of a coordinate that is held, for example
 _PROBE = 400  # rows of the run that the periods and units are taken from
 
 
@@ -161,7 +162,7 @@ def subject(
     found, n = rows_of(motion), system.n
     largest = np.max(np.abs(found), axis=0)
     sizes = np.concatenate([np.maximum(largest[:n], largest[n : 2 * n]), largest[2 * n :]])
-    units = np.where(sizes > 0, np.minimum(sizes, 1.0), 1.0)
+    units = np.where(sizes > _NOISE, np.minimum(sizes, 1.0), 1.0)
     x0, v0, z0 = np.split(found[0], (n, 2 * n))
     return Subject(
         model, formulations, parameters, inputs, x0, v0, z0, t_end, _period(motion, t_end), units,
@@ -174,7 +175,7 @@ def _motion(system: System, settings: Mapping[str, Any], t_end: float, deadline:
     best, times = None, np.linspace(0.0, t_end, _PROBE)
     for method in ("dop853", "radau9"):
         run = partial(
-            simulate, system, (0.0, t_end), method=method, rtol=1e-8, atol=1e-10, t_eval=times, **settings
+            simulate, system, (0.0, t_end), method=method, rtol=1e-8, atol=_NOISE / 10, t_eval=times, **settings
         )  # fmt: skip
         try:
             done = deadline.sooner(seconds).run(partial(_with_steps, run), 100_000)
