@@ -45,7 +45,7 @@ def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
     t, x, v = (np.ascontiguousarray(rows) for rows in (solution.t, solution.x.T, solution.v.T))
     periods = (t - trial.start) * (trial.periods or 1.0) / (abs(float(trial.times[-1]) - trial.start) or 1.0)
     drift = _energy_drift(trial, system, t, x, v) if trial.conserves else None
-    size = max(float(np.abs(x).max(axis=0).sum()), _TINY)
+    size = max(float(np.abs(x).max(axis=0).sum()), float(_least(trial).sum()), _TINY)
     phi = np.abs(solution.position_residual).max(axis=0) / size if system.h else None
     return Indicators(
         energy=_largest(drift),
@@ -76,8 +76,14 @@ def _constraint(trial: Trial, system: System, t: Vector, x: Vector, v: Vector) -
 
 def _row_residual(trial: Trial, system: System, t: float, x: Vector, v: Vector) -> float:
     A, b = system.pfaffian(x, t, trial.parameters)
-    terms = np.abs(A) @ np.abs(v) + np.abs(b)
+    terms = np.abs(A) @ np.maximum(np.abs(v), _least(trial)) + np.abs(b)
     return float(np.max(np.abs(A @ v + b) / np.maximum(terms, _TINY)))
+
+
+def _least(trial: Trial) -> Vector:
+    """Return the least sizes (n,) of terms: units for a user's model, in which rounding may be all that moves."""
+    n = len(trial.x0)
+    return trial.units[:n] if trial.may_lose_digits else np.zeros(n)
 
 
 def _largest(values: Vector | None) -> float | None:
