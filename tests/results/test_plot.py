@@ -172,7 +172,7 @@ def test_axes_are_named_by_what_is_on_them():
     model = em.Model(name="named", coordinates=[x, y, a, b], kinetic_energy=sum(q.diff() ** 2 for q in (x, y, a, b)),
                      states={i: x, j: a}, units={x: "m", y: "m", a: "rad", b: "rad", i: "A", j: "rad"})  # fmt: skip
     labels = [axes.get_ylabel() for axes in system_for(model, "lagrange").simulate((0, 1)).plot().axes]
-    assert labels == ["coordinates [m]", "coordinates and states [rad]", "$i$ [A]"]
+    assert labels == ["coordinates [m]", "coordinates and states\n[rad]", "$i$ [A]"]
 
 
 def test_many_outputs_share_axes():

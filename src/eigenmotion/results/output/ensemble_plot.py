@@ -9,20 +9,22 @@ from numpy.typing import NDArray
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLUE, blank, plain_text, uncluttered
 from ...presentation.units import Units, on_axis, time_unit, unit_of
+from ..pictures.labelled_lines import folded
 
 _BAND = (5, 95)  # percentiles
+_PANEL = 1.8  # [inch]
 
 
 def over_time(title: str, names: Sequence[str], t: Vector, x: NDArray[np.float64], units: Units = None) -> Any:
     """Return a figure of x (K, n, nt) over time: the median and the range from 5 to 95 % of the runs."""
-    figure = blank(8, 1.0 + 1.8 * len(names))
+    figure = blank(8, 1.0 + _PANEL * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
         known = ~np.isnan(x[:, k]).all(axis=0)
         low, middle, high = np.nanpercentile(x[:, k][:, known], [_BAND[0], 50, _BAND[1]], axis=0)
         one.fill_between(t[known], low, high, color=BLUE, alpha=0.25, linewidth=0, label=f"{_BAND[0]} to {_BAND[1]} %")
         one.plot(t[known], middle, color=BLUE, linewidth=1.6, label="median")
-        one.set_ylabel(_named(name, units))
+        one.set_ylabel(folded(_named(name, units), _PANEL))
         uncluttered(one)
     axes[0].set_title(title)
     axes[0].legend(loc="upper left", frameon=False)
@@ -60,7 +62,7 @@ def ends(
 
     A dot is a run. Over values of a grid, a line joins the medians; over values drawn at random, `sampled`, none does.
     """
-    figure = blank(8, 1.0 + 1.8 * len(names))
+    figure = blank(8, 1.0 + _PANEL * len(names))
     axes = figure.subplots(len(names), sharex=True, squeeze=False)[:, 0]
     label, values = next(iter(swept.items()), ("run", np.arange(len(final), dtype=np.float64)))
     for k, (name, one) in enumerate(zip(names, axes, strict=True)):
@@ -68,7 +70,7 @@ def ends(
         if swept and label not in sampled:
             at, medians = _medians(np.asarray(values), final[:, k])
             one.plot(at, medians, "o-", color=BLUE, linewidth=1.2, markersize=5, markerfacecolor="white", zorder=3)
-        one.set_ylabel(_named(name, units, " at the end"))
+        one.set_ylabel(folded(_named(name, units, " at the end"), _PANEL))
         uncluttered(one)
     axes[0].set_title(title)
     kind = "" if not swept else ", sampled" if label in sampled else ", swept: circles are medians"

@@ -7,8 +7,8 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import COLOURS, blank, plain_text, uncluttered
-from ...presentation.units import with_unit
-from .labelled_lines import draw_lines, label, name_lines
+from ...presentation.units import on_axis
+from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, folded, label, name_lines
 from .moving_shapes import Drawing
 from .sketch import draw_motion
 
@@ -38,7 +38,7 @@ def driven_motion(
     time, t = along
     beside = bool(speeds) + (drawing is not None)
     heights = [max(2.2, 0.4 + 0.2 * len(names)) for _, names, _ in lines]
-    figure = blank(8.0 + 4.5 * bool(beside), sum(heights) + 0.6)
+    figure = blank(WIDTH_WITH_DRAWING if beside else WIDTH, sum(heights) + 0.6)
     halves = figure.add_gridspec(1, 1 + bool(beside), width_ratios=(8, 4.5)[: 1 + bool(beside)])
     places = halves[0, 0].subgridspec(len(lines), 1, height_ratios=heights)
     axes: Any = None
@@ -46,7 +46,7 @@ def driven_motion(
         axes = figure.add_subplot(places[row, 0], sharex=axes)
         draw_lines(axes, t, values, names)
         name_lines(axes, values[:, -1], names, heights[row])
-        axes.set(ylabel=text, title=name.replace("_", " ") if row == 0 else "")
+        axes.set(ylabel=folded(text, heights[row]), title=name.replace("_", " ") if row == 0 else "")
         axes.tick_params(labelbottom=row == len(lines) - 1)
     axes.set_xlabel(time)
     if t[0] != t[-1]:
@@ -73,7 +73,7 @@ def _over_speeds(axes: Any, speeds: Mapping[str, tuple[Vector, Vector, str, str]
     one = label(next(iter(speeds))) if len(speeds) == 1 else None
     units = {tuple(map(plain_text, of)) for _, _, *of in speeds.values()}
     words = (f"speed of {one}", f"force on {one}") if one else ("speeds", "forces")
-    axes.set(**{f"{axis}label": with_unit(word, unit) for axis, word, unit in
+    axes.set(**{f"{axis}label": on_axis(word, unit) for axis, word, unit in
                 zip("xy", words, units.pop() if len(units) == 1 else ("", ""), strict=True)})  # fmt: skip
     if one is None:
         axes.legend(frameon=False)

@@ -7,13 +7,12 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLUE, blank, plain_text, uncluttered
-from .labelled_lines import draw_lines, label, name_lines
+from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, folded, label, name_lines
 from .moving_shapes import Drawing
 from .sketch import draw_motion
 
 Panel = tuple[str, Mapping[str, Vector]]
 """The label of a vertical axis, and name -> (k,) of its lines"""
-_WIDTH, _WIDTH_WITH_DRAWING = 7.5, 9.0  # [inch], so that type is legible where a page is 700 pixels wide
 _FEW = 30  # the most events that get a line across the picture, which more would hide
 
 
@@ -36,7 +35,7 @@ def motion_over_time(
         Name -> the times at which it happened.
     """
     heights = _heights(panels, len(events))
-    figure = blank(_WIDTH if drawn is None else _WIDTH_WITH_DRAWING, sum(heights) + 0.6)
+    figure = blank(WIDTH if drawn is None else WIDTH_WITH_DRAWING, sum(heights) + 0.6)
     places = figure.add_gridspec(len(heights), 1 if drawn is None else 2, height_ratios=heights,
                                  width_ratios=(1,) if drawn is None else (2, 1))  # fmt: skip
     axes: list[Any] = []
@@ -60,10 +59,11 @@ def _heights(panels: Sequence[Panel], events: int) -> list[float]:
 
 
 def _draw_panel(axes: Any, t: Vector, panel: Panel, height: float) -> None:
-    """Draw the lines of a panel; a single line whose name is the label of the axis is not named twice."""
+    """Draw the lines of a panel; a single line whose name is in the label of the axis is not named twice."""
     text, lines = panel
-    axes.set_ylabel(text)
-    if len(lines) == 1 and text.startswith(label(next(iter(lines)))):
+    axes.set_ylabel(folded(text, height))
+    name = next(iter(lines))
+    if len(lines) == 1 and (text.startswith(label(name)) or text.endswith(f" of {plain_text(name)}")):
         axes.plot(t, *lines.values(), color=BLUE, linewidth=1.6, label=next(iter(lines)))
         uncluttered(axes)
         return

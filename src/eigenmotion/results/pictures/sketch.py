@@ -12,6 +12,7 @@ from .outlines import Outlines, outlines
 
 _GREY = "0.75"
 _GHOSTS = 6
+_TICKS = 3  # of the longest side of a box in space
 
 
 class Sketch:
@@ -82,17 +83,17 @@ def _framed(figure: Any, place: Any, drawing: Drawing) -> Any:
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     axes.set(xlabel=names[0], ylabel=names[1], zlabel=names[2])
     axes.set_box_aspect(high - low, zoom=0.85)  # room for the names of the axes, which the layout does not know
-    axes.tick_params(labelsize=8)
-    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+    axes.tick_params(labelsize=9)
+    for axis, side in zip((axes.xaxis, axes.yaxis, axes.zaxis), high - low, strict=True):
         axis.pane.set_facecolor("0.97")
-        axis.set_major_locator(_few())
+        axis.set_major_locator(_few(max(1, round(_TICKS * side / (high - low).max()))))
     return axes
 
 
-def _few() -> Any:
+def _few(count: int) -> Any:
     from matplotlib.ticker import MaxNLocator  # noqa: PLC0415, an optional package
 
-    return MaxNLocator(3)
+    return MaxNLocator(count, min_n_ticks=1)
 
 
 def at_time(t: float, units: Units) -> str:
