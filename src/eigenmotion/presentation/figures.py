@@ -2,6 +2,7 @@
 
 import io
 import re
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -22,6 +23,7 @@ COLOURS = BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE, BLACK = (
 STYLES = ("-", "--", ":", "-.")
 FORMULATIONS = {"eigenfactor": BLUE, "cholesky": VERMILION, "lagrange": GREEN, "inverse": PURPLE}
 FORMATS = (".png", ".svg", ".pdf")
+_LETTERS = 11.5  # on an inch of an axis
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +70,15 @@ def spread_labels(ends: Sequence[float] | NDArray[np.float64], gap: float) -> ND
     places = np.empty_like(targets)
     places[order] = np.clip(scipy.optimize.isotonic_regression(targets[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
     return places
+
+
+def folded(text: str, length: float) -> str:
+    """Return the label of an axis of some length [inch] in lines that fit it; a formula stays whole."""
+    if len(text) <= _LETTERS * length:
+        return text
+    if "$" in text:
+        return text.replace(" [", "\n[")
+    return textwrap.fill(text, int(_LETTERS * length), break_long_words=False, break_on_hyphens=False)
 
 
 def plain_text(name: str) -> str:

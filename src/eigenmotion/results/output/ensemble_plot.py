@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import BLUE, blank, plain_text, uncluttered
+from ...presentation.figures import BLUE, blank, folded, plain_text, uncluttered
 from ...presentation.units import Units, on_axis, time_unit, unit_of
-from ..pictures.labelled_lines import folded
 
 _BAND = (5, 95)  # percentiles
 _PANEL = 1.8  # [inch]

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import COLOURS, blank, plain_text, uncluttered
+from ...presentation.figures import COLOURS, blank, folded, plain_text, uncluttered
 from ...presentation.units import on_axis
-from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, folded, label, name_lines
+from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, label, name_lines
 from .moving_shapes import Drawing
 from .sketch import draw_motion
 

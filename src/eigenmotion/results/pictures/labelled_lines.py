@@ -1,7 +1,6 @@
 """Lines with a style, markers and their names at their ends, so that they can be told apart without colour."""
 
 import re
-import textwrap
 from collections.abc import Sequence
 from itertools import cycle
 from typing import Any
@@ -17,17 +16,7 @@ MARKERS = ("o", "s", "^", "D", "v")
 _MARKS = 8  # markers on each line
 _DOTS = {1: "dot", 2: "ddot"}
 _LINE = 0.18  # [inch] between names
-_LETTERS = 11.5  # on an inch
 _WORD = 3  # letters from which a name is a word, not a symbol
-
-
-def folded(text: str, length: float) -> str:
-    """Return the label of an axis of some length [inch] in lines that fit it; a formula stays whole."""
-    if len(text) <= _LETTERS * length:
-        return text
-    if "$" in text:
-        return text.replace(" [", "\n[")
-    return textwrap.fill(text, int(_LETTERS * length), break_long_words=False, break_on_hyphens=False)
 
 
 def draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from ...arguments.named_values import Vector
-from ...presentation.figures import BLUE, blank, plain_text, uncluttered
-from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, folded, label, name_lines
+from ...presentation.figures import BLUE, blank, folded, plain_text, uncluttered
+from .labelled_lines import WIDTH, WIDTH_WITH_DRAWING, draw_lines, label, name_lines
 from .moving_shapes import Drawing
 from .sketch import draw_motion
 
