@@ -11,7 +11,7 @@ from eigenmotion.models import pendulum as pendulum_model
 from sympy import sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, build
+from eigenmotion import Contact, Model, build
 from eigenmotion.arguments.named_values import Vector
 from eigenmotion.cli import main
 from eigenmotion.comparison.deadline import NONE, Deadline
@@ -21,7 +21,7 @@ from eigenmotion.stability.evaluation.expected_rows import Expected
 from eigenmotion.stability.evaluation.judgement import judged
 from eigenmotion.stability.limits.families import FACTORS, families
 from eigenmotion.stability.limits.findings import ranges, records
-from eigenmotion.stability.limits.references import Independent, TightRuns
+from eigenmotion.stability.limits.references import Independent, TightRuns, system_of
 from eigenmotion.stability.limits.singular_search import searches
 from eigenmotion.stability.limits.subject import Subject, subject
 from eigenmotion.stability.limits.survey import in_order
@@ -157,6 +157,23 @@ def test_chaos_is_no_fault_of_a_run(independent):
     assert {cell.outcome for cell in point.cells} == {Outcome.NO_DIGITS}
     assert max(cell.error for cell in point.cells) > 0.1
     assert examine(case_of(own, "spans", ("dop853",)), 1.0).cells[0].outcome in (Outcome.RIGHT, Outcome.AGREES)
+
+
+def test_chaos_with_contacts_is_no_fault_of_a_run():
+    """Two pendulums above a floor: no start is near for contacts, and a rougher run tells how errors grow."""
+    tip = double_pendulum.position2[1]
+    model = replace(
+        double_pendulum.model, contacts={"floor": Contact(tip + 5)},
+        initial={double_pendulum.theta1: 3.0, double_pendulum.theta2: 3.0},
+    )  # fmt: skip
+    own = of(model, ("lagrange", "inverse"), t_end=60.0)
+    assert own.why == "contacts and friction"
+    case = case_of(own, "spans", ("dopri5", "dop853"))
+    assert {cell.outcome for cell in examine(case, 1.0).cells} == {Outcome.AGREES}
+    assert {cell.outcome for cell in examine(case, 10.0).cells} == {Outcome.NO_DIGITS}
+    heavier = system_of(replace(model, parameters=dict(model.parameters) | {double_pendulum.m2: 1.01}), "lagrange")
+    faulty = examine(case, 1.0, {Variant("lagrange", dependent_constraints="auto"): heavier})
+    assert {cell.outcome for cell in faulty.cells if cell.variant == "lagrange"} == {Outcome.DIFFERS}
 
 
 # --- singular positions -----------------------------------------------------------------------------------------------

@@ -10,7 +10,8 @@ from ...reference.rotations import in_sets_of
 from ...runtime import EvaluationError
 from ...system.system import System
 from ..cases.case import Trial
-from ..expectation.truth import CHECK, FINE, ROUGH
+from ..expectation.truth import CHECK, FINE, FINE_RUN, ROUGH, ROUGH_RUN
+from .outcome import MARGIN
 
 DIRECTIONS = 3  # number of random directions in which the initial data are perturbed
 _DELTA, _SMALL = 1e-6, 1e-10  # size of the perturbations
@@ -67,6 +68,8 @@ def _expected(trial: Trial, system: System | None) -> Expected:
         kappa = max((_growth(raw, other, times) for other in _perturbed(trial, system)), default=0.0)
         if trial.may_lose_digits and kappa * _DELTA > _LINEAR:
             kappa = _steep_growth(raw, times, system)
+        if trial.may_lose_digits and not trial.nearby:
+            kappa = _growth_of_errors(raw, start, times, own)
     return replace(raw, exact=exact[1:], error=own, kappa=kappa)
 
 
@@ -95,6 +98,17 @@ def _steep_growth(expected: Expected, times: Vector, system: System | None) -> f
     except NotReachedError:
         return np.inf
     return kappa if kappa * _SMALL < _LINEAR else np.inf
+
+
+def _growth_of_errors(expected: Expected, start: Vector, times: Vector, own: float) -> float:
+    """Return kappa where no start is near: how far the check is apart, in tolerances.
+
+    At most MARGIN times the error of a rougher run of the same equations, in its tolerances: so a fault of the check
+    alone, or of the rougher run alone, is not taken for growth.
+    """
+    error = expected.error_of(expected.trial.truth.rows(start, times, ROUGH))
+    apart = own / FINE_RUN if own < _LINEAR else np.inf
+    return min(apart, MARGIN * error / ROUGH_RUN if error < _LINEAR else np.inf)
 
 
 def _perturbed(trial: Trial, system: System | None, size: float = _DELTA) -> list[Vector]:

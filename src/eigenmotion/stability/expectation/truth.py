@@ -16,6 +16,7 @@ from ...reference.integration import Midpoint, integrate_adaptive, integrate_gra
 from ...reference.lagrange_equations import classical
 
 FINE, CHECK, ROUGH = range(3)  # levels of accuracy: for the comparison; to estimate its error; to about 1e-9
+FINE_RUN, ROUGH_RUN = 1e-12, 1e-10  # tolerances of the first two, and of the last, of runs of this tool
 
 
 class Truth(Protocol):

@@ -22,7 +22,7 @@ from ...results.solution import Solution
 from ...simulation.simulate import simulate
 from ...system.system import System
 from ..evaluation.contact_outputs import with_contact_outputs
-from ..expectation.truth import FINE, Integrated
+from ..expectation.truth import FINE, FINE_RUN, ROUGH_RUN, Integrated
 
 MOST_COORDINATES = 10
 """of models for which plain SymPy derives equations in a moment"""
@@ -32,7 +32,7 @@ _FINE, _QUICK = ((7, 1e-14), (5, 1e-13), (5, 1e-9)), ((6, 1e-12), (5, 1e-11), (4
 _EVERY = 20  # evaluations between two readings of the clock
 _MOST_STEPS = 200_000
 _METHODS = (("dop853", "radau9"), ("radau9", "dop853"), ("dop853", "radau9"))  # by level, in order of preference
-_TIGHT = (1e-12, 1e-12, 1e-10)  # tolerances by level
+_TIGHT = (FINE_RUN, FINE_RUN, ROUGH_RUN)  # tolerances by level
 
 
 @dataclass(frozen=True)
