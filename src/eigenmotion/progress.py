@@ -100,7 +100,8 @@ def durations(spent: list[tuple[str, float]]) -> str:
 class Stages(logging.Filter):
     """The stages of a task, which are the log messages: each with its duration.
 
-    A filter, because it passes on only what the user's own levels let through.
+    A filter, because it passes on only what the user's own levels let through. A message may have the seconds that its
+    stage will take about, as the attribute `expected` of the record.
 
     Attributes
     ----------
@@ -120,12 +121,13 @@ class Stages(logging.Filter):
         super().__init__()
         self.spent: list[tuple[str, float]] = []
         self.current: tuple[str, float] | None = None
-        self.begun = inf
+        self.begun, self.end = inf, -inf
         self.level = level
 
     def filter(self, record: logging.LogRecord) -> bool:
         """Take a message as the next stage. Return whether it would be logged without us."""
         self._enter((record.getMessage(), time.monotonic()))
+        self.end = time.monotonic() + getattr(record, "expected", -inf)
         return record.levelno >= self.level
 
     def _enter(self, stage: tuple[str, float] | None) -> None:
@@ -141,11 +143,12 @@ class Stages(logging.Filter):
 
 
 def _show(stages: Stages, line: _Line, patience: float, over: Event) -> None:
-    """Show the current stage and its seconds so far, until the task is over."""
+    """Show the current stage, its seconds so far, and those left if they are known, until the task is over."""
     while not over.wait(min(_POLL, patience or _POLL)):
         stage, now = stages.current, time.monotonic()
         if stage is not None and now - stages.begun >= patience:
-            line.write(f"{stage[0]} ... {now - stage[1]:.0f} s")
+            left = f", about {duration(stages.end - now)} left" if stages.end - now > 0.05 else ""
+            line.write(f"{stage[0]} ... {now - stage[1]:.0f} s{left}")
     line.wipe()
 
 

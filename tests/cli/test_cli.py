@@ -2,6 +2,7 @@
 
 import io
 import logging
+import re
 import subprocess
 import sys
 import time
@@ -214,3 +215,24 @@ def test_builds_and_parts_in_a_call_of_the_library_show_their_stages(monkeypatch
         assert words in screen.getvalue()
     system.simulate((0.0, 0.1), method="radau9")
     assert "compiling derivatives of chain_8" in screen.getvalue()
+    left = re.findall(
+        r"compiling chain_8: \d of 1 units are done \.\.\. \d s, about ([0-9.]+) s left", screen.getvalue()
+    )
+    assert left, screen.getvalue()  # the stepper has measured the compiler
+    assert all(0.0 < float(seconds) < 60.0 for seconds in left)
+
+
+def test_time_left_counts_down_and_ends(monkeypatch):
+    monkeypatch.setattr(progress, "_POLL", 0.001)
+    screen = Terminal()
+    monkeypatch.setattr(sys, "stderr", screen)
+    log = logging.getLogger("eigenmotion")
+    with clock(0.0):
+        log.info("compiling swing", extra={"expected": 0.2})
+        time.sleep(0.3)
+        log.info("proving swing")
+        time.sleep(0.05)
+    left = [float(one) for one in re.findall(r"compiling swing \.\.\. 0 s, about ([0-9.]+) s left", screen.getvalue())]
+    assert left[0] > left[-1] >= 0.0
+    assert re.search(r"compiling swing \.\.\. 0 s\x1b|compiling swing \.\.\. 0 s\r", screen.getvalue())
+    assert not re.search(r"proving swing .* left", screen.getvalue())

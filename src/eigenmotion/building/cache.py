@@ -4,7 +4,7 @@
                                                only the sources for first runs
     binaries/KEY/   NAME.<extension suffix>    KEY: the text of the sources and headers, compiler, flags, processor,
                     NAME_UNIT.o ...                 the model and its proof; the part (lazy_units.py), or Python
-    steppers/KEY/   UNIT.o                     KEY: the text of the headers, compiler, flags, processor
+    steppers/KEY/   UNIT.o, seconds            KEY: the text of the headers, compiler, flags, processor
     KIND/KEY/sums                              hashes of all other files of the entry
     KIND/.KEY.XXXXXXXX/                        an entry that is being written or deleted
     locks/KIND-KEY

@@ -3,9 +3,12 @@
 import ctypes
 import logging
 import shutil
+import time
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from itertools import chain
+from math import inf
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Lock
@@ -15,7 +18,7 @@ from ..codegen.model import Model
 from ..codegen.render.emit import SourceFile, Sources
 from ..cores import cores
 from ..garbage import uncollected
-from .cache import LOCATION, entry, key
+from .cache import LOCATION, entry, key, location
 from .errors import BuildError
 from .lazy_units import methods_of, whole
 from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, STEPPER, Toolchain, headers
@@ -27,6 +30,11 @@ _log = logging.getLogger("eigenmotion")
 _loading = Lock()
 Units = tuple[tuple[str, str], ...]
 _loaded: dict[tuple[Path, Units], "System"] = {}
+_SECONDS = "seconds"
+"""File with the duration of the stepper's compilation, beside its object."""
+_SHARE_OF_STEPPER, _BYTES_OF_HEADERS = 0.08, 60_000
+"""The compiler's time for a model's units is about this part of that for the stepper, for the headers, and as much
+again for so many bytes of the model's own text: within a third for the models of `benchmarks/pipeline.py`."""
 _CAPSULE = b"eigenmotion.em_model"  # a constant, as capsules must outlive their name
 _capsule = ctypes.pythonapi.PyCapsule_New
 _capsule.restype, _capsule.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
@@ -75,25 +83,47 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
     with ThreadPoolExecutor(max_workers=cores()) as pool:
         shared = pool.submit(stepper, tools)
         missing = [unit for unit in units if f"{name}_{unit}.o" not in compiled_before]
+        end = time.monotonic() + _expected(tools, work / f"{name}.c", len(missing) / len(units))
         jobs = [pool.submit(tools.compile_unit, work, name, unit) for unit in missing]
         if is_module:
             jobs.append(pool.submit(tools.compile_module, work, name))
-        for k, _ in enumerate(as_completed(jobs), 1):
+        for k, _ in enumerate(chain([None], as_completed(jobs))):
             if k < len(jobs):
-                _log.info("compiling %s: %d of %d units are done", name, k, len(jobs))
+                left = {"expected": end - time.monotonic()}
+                _log.info("compiling %s: %d of %d units are done", name, k, len(jobs), extra=left)
         new = tuple(job.result() for job in jobs)
+        if not shared.done():
+            _log.info("compiling the stepper, once for each compiler")
     tools.link(work, (*new, shared.result(), *(str(path) for path in existing if path.name not in replaced)), name)
     return new
+
+
+def _expected(tools: Toolchain, text: Path, part: float) -> float:
+    """Return about the seconds that compiling a part of a model's units takes; -inf: unknown.
+
+    The compilation of the stepper, whose duration the cache keeps, has measured the compiler on this machine.
+    """
+    measured = location() / "steppers" / _stepper_key(tools) / _SECONDS
+    with suppress(OSError, ValueError):
+        size = text.stat().st_size / _BYTES_OF_HEADERS
+        return part * _SHARE_OF_STEPPER * float(measured.read_text(encoding="ascii")) * (1 + size) / cores()
+    return -inf
+
+
+def _stepper_key(tools: Toolchain) -> str:
+    return key(headers(), tools.identity)
 
 
 def stepper(tools: Toolchain) -> str:
     """Return the path of the stepper object, which all models share; compiled once for each compiler and its flags."""
 
     def fill(folder: Path) -> None:
+        start = time.monotonic()
         with _work((), folder) as work:
             shutil.move(work / tools.compile_stepper(work), folder / f"{STEPPER}.o")
+        (folder / _SECONDS).write_text(f"{time.monotonic() - start:.3f}\n", encoding="ascii")
 
-    return str(entry("steppers", key(headers(), tools.identity), fill) / f"{STEPPER}.o")
+    return str(entry("steppers", _stepper_key(tools), fill) / f"{STEPPER}.o")
 
 
 @contextmanager
