@@ -103,3 +103,17 @@ def test_references_and_runs_end_at_the_deadline():
     point = survey.examine(families(stopped, ())[0], 1e-8)
     assert point.cells == ()
     assert point.left_out == 6
+
+
+def test_points_without_runs_are_no_results(monkeypatch):
+    """A point for which no time was left when it began stays among those that were not run."""
+
+    def examined(case, value, **_):
+        return SimpleNamespace(cells=(1,) if value == 1.0 else ())
+
+    monkeypatch.setattr(survey, "examine", examined)
+    cases = [SimpleNamespace(name="a", title="a")]
+    clock = survey._Clock(survey.time.monotonic(), 60.0, lambda *_: None)
+    places = [("a", float(k)) for k in range(3)]
+    assert list(survey._examined(cases, places, clock, 1)[0]) == [("a", 1.0)]
+    assert list(survey._examined(cases, places[:1], clock, 1)[0]) == [("a", 0.0)]

@@ -24,7 +24,7 @@ from .subject import Subject, subject
 BUDGET = 90.0
 """[s] default time for an examination"""
 _BUILDS, _SEARCH, _PATIENCE, _POINT = 0.4, 0.06, 0.03, 0.1  # parts of the budget for builds, search, references, points
-_LEAST, _FIRST = 1.0, 10.0  # [s] of such a part; of the first point and what comes before it, after the builds
+_LEAST, _FIRST = 1.0, 30.0  # [s] of such a part; of the first point and what comes before it, after the builds
 _WORTH = 0.5  # part of a point's mean time that must be left for another to begin
 _PLACE = tuple[str, float]
 
@@ -172,17 +172,17 @@ def _examined(
     """Return the results, and whether Ctrl-C ended the examination after some of them."""
     known = {case.name: case for case in cases}
     results: dict[_PLACE, PointResult] = {}
+    cut: dict[_PLACE, PointResult] = {}
     each = max(_LEAST, _POINT * clock.budget)
     try:
         for place, result in _stream(known, points, Pace(Deadline(clock.until)), each, workers):
-            if result.cells or not results:
-                results[place] = result
+            (results if result.cells else cut)[place] = result
             clock(f"{len(results)} of {len(points)} points, {known[place[0]].title}")
     except KeyboardInterrupt:
         if not results:
             raise
         return results, True
-    return results, False
+    return results or dict([*cut.items()][:1]), False
 
 
 @dataclass
