@@ -64,7 +64,7 @@ class Control {
     this.set(this.start);
   }
 
-  print() { this.field.value = String(this.value).includes("e") ? +this.value.toPrecision(3) : +this.value.toPrecision(6); }
+  print() { this.field.value = fitting(this.value, 6); }
 }
 
 // The column of names is as wide as the longest of them. Those of a folded list have no width before it is opened.
@@ -73,7 +73,17 @@ function fitNames() {
   document.documentElement.style.setProperty("--names", `${Math.max(0, ...widths)}px`);
 }
 
-const short = (value) => +value.toPrecision(4);
+// A number with as many digits as a field has room for; its own value is kept elsewhere.
+function fitting(value, digits) {
+  for (let count = digits; count > 2; count--) {
+    const text = String(+value.toPrecision(count));
+    if (text.length <= FIELD) return text;
+  }
+  return String(+value.toPrecision(3)).includes("e") ? String(+value.toPrecision(2)) : (+value.toPrecision(3)).toExponential();
+}
+const FIELD = 9; // letters
+
+const short = (value) => fitting(value, 4);
 
 const around = (value, least) => { const reach = Math.max(least, Math.abs(value)); return { low: value - reach, high: value + reach }; };
 

@@ -1,7 +1,7 @@
 // plots.js: plots over the abscissa (the time or a quantity), with a mark at the current time; dragging seeks.
 
 const DASHES = [[], [6, 3], [2, 3], [8, 3, 2, 3]];
-const LEFT = 58, RIGHT = 12, BELOW = 36, ABOVE = 9;
+const LEFT = 64, RIGHT = 18, BELOW = 36, ABOVE = 9;
 
 class Plot {
   // look: { title, series, log, timed }; a timed plot is over time whatever the abscissa.
@@ -147,7 +147,7 @@ function roomy(values, part) {
 }
 
 function brief(value) {
-  const size = Math.abs(value), plainly = size === 0 || (size >= 1e-3 && size < 1e6);
+  const size = Math.abs(value), plainly = size === 0 || (size >= 1e-3 && size < 1e5);
   const text = plainly ? String(+value.toPrecision(4)) : (+value.toPrecision(3)).toExponential().replace("+", "");
   return text.replace("-", "\u2212");
 }
