@@ -67,13 +67,17 @@ def _bilinear(axes: tuple[Axis, ...], table: Rows, i: int, j: int) -> tuple[floa
 
 
 def _of_polynomials(interpolant: Any, outside: str, what: str) -> Pieces:
-    """Return the pieces of a PPoly, whose c has the shape (powers, descending; pieces)."""
-    knots = _knots(interpolant.x, f"{what}: x")
-    rows = _plain(interpolant.c)
+    """Return the pieces of a PPoly, whose c has the shape (powers, descending; pieces).
+
+    Those of length zero are left out: `PPoly.from_spline` makes them of a spline's repeated knots.
+    """
+    x, rows = _finite(_plain(interpolant.x), f"{what}: x"), _plain(interpolant.c)
     if not _is_table(rows) or any(isinstance(one, list) for row in rows for one in row):
         raise ModelError(f"{what} has several values at a point. Give a table of one of them.")
     table = [_finite(row, f"{what}: c") for row in rows]
-    coefficients = tuple(float(row[piece]) for piece in range(len(knots) - 1) for row in reversed(table))
+    kept = [piece for piece in range(len(x) - 1) if x[piece] != x[piece + 1]]
+    knots = _knots([*x[:1], *(x[piece + 1] for piece in kept)], f"{what}: x")
+    coefficients = tuple(float(row[piece]) for piece in kept for row in reversed(table))
     return Pieces((Axis(knots, len(table)),), coefficients, outside)
 
 

@@ -38,6 +38,16 @@ def test_four_bars_against_sympy(of):
         assert np.abs(found.Y[..., k] - right).max() < 1e-11 * max(1.0, np.abs(right).max())
 
 
+def test_a_regressor_unpacks_as_Y_and_rest():
+    """At one state and at many: Y p + rest are the forces of a motion without reactions."""
+    system = system_for(servo())
+    x, v, a = random_motion(system, 2)
+    for state in ((x, v, a), (x[:, 0], v[:, 0], a[:, 0])):
+        Y, rest = found = system.regressor(list(system.parameters)[:1], *state)
+        assert Y is found.Y and rest is found.rest
+        assert Y.shape == (system.n, 1, *state[0].shape[1:]) and rest.shape == state[0].shape
+
+
 @pytest.mark.parametrize("seed", [1, 4, 7, *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(10, 20))])
 def test_random_machines_need_the_forces_of_inverse_dynamics(seed):
     """Y p + rest at other values of the parameters; geared joints have ratios that are not linear."""

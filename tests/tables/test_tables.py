@@ -54,6 +54,7 @@ def loaded() -> em.System:
 CURVES = {
     "cubic": SPLINE, "pchip": si.PchipInterpolator(ANGLES, TORQUES), "akima": si.Akima1DInterpolator(ANGLES, TORQUES),
     "quintic": si.make_interp_spline(ANGLES, TORQUES, k=5), "polynomials": si.PPoly(SPLINE.c, SPLINE.x),
+    "of_a_fit": si.PPoly.from_spline(si.splrep(ANGLES, TORQUES, s=0.5)),  # its outer pieces have the length zero
 }  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """Regressor: forces of a motion as a linear function of parameters."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,7 +21,7 @@ from .slopes import required, slopes
 
 @dataclass(frozen=True)
 class Regressor:
-    """Forces = Y p + rest at one state or at many, exactly, for parameters p.
+    """Forces = Y p + rest at one state or at many, exactly, for parameters p; unpacks as (Y, rest).
 
     Attributes
     ----------
@@ -46,6 +46,10 @@ class Regressor:
     rest: Vector
     freedoms: tuple[Vector, ...]
     obstacle: str = ""
+
+    def __iter__(self) -> Iterator[Vector]:
+        """Return Y and rest, one after the other."""
+        return iter((self.Y, self.rest))
 
     @property
     def free(self) -> tuple[Vector, Vector]:
