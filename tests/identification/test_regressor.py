@@ -44,8 +44,10 @@ def test_a_regressor_unpacks_as_Y_and_rest():
     x, v, a = random_motion(system, 2)
     for state in ((x, v, a), (x[:, 0], v[:, 0], a[:, 0])):
         Y, rest = found = system.regressor(list(system.parameters)[:1], *state)
-        assert Y is found.Y and rest is found.rest
-        assert Y.shape == (system.n, 1, *state[0].shape[1:]) and rest.shape == state[0].shape
+        assert Y is found.Y
+        assert rest is found.rest
+        assert Y.shape == (system.n, 1, *state[0].shape[1:])
+        assert rest.shape == state[0].shape
 
 
 @pytest.mark.parametrize("seed", [1, 4, 7, *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(10, 20))])
