@@ -91,6 +91,18 @@ def test_a_start_at_rest_under_a_force_that_grows_from_rounding_is_proved(force,
     prove(model, system_for(model, "lagrange"))
 
 
+@pytest.mark.parametrize("width", [1e-2, 1e-4, 1e-6])
+@pytest.mark.parametrize("force", [2, 2 * sympy.sin(0.7 * t)])
+@pytest.mark.parametrize("formulation", ["lagrange", "eigenfactor"])
+def test_a_start_at_rest_that_steep_friction_holds_back_is_proved(force, width, formulation):
+    """Two steps move less than the absolute tolerance of a method that iterates."""
+    x, e = dynamicsymbols("x"), sympy.Symbol("e", positive=True)
+    em.build(em.Model(
+        name="held_back", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+        forces={x: force - sympy.Rational(4, 5) * sympy.tanh(x.diff() / e)}, parameters={e: width},
+    ), formulation=formulation)  # fmt: skip
+
+
 def test_a_body_that_stands_on_its_head_is_proved():
     prove(quaternion_body(), system_for(quaternion_body(), "lagrange"))
 
