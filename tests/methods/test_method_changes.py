@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from sympy import Rational, cos, sin, symbols, tanh
+from sympy import Rational, cos, sin, sqrt, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -246,6 +246,23 @@ def test_compiles_no_derivatives_without_stiffness(end, rtol):
     sol = built.simulate((0.0, end), method="auto", rtol=rtol, t_eval=[0.0, end])
     assert sol.success
     assert asked == []
+
+
+def test_leaves_the_implicit_method_where_it_makes_no_step():
+    """Derivatives of the drag are not finite at rest, where z stays; the drag itself is 0 there."""
+    x, z, d = *dynamicsymbols("x z"), symbols("d", positive=True)
+    resting = em.build(Model(
+        name="drag_at_rest", coordinates=[x, z], kinetic_energy=(x.diff() ** 2 + z.diff() ** 2) / 2, potential_energy=0,
+        forces={x: -sin(t) - d * (x.diff() - cos(t)), z: -z.diff() * sqrt(z.diff() ** 2 + z**2)},
+        parameters={d: 2e3}, initial={x.diff(): 1.0},
+    ), formulation="lagrange")  # fmt: skip
+    sol = resting.simulate((0.0, 2.0), method="auto", rtol=1e-6, dense_output=True)
+    assert sol.success, sol.message
+    assert [name == "radau9" for _, name in sol.methods] == [False, True, False]
+    assert sol.methods[1][0] == sol.methods[2][0]
+    np.testing.assert_allclose(sol.x[0], np.sin(sol.t), atol=1e-6)
+    assert not sol.x[1].any()
+    assert not resting.simulate((0.0, 2.0), method="radau9", rtol=1e-6).success
 
 
 @cache

@@ -174,6 +174,18 @@ static int em_implicit_is_dear(em_run_state *w) {
     return 1;
 }
 
+/* Where the implicit method makes no step, for example because derivatives are not finite where the motion is, the run
+ * goes on by the explicit one and keeps it. Returns as a step. */
+static int em_leave_implicit(em_run_state *w) {
+    em_run *const run = w->run;
+    if (!run->changes || w->scheme.radau_iia == NULL || run->fault.status != EM_STEP_SIZE_UNDERFLOW) return EM_END;
+    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    if (em_change_method(w)) return EM_END;
+    run->changes = 0;
+    w->h_next = em_first_size(w);
+    return EM_CONTINUE;
+}
+
 /* After an accepted step: changes the method if the other one costs less. A run waits before it takes the implicit
  * method: the caller may have to load derivatives. Returns as a step. */
 static int em_consider_method(em_run_state *w) {

@@ -117,7 +117,7 @@ static int em_enter_next_interval(em_run_state *w) {
 
 /* Makes one accepted step. */
 static int em_accepted_step(em_run_state *w) {
-    if (em_step_forward(w)) return EM_END;
+    if (em_step_forward(w)) return em_leave_implicit(w);
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0, changed = 0;
