@@ -54,7 +54,7 @@ def test_the_advice_is_first_and_units_are_named(folder):
     assert "theta [rad], r [mm]" in text
     assert "t = 0 ... 10 ms" in text
     assert "k = 2 N/mm, theta&#39; = 1 rad/ms" in text
-    assert "energy (62) [mJ ms]" in text
+    assert "energy (62) [mJ·ms]" in text
 
 
 VISIBLE = "[...document.querySelectorAll('svg.chart')].filter((svg) => svg.getBoundingClientRect().height > 0)"

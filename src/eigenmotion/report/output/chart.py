@@ -91,8 +91,8 @@ def _steps(findings: Findings) -> Chart:
     few = [c for c in ours if c.formulation == drawn or c.is_implicit]
     return _chart(
         findings, "order", "steps against error",
-        f"Each method with formulation {drawn or '-'}, the implicit ones once. p: the order seen, of error ~ "
-        "steps^-p, where there are enough points above rounding to fit it.",
+        f"Each method with formulation {drawn or '-'}, the implicit ones once. p: the order seen, of an error "
+        "that falls as steps⁻ᵖ, where there are enough points above rounding to fit it.",
         "accepted steps", [_line(c, _with_order(c, c.method, findings), True) for c in few],
         [_line(c, _with_order(c, c.label, findings), True) for c in ours],
     )  # fmt: skip

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from ...presentation.counts import count_of
 from ..evaluation.outcome import JUDGED_RIGHT, Cell, Outcome
-from ..output.text import counted, described
+from ..output.text import counted, described, runs_of
 from .findings import Range, Record, places, ranges, records
 from .survey import Limits
 
@@ -19,11 +20,8 @@ def summary_of(found: Limits) -> tuple[str, ...]:
 def _lines(found: Limits) -> Iterator[str]:
     matrix = found.matrix
     if found.interrupted:
-        yield f"interrupted after {len(matrix.points)} of {_count(found)} points: the rest was not run"
-    yield (
-        f"{found.own.model.name}: {len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: "
-        f"{counted(matrix)}."
-    )
+        yield f"interrupted after {len(matrix.points)} of {count_of(_count(found), 'point')}: the rest was not run"
+    yield (f"{found.own.model.name}: {runs_of(matrix)} in {matrix.seconds:.0f} s: {counted(matrix)}.")
     for outcome in (Outcome.WRONG, Outcome.DIFFERS):
         yield from _named(found, outcome)
     if matrix.cells:
@@ -41,28 +39,31 @@ def _named(found: Limits, outcome: Outcome) -> Iterator[str]:
     for cell in cells[:_MOST]:
         yield f"{str(outcome).upper()}: {described(cell)}" + (f"; {cell.message}" if cell.message else "")
     if len(cells) > _MOST:
-        yield f"{str(outcome).upper()}: and {len(cells) - _MOST} more runs, in {places(found.matrix, cells)}"
+        yield f"{str(outcome).upper()}: and {len(cells) - _MOST} more, in {places(found.matrix, cells)}"
 
 
 def _recommended(found: Limits) -> Iterator[str]:
     best, *others = records(found.matrix)
     formulation, method = best.combination
     if not best.right:
-        yield f"no formulation with any method is known to be right in any of {len(found.matrix.points)} points"
+        points = count_of(len(found.matrix.points), "point")
+        yield f"no formulation with any method is known to be right in any of {points}"
         return
     lost = len(best.cells) - len(best.right) - len(best.bad)
     unjudged = f", with no digits left to judge in {lost}" if lost else ""
     if len(best.right) == len(best.cells):
-        yield f"use {formulation} with {method}: {_word(best)} in all {len(best.cells)} points"
+        yield f"use {formulation} with {method}: {_word(best)} in {_all(len(best.cells))}"
     else:
         where = f"; not in {places(found.matrix, best.bad)}" if best.bad else ""
         more = any(len(other.right) > len(best.right) for other in others)
         rank = "the most of those that are wrong least often" if more else "as many as any other"
-        yield (
-            f"use {formulation} with {method}: {_word(best)} in {len(best.right)} of {len(best.cells)} points, {rank}"
-            f"{unjudged}{where}"
-        )
+        right = f"{_word(best)} in {len(best.right)} of {count_of(len(best.cells), 'point')}"
+        yield f"use {formulation} with {method}: {right}, {rank}{unjudged}{where}"
     yield from _limits(ranges(found.matrix, best.combination))
+
+
+def _all(points: int) -> str:
+    return "the only point" if points == 1 else f"all {points} points"
 
 
 def _word(record: Record) -> str:
@@ -100,7 +101,7 @@ def _groups(found: Limits, outcome: Outcome) -> Iterator[str]:
         variants = list(dict.fromkeys(cell.variant for cell in cells))
         by = ", ".join(methods if len(methods) < len(variants) or len(methods) < _MOST else ["all methods"])
         words = f", {reason}" if reason else ""
-        yield f"{outcome}{words} ({len(cells)} runs; {by}): {places(found.matrix, cells)}"
+        yield f"{outcome}{words} ({count_of(len(cells), 'run')}; {by}): {places(found.matrix, cells)}"
 
 
 def _doubts(found: Limits) -> Iterator[str]:
@@ -112,7 +113,7 @@ def _doubts(found: Limits) -> Iterator[str]:
             "tight runs by other formulations and methods"
         )
     elif points:
-        yield f"no independent reference in {len(points)} points: {places(found.matrix, points)}"
+        yield f"no independent reference in {count_of(len(points), 'point')}: {places(found.matrix, points)}"
 
 
 def _count(found: Limits) -> int:
@@ -125,10 +126,10 @@ def _rest(found: Limits) -> Iterator[str]:
     runs = sum(point.left_out for point in found.matrix.points)
     if count:
         texts = [f"{title.replace('Parameter ', '')} {', '.join(labels)}" for title, labels in found.left_out]
-        rest = f"; and {len(texts) - _MOST} more cases" if len(texts) > _MOST else ""
-        yield f"not run, {count} points: {'; '.join(texts[:_MOST])}{rest}"
+        rest = f"; and {len(texts) - _MOST} more" if len(texts) > _MOST else ""
+        yield f"not run, {count_of(count, 'point')}: {'; '.join(texts[:_MOST])}{rest}"
     if runs:
         points = [point for point in found.matrix.points if point.left_out]
-        yield f"not run, {runs} runs of points that took too long: {places(found.matrix, points)}"
+        yield f"not run, {count_of(runs, 'run')} of points that took too long: {places(found.matrix, points)}"
     if not found.interrupted and (count or runs) or any("budget" in why for _, why in found.unbuilt):
         yield f"the budget of {found.budget:g} s was too short for these: raise --budget"

@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+from ...presentation.counts import count_of
 from ...presentation.text import number
 from ..cases.case import Case
 from ..evaluation.matrix import Matrix
@@ -17,9 +18,14 @@ LETTERS = {
 
 def summary(matrix: Matrix) -> tuple[str, ...]:
     """Return the number of each outcome, and the wrong cells."""
-    lines = [f"{len(matrix.cells)} runs of {len(matrix.points)} points in {matrix.seconds:.0f} s: {counted(matrix)}."]
+    lines = [f"{runs_of(matrix)} in {matrix.seconds:.0f} s: {counted(matrix)}."]
     lines += [f"WRONG: {described(cell)}" for cell in matrix.cells if cell.outcome is Outcome.WRONG]
     return tuple(lines)
+
+
+def runs_of(matrix: Matrix) -> str:
+    """Return the numbers of runs and of points."""
+    return f"{count_of(len(matrix.cells), 'run')} of {count_of(len(matrix.points), 'point')}"
 
 
 def counted(matrix: Matrix) -> str:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ....presentation.page import render
 from ....presentation.tables import Row, Table
 from ....presentation.text import number, seconds
-from ....presentation.units import Units, time_unit, unit_of, with_unit
+from ....presentation.units import Units, on_axis, time_unit, unit_of
 from ...examine import Findings
 from ...measure import SLOW, SLOW_TURNS, Measurement
 from ...peers import LONGEST
@@ -111,7 +111,7 @@ def _about(findings: Findings) -> str:
 
 
 def _named(names: Sequence[str], units: Units) -> str:
-    return ", ".join(with_unit(name, unit_of(units, name)) for name in names)
+    return ", ".join(on_axis(name, unit_of(units, name)) for name in names)
 
 
 def _given(findings: Findings) -> list[str]:
@@ -188,7 +188,7 @@ def _measurements(findings: Findings) -> Table:
     work = " ".join(unit for unit in (unit_of(units, "energy"), time_unit(units)) if unit_of(units, "energy"))
     head = (
         "solver", "tolerance", "error at the end", "largest error", "of velocities", "run time", "quartiles", "repeats",
-        "right-hand sides", "ns each", "steps", "rejected", "|A v + b|", "|phi|", with_unit("energy (62)", work),
+        "right-hand sides", "ns each", "steps", "rejected", "|A v + b|", "|phi|", on_axis("energy (62)", work),
         "factor residual", "remark",
     )  # fmt: skip
     return Table(head, tuple(map(_measurement, findings.measurements)))
