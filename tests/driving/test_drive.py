@@ -296,6 +296,9 @@ def test_what_is_saved_and_copied(tmp_path):
     assert np.array_equal(copy.drawing.numbers, driven.drawing.numbers)
     with pytest.raises(em.ModelError, match="known endings"):
         driven.save(tmp_path / "a.txt")
+    assert driven.to_csv() == (tmp_path / "a.csv").read_text()
+    with pytest.raises(em.ModelError, match="cannot be written"):  # it was an OSError
+        driven.save(tmp_path / "a.csv" / "b.csv")
 
 
 def test_pictures():

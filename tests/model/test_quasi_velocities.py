@@ -10,7 +10,6 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
 from eigenmotion.cli.options import values
-from eigenmotion.results.output.saving import save
 
 from ..support.generation import FORMULATIONS, model_of, system_for, system_of
 
@@ -140,7 +139,7 @@ def test_constraints_written_in_them_hold():
 def test_files_hold_them_and_models_without_have_none(tmp_path):
     system = system_of("rigid_body")
     found = system.simulate((0, 1))
-    save(found, tmp_path / "motion.npz")
+    found.save(tmp_path / "motion.npz")
     with np.load(tmp_path / "motion.npz") as file:
         np.testing.assert_array_equal(file["quasi_velocity_omega_2"], found.quasi_velocities["omega_2"])
     pendulum = system_of("pendulum")

@@ -104,6 +104,20 @@ def test_csv_is_read_back_exactly(run, tmp_path):
         run.to_csv(tmp_path)
 
 
+def test_a_run_is_saved_by_the_ending_of_the_file(run, tmp_path):
+    run.save(tmp_path / "run.csv")
+    assert (tmp_path / "run.csv").read_text() == run.to_csv()
+    run.save(str(tmp_path / "run.npz"))
+    with np.load(tmp_path / "run.npz") as arrays:
+        for name in ("t", "y", "x", "v", "multipliers", "energy", "factor_residual"):
+            np.testing.assert_array_equal(arrays[name], run[name])
+    with pytest.raises(em.ModelError, match=r"known endings are \.npz, \.csv"):
+        run.save(tmp_path / "run.txt")
+    (tmp_path / "file").touch()
+    with pytest.raises(em.ModelError, match="cannot be written"):
+        run.save(tmp_path / "file" / "run.npz")
+
+
 def test_pandas_has_columns_over_time(run):
     pandas = pytest.importorskip("pandas")
     frame = run.to_pandas()

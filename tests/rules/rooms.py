@@ -66,7 +66,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     ),
     "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "arguments", "presentation"),
     "results": ("codegen.model.normalise", "files", "runtime", "arguments", "presentation", "results.pictures"),
-    "results.output": ("files", "arguments", "presentation", "compiled", "results"),
+    "results.output": ("arguments", "presentation", "compiled", "results"),
     "simulation.initial_state": (
         "codegen.model.normalise",
         "codegen.model",

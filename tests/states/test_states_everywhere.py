@@ -8,7 +8,6 @@ from eigenmotion.codegen.compiler import explain
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.results.output.saving import save
 
 from ..support.generation import system_for
 from .mechanisms import K, e, i, ref, servo, theta
@@ -146,11 +145,11 @@ def test_equilibrium_and_linear_model(system):
 
 def test_saved_and_pictured(system, tmp_path):
     found = system.simulate((0, 1))
-    save(found, tmp_path / "run.csv")
+    found.save(tmp_path / "run.csv")
     head, *rows = (tmp_path / "run.csv").read_text().splitlines()
     assert head.split(",") == ["t", "theta", "theta'", "energy", "voltage", "power", "i", "e"]
     assert float(rows[-1].split(",")[-2]) == found.states["i"][-1]
-    save(found, tmp_path / "run.npz")
+    found.save(tmp_path / "run.npz")
     with np.load(tmp_path / "run.npz") as file:
         np.testing.assert_array_equal(file["state_e"], found.states["e"])
     labels = [text.get_text() for text in found.plot().axes[0].texts]

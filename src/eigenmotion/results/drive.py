@@ -4,7 +4,7 @@ import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -12,13 +12,13 @@ import numpy as np
 from ..arguments.named_values import Vector, unknown
 from ..arguments.states import names_of_states
 from ..codegen.model.normalise import ModelError
-from ..files import write
 from ..presentation.figures import plain_text
 from ..presentation.tables import as_csv
 from ..presentation.units import force_unit, on_axis, power_unit, time_unit, unit_of, with_unit
 from ..runtime import CompiledModel, Prepared
 from .between_rows import between
 from .columns import columns, moving, reactions
+from .motion_table import save, text_or_file
 from .pictures.animation import FRAMES_A_SECOND, animation, frame_times
 from .pictures.driven_motion import Lines, driven_motion
 from .pictures.labelled_lines import label
@@ -207,24 +207,33 @@ class Drive:
         ]
         return ["t", *marked, *ours[1:], *named], np.array(rows).T
 
-    def save(self, path: Path | str) -> None:
+    def to_csv(self, path: str | PathLike[str] | None = None) -> str | None:
+        """Write `table` to a file, in full precision; return its text if there is no path.
+
+        Where the model has units, they are behind the names of the columns, as in theta [rad].
+
+        Raises
+        ------
+        ModelError
+            The file cannot be written.
+        """
+        (names, rows), units = self.table(), self.units
+        head = [with_unit(name, units.get(name, "")) for name in names]
+        return text_or_file(as_csv(head, rows.tolist()), path)
+
+    def save(self, path: str | PathLike[str]) -> None:
         """Write a table to PATH.csv, or arrays to PATH.npz.
 
         Raises
         ------
         ModelError
-            Another ending.
+            Another ending, or the file cannot be written.
         """
-        target = Path(path)
-        if target.suffix not in SAVERS:
-            raise ModelError(f"{target}: known endings are {', '.join(SAVERS)}")
-        write(target, SAVERS[target.suffix](self))
+        save(self, path, SAVERS)
 
 
 def _csv(motion: Drive) -> bytes:
-    """Return the table; behind the names of columns are their units, if the model has any."""
-    (names, rows), units = motion.table(), motion.units
-    return as_csv([with_unit(name, units.get(name, "")) for name in names], rows.tolist()).encode()
+    return str(motion.to_csv()).encode()
 
 
 def _npz(motion: Drive) -> bytes:

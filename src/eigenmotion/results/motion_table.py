@@ -1,15 +1,27 @@
 """Table of a motion: a column for each quantity, by name, for files and for other tools."""
 
-from collections.abc import Mapping
+import io
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Any
+from os import PathLike
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
 
 from ..arguments.named_values import Vector
 from ..codegen.model.normalise import ModelError
+from ..files import write
 from ..presentation.units import time_unit, unit_of
 from .columns import columns, moving, reactions
 from .trajectory import Trajectory
+
+_ARRAYS = (
+    "t", "y", "x", "v", "eta", "C", "s", "multipliers", "energy", "jacobi_integral",
+    "constraint_residual", "position_residual", "factor_residual",
+)  # fmt: skip
+Result = TypeVar("Result")
 
 
 def table(rows: Trajectory) -> dict[str, Vector]:
@@ -86,3 +98,61 @@ def data_set(columns: Mapping[str, Vector], attributes: Mapping[str, Any]) -> An
 def _require(package: str, call: str, installs: str) -> None:
     if find_spec(package) is None:
         raise ModelError(f"{call} needs {package}: pip install '{installs}'")
+
+
+def save(result: Result, path: str | PathLike[str], savers: Mapping[str, Callable[[Result], bytes]]) -> None:
+    """Write a result in the format of the ending of `path`, atomically: no incomplete file remains.
+
+    Raises
+    ------
+    ModelError
+        Another ending, or the file cannot be written.
+    """
+    target = Path(path)
+    if target.suffix not in savers:
+        raise ModelError(f"{target}: known endings are {', '.join(savers)}")
+    _put(target, savers[target.suffix](result))
+
+
+def text_or_file(text: str, path: str | PathLike[str] | None) -> str | None:
+    """Write a table to a file; return its text if there is no path.
+
+    Raises
+    ------
+    ModelError
+        The file cannot be written.
+    """
+    if path is None:
+        return text
+    _put(Path(path), text.encode())
+    return None
+
+
+def _put(path: Path, content: bytes) -> None:
+    try:
+        write(path, content)
+    except OSError as error:
+        raise ModelError(f"{path}: it cannot be written there ({error.strerror})") from error
+
+
+def _npz(solution: Any) -> bytes:
+    buffer = io.BytesIO()
+    arrays = {name: solution[name] for name in _ARRAYS}
+    arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
+    arrays |= {f"state_{name}": values for name, values in solution.states.items()}
+    arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
+    np.savez_compressed(buffer, coordinates=np.array(_coordinates(solution)), **arrays)
+    return buffer.getvalue()
+
+
+def _coordinates(solution: Any) -> tuple[str, ...]:
+    """Return the names of the coordinates; raises ModelError where these are not known."""
+    return tuple(solution.table())[1 : 1 + len(solution.x)]
+
+
+def _csv(solution: Any) -> bytes:
+    """Return the columns of `Solution.table`, in full precision."""
+    return str(solution.to_csv()).encode()
+
+
+SAVERS: dict[str, Callable[[Any], bytes]] = {".npz": _npz, ".csv": _csv}

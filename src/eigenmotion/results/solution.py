@@ -4,7 +4,6 @@ import sys
 from collections.abc import Callable, ItemsView, Iterator, KeysView, ValuesView
 from functools import cache
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,6 @@ from numpy.typing import ArrayLike
 from ..arguments.named_values import Vector, unknown, vector
 from ..arguments.tasks import Task
 from ..codegen.model.normalise import ModelError
-from ..files import write
 from ..presentation.figures import has_matplotlib, require_matplotlib
 from ..presentation.notebook import image, table
 from ..presentation.tables import as_csv
@@ -349,14 +347,17 @@ class Solution(dict[str, Any]):
         """
         columns, units = self.table(), motion_table.units_of_columns(self._named_rows("to_csv"))
         head = [with_unit(name, units.get(name, "")) for name in columns]
-        text = as_csv(head, np.vstack([*columns.values()]).T.tolist())
-        if path is None:
-            return text
-        try:
-            write(Path(path), text.encode())
-        except OSError as error:
-            raise ModelError(f"{path}: the table cannot be written there ({error.strerror})") from error
-        return None
+        return motion_table.text_or_file(as_csv(head, np.vstack([*columns.values()]).T.tolist()), path)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write all arrays to PATH.npz, or `table` to PATH.csv.
+
+        Raises
+        ------
+        ModelError
+            As `table`; another ending; or the file cannot be written.
+        """
+        motion_table.save(self, path, motion_table.SAVERS)
 
     def to_pandas(self) -> Any:
         """Return `table` as a `pandas.DataFrame` over t; `attrs` has the model's name and units.

@@ -14,7 +14,7 @@ from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock
-from eigenmotion.results.output.saving import SAVERS, save
+from eigenmotion.results.motion_table import SAVERS
 from eigenmotion.results.output.summary import summary
 from eigenmotion.results.pictures.animation import ANIMATIONS, save_animation
 from eigenmotion.results.pictures.moving_shapes import require_drawing
@@ -99,7 +99,7 @@ def command(
     if animate:
         click.echo(f"moves in {save_animation(solution.animate(), animate)}")
     if target:
-        save(_spaced(solution, rows, every, over), target)
+        _spaced(solution, rows, every, over).save(target)
         click.echo(f"saved to {target}")
     return _exit_code(solution)
 
