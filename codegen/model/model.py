@@ -10,7 +10,18 @@ import sympy
 
 from .canonical_text import canonical_text
 from .check import checks
-from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
+from .normalise import (
+    MULTIPLIER,
+    ModelError,
+    expression,
+    name_of,
+    nearest_symbol,
+    number,
+    pairs_of,
+    sequence_of,
+    shown,
+    t,
+)
 from .prescribed_inputs import PrescribedInput, with_prescribed_inputs
 from .recursion_depth import expressions_in, with_room
 from .statement.as_stated import as_stated, keeping, without_contacts
@@ -285,6 +296,6 @@ def _each(
 def _by_coordinate(values: Mapping[Any, Any], coordinates: tuple[Any, ...], what: str) -> Mapping[Any, Any]:
     for key in values:
         if key not in coordinates:
-            hint = nearest(name_of(key), map(name_of, coordinates))
+            hint = nearest_symbol(key, coordinates)
             raise ModelError(f"{what} has an entry for {shown(key)}, which is not a coordinate.{hint}")
     return values

@@ -74,6 +74,14 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f" Did you mean {matches[0]!r}?" if matches else ""
 
 
+def nearest_symbol(key: Any, known: Iterable[Any]) -> str:
+    """Return a hint for a key that is none of the known symbols: to give the symbol itself, or the closest name."""
+    names = set(map(name_of, known))
+    if name_of(key) in names:
+        return " Give the model's own symbol, not its name or another symbol of that name."
+    return nearest(name_of(key), names)
+
+
 def pairs_of(given: Any, what: str) -> tuple[tuple[Any, Any], ...]:
     """Return a mapping, or a sequence of pairs, as a tuple of pairs in the same order."""
     if isinstance(given, Mapping):
@@ -88,7 +96,7 @@ def sequence_of(given: Any, what: str) -> tuple[Any, ...]:
     if isinstance(given, sympy.MatrixBase):
         return tuple(given)
     if isinstance(given, (str, bytes, Mapping, Set)) or not isinstance(given, Iterable):
-        raise ModelError(f"{what} must be a list or tuple, not {shown(given)}: their order is that of the state.")
+        raise ModelError(f"{what} must be a list or tuple, not {shown(given)}: the order counts.")
     try:
         return tuple(given)
     except TypeError as error:  # objects that only look iterable, such as a class or an array of dimension 0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ..normalise import ModelError, name_of, nearest, shown, t
+from ..normalise import ModelError, name_of, nearest_symbol, shown, t
 from ..statement.contacts import Contact, Friction
 from ..statement.states import check_states
 from .allowed_symbols import check_symbols, declared
@@ -180,8 +180,7 @@ def _check_initial(model: Mechanism) -> None:
     allowed = {*model.coordinates, *model.rates, *quasi, *(z for z, _ in model.states)}
     for key, _ in model.initial:
         if not isinstance(key, sympy.Basic) or key not in allowed:
-            spelt = isinstance(key, str) and key in map(name_of, allowed)
-            hint = " Give the symbol, not its name." if spelt else nearest(name_of(key), map(name_of, allowed))
+            hint = nearest_symbol(key, allowed)
             raise ModelError(
                 f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate, nor a state.{hint}"
             )
@@ -256,7 +255,7 @@ def _check_resets(model: Mechanism) -> None:
         keys = [key for key, _ in event.reset]
         for key in keys:
             if not isinstance(key, sympy.Basic) or key not in allowed:
-                hint = nearest(name_of(key), map(name_of, allowed))
+                hint = nearest_symbol(key, allowed)
                 raise ModelError(
                     f"reset of events[{name}] has an entry for {shown(key)}, which is neither a coordinate nor a "
                     f"velocity of the model.{hint}"
