@@ -121,6 +121,7 @@ REFUSED = (
     ({"inputs": [[1.0, 2.0]], "count": 1}, "inputs has shape"),
     ({"method": "rk4"}, "needs step="),
     ({"method": "Radau"}, "is SciPy's"),
+    ({"method": "auto"}, "give it 'dop853'"),
     ({"workers": 0}, "workers is 0"),
     ({"tolerance": 1}, "unknown option"),
 )

@@ -43,6 +43,7 @@ def test_what_is_no_number_is_refused(inputs):
     ("options", "words"),
     [
         ({"method": "Radau"}, "method 'Radau' is SciPy's"),
+        ({"method": "Auto"}, "method 'auto' chooses for a whole run"),
         ({"method": "rk4"}, "method 'rk4' needs step"),
         ({"step": 0.1}, "step is for methods of fixed step"),
         ({"method": "rk4", "step": 0.0}, "step is 0.0, but must be above 0"),

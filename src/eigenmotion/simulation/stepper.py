@@ -181,7 +181,18 @@ def stepper(
 
 
 def method_named(argument: str) -> str:
-    """Return a method of steppers by its name, in upper or lower case."""
+    """Return a method of steppers by its name, in upper or lower case.
+
+    Raises
+    ------
+    ModelError
+        The name is unknown, or "auto", which examines a whole run.
+    """
+    if isinstance(argument, str) and argument.lower() == "auto":
+        raise ModelError(
+            "method 'auto' chooses for a whole run, and a stepper is asked for its end at each step: give it 'dop853' "
+            "or 'ra15', or 'radau9' where the motion is stiff (System.simulate with method='auto' says which)"
+        )
     name: str = method_of(argument, {name: name for name in STEPPED})
     return name
 
