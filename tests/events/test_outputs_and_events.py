@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Event, Model, System, multiplier, t
+from eigenmotion import Event, Model, ModelError, System, multiplier, t
 from eigenmotion.arguments.methods import IMPLICIT, METHODS
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.runtime import StopReason
@@ -202,3 +202,13 @@ def test_two_passages_close_together_fire_wherever_in_a_long_step(method, apart)
     for place in np.linspace(0.1, 9.9, 99):
         run = system.simulate((0.0, 10.0), parameters={"first": place, "gap": apart}, method=method)
         assert run.t_events[0] == pytest.approx([place, place + apart], abs=1e-9)
+
+
+def test_an_event_of_parameters_alone_is_refused():
+    """It never changes its sign, and was taken without a word."""
+    x, a = dynamicsymbols("x"), symbols("a")
+    with pytest.raises(ModelError, match=r"events\[never\] contains neither the time nor anything that moves: a - 1"):
+        Model(
+            name="idle", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=0, parameters={a: 2.0},
+            events={"never": Event(a - 1)},
+        )  # fmt: skip

@@ -61,7 +61,7 @@ def check(model: Mechanism) -> None:
     _check_masses(model)
     _check_contacts(model)
     _check_rows(model)
-    _check_resets(model)
+    _check_events(model)
 
 
 def solve_rates(model: Mechanism, x: Iterable[float], y: Iterable[float]) -> tuple[float, ...]:
@@ -247,8 +247,9 @@ def _check_masses(model: Mechanism) -> None:
             )
 
 
-def _check_resets(model: Mechanism) -> None:
-    """Check that resets name coordinates, and either rates or quasi-velocities; that impacts contain a coordinate."""
+def _check_events(model: Mechanism) -> None:
+    """Check that events can occur; resets name coordinates, and either rates or quasi-velocities; impacts have one."""
+    parameters = {symbol for symbol, _ in model.parameters}
     quasi = [y for y, _ in model.quasi_velocities]
     allowed = {*model.coordinates, *model.rates, *quasi, *(z for z, _ in model.states)}
     for name, event in model.events:
@@ -265,6 +266,11 @@ def _check_resets(model: Mechanism) -> None:
         if set(keys) & set(model.rates) and set(keys) & set(quasi):
             raise ModelError(
                 f"reset of events[{name}] gives both rates and quasi-velocities. Give the velocities in one of the two."
+            )
+        if event.expression.free_symbols <= parameters:
+            raise ModelError(
+                f"events[{name}] contains neither the time nor anything that moves: {event.expression}. It never "
+                "occurs."
             )
         if event.impact and not event.impact[0].has(*model.coordinates):
             raise ModelError(f"phi of the impact of events[{name}] contains no coordinate: {event.impact[0]}.")

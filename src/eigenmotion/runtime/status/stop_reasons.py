@@ -267,6 +267,14 @@ def named_rows(names: Sequence[str], m: int) -> tuple[str, ...]:
     return tuple(next(iter(names[k : k + 1]), "") or f"row {k}" for k in range(m))
 
 
+_AT_FAULT = {
+    StopReason.SINGULAR_MASS_MATRIX: "pivot", StopReason.DEPENDENT_CONSTRAINTS: "pivot",
+    StopReason.COINCIDENT_EIGENVALUES: "gap", StopReason.POSITION_NOT_REACHED: "residual",
+    StopReason.RESET_OFF: "residual", StopReason.STEP_SIZE_UNDERFLOW: "step size",
+}  # fmt: skip
+"""What the size of a fault is, where it is not just a value."""
+
+
 def explain(
     stop: StopReason,
     coordinates: Sequence[str],
@@ -307,4 +315,4 @@ def explain(
     text = words.format(first=name(first), second=name(second), row=row, at=at, table=table, **of_events)
     if stop is StopReason.OUTSIDE_TABLE:
         return text
-    return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text
+    return f"{text} (The {_AT_FAULT.get(stop, 'value')} is {size:.3g}.)" if first >= 0 and isfinite(size) else text
