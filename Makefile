@@ -43,9 +43,10 @@ QUICK := graph rules model/test_model.py equations/test_derive.py equations/test
 quick: $(READY)
 	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto $(addprefix tests/,$(QUICK)) $(PYTEST_ARGS)
 
-# PYTEST_ARGS="-k name" runs a part. Bytecode is kept: pytest takes 6 seconds a process to rewrite assertions anew
+# PYTEST_ARGS="-k name" runs a part. Bytecode is kept: pytest takes 6 seconds a process to rewrite assertions anew. Options
+# of ours need "=": a folder by itself would be taken for the tests to run, and then the file that adds them is not read
 test: $(READY)
-	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto --screenshots $(SCREENSHOTS) $(PYTEST_ARGS)
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/pytest -n auto --screenshots=$(SCREENSHOTS) $(PYTEST_ARGS)
 
 # Random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
 fuzz: $(READY)
@@ -55,7 +56,7 @@ fuzz: $(READY)
 # `make nightly NIGHTS=1` takes all at once, and hours
 NIGHTS ?= 10
 NIGHT  ?= $(shell date +%j)
-SLICE  := --slice $(NIGHT)/$(NIGHTS)
+SLICE  := --slice=$(NIGHT)/$(NIGHTS)
 PEERS  := $(VENV)/.peers
 
 nightly: $(READY) $(PEERS)
@@ -77,14 +78,14 @@ $(PEERS): $(READY)
 docs: $(DOCS) $(WORKED) $(SHOWN)
 	$(BIN)/sphinx-build -q -W --keep-going -d build/doctrees docs build/site
 	$(BIN)/python docs/making/links.py build/site
-	$(BIN)/pytest -q tests/docs/test_site_looks.py --site build/site --screenshots $(SCREENSHOTS)
+	$(BIN)/pytest -q tests/docs/test_site_looks.py --site=build/site --screenshots=$(SCREENSHOTS)
 	@echo "the site: build/site/index.html"
 
 # Photographs to look at of every page of the site, of each model's page, and of reports: 1400 and 400 pixels wide, light
 # and dark; PYTEST_ARGS="-k four_bar" takes some. Their faults end it, as far as they can be found without eyes
 screenshots: docs
-	$(BIN)/pytest -q -m "" tests/docs/test_site_looks.py tests/export/test_page_looks.py --site build/site \
-	    --screenshots $(SCREENSHOTS) $(PYTEST_ARGS)
+	$(BIN)/pytest -q -m "" tests/docs/test_site_looks.py tests/export/test_page_looks.py --site=build/site \
+	    --screenshots=$(SCREENSHOTS) $(PYTEST_ARGS)
 
 # A page of the documentation, worked through: what its snippets draw is shown on it
 $(WORKED): docs/made/%.done: docs/%.md docs/making/work.py docs/making/snippets.py $(wildcard src/eigenmotion/webpage/page/* src/eigenmotion/webpage/page/*/*) | $(READY)
