@@ -8,11 +8,11 @@ from math import comb
 from pathlib import Path
 
 import pytest
-from eigenmotion.building.operation_count import operations_in
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.compiler import explain
 
 import eigenmotion as em
+from eigenmotion.building.operation_count import operations_in
 
 pytestmark = pytest.mark.nightly
 
