@@ -99,6 +99,23 @@ def test_tables_of_other_tools_have_them_beside_names(run):
     assert data["number"].attrs == {}
 
 
+def test_ensembles_of_other_tools_have_them():
+    pytest.importorskip("xarray")
+    swept = {"x0": {"x": [0.1, 0.2]}, "v0": {"q": [0.0, 1.0]}, "t_eval": [0.0, 0.5]}
+    data = em.simulate_ensemble(system_for(model()), (0, 1), **swept).to_xarray()
+    assert list(data["unit"].values) == ["rad", "mm"]
+    assert list(data["rate_unit"].values) == ["rad/s", "mm/s"]
+    words = {"energy": "mJ", "reach": "mm", "z": "°C", "time": "s", "x": None}
+    assert {name: data[name].attrs.get("units") for name in words} == words
+    assert sorted(one.attrs["units"] for one in data.coords.values() if one.dims == ("run",) and one.attrs) == [
+        "mm",
+        "rad/s",
+    ]
+    plain = em.simulate_ensemble(system_for(model(units={})), (0, 1), **swept).to_xarray()
+    assert not any(one.attrs for one in plain.variables.values())
+    assert "unit" not in plain.coords
+
+
 def test_pictures_have_axes_for_each_unit(run):
     pytest.importorskip("matplotlib")
     *axes, sketch = run.plot().axes

@@ -13,6 +13,7 @@ from ..arguments.states import names_of_states
 from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
+from ..presentation.units import time_unit, unit_of
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .batch_arrays import REASONS, BatchArrays, empty_fields
@@ -304,6 +305,9 @@ class Ensemble:
     def to_xarray(self) -> Any:
         """Return an `xarray.Dataset` with dimensions run, coordinate, time; swept arguments are coordinates of run.
 
+        Where the model has units, variables have the attribute `units`, and `unit` and `rate_unit` are coordinates
+        along `coordinate`, since x and v mix them.
+
         Raises
         ------
         ModelError
@@ -319,25 +323,48 @@ class Ensemble:
 
 
 def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the data variables and coordinates for xarray, each as (dimensions, values)."""
+    """Return the data variables and coordinates for xarray, each as (dimensions, values, attributes)."""
     along = ("run", "coordinate", "time")
     data: dict[str, Any] = {
-        "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy),
+        "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy, _unit(runs, "energy")),
         "t_end": ("run", runs.t_end), "success": ("run", runs.success), "nfev": ("run", runs.nfev),
         "stop": ("run", np.array([str(reason) for reason in runs.stop], dtype=np.str_)),
     }  # fmt: skip
     model = runs._model
     if model.m:
         data["multipliers"] = (("run", "row", "time"), runs.multipliers)
+    names = model.coordinates[: runs._n]
     places: dict[str, Any] = {
-        "time": runs.t,
-        "coordinate": np.array(model.coordinates[: runs._n]),
+        "time": ("time", runs.t, {"units": time_unit(model.units)} if model.units else {}),
+        "coordinate": np.array(names),
         "run": np.arange(len(runs)),
     }
+    if model.units:
+        places |= {
+            word: ("coordinate", np.array([unit_of(model.units, name, order) for name in names]))
+            for order, word in enumerate(("unit", "rate_unit"))
+        }
     named = runs.outputs | runs.states
     users = [*(("output", name) for name in runs.outputs), *(("state", name) for name in runs.states),
              *(("swept", name) for name in runs.swept)]  # fmt: skip
-    names = iter(columns({*data, *places, "row"}, users))
-    data |= {name: (("run", "time"), values) for values, name in zip(named.values(), names, strict=False)}
-    places |= {name: ("run", values) for values, name in zip(runs.swept.values(), names, strict=True)}
+    labels = iter(columns({*data, *places, "row"}, users))
+    data |= {
+        label: (("run", "time"), values, _unit(runs, name))
+        for (name, values), label in zip(named.items(), labels, strict=False)
+    }
+    places |= {
+        label: ("run", values, _unit(runs, name))
+        for (name, values), label in zip(runs.swept.items(), labels, strict=True)
+    }
     return data, places
+
+
+def _unit(runs: Ensemble, name: str) -> dict[str, str]:
+    """Return the attributes of a variable: its unit, if the model has one.
+
+    name : with a prime for a rate, and "(0)" for a value at the start
+    """
+    moving = name.removesuffix("(0)")
+    plain = moving.rstrip("'")
+    unit = unit_of(runs._model.units, plain, len(moving) - len(plain))
+    return {"units": unit} if unit else {}
