@@ -152,6 +152,16 @@ def test_sensitivities_go_through_the_change(sign):
     np.testing.assert_allclose(sol.sensitivity["x'"].dx[0], plain.sensitivity["x'"].dx[0], atol=1e-5)
 
 
+def test_gradients_are_by_the_method_of_the_longest_span():
+    given = {"parameters": {"sign": BEGINS, "T": 10.0}, "t_eval": ROWS, "rtol": 1e-7, "by": ["x'", "y"]}
+    gradients = {}
+    for method in ("auto", "radau9"):
+        solution, pullback = em.vjp(system(), (0.0, END), method=method, **given)
+        assert solution.method == "radau9"
+        gradients[method] = pullback(dx=np.ones_like(solution.x))
+    assert gradients["auto"] == gradients["radau9"]
+
+
 def test_error_estimates_bound_the_error():
     sol = run(BEGINS, estimate_error=True, rtol=1e-6, t_eval=ROWS)
     assert len(sol.methods) > 1

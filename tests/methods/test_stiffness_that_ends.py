@@ -36,13 +36,15 @@ def system() -> em.System:
     ), formulation="lagrange")  # fmt: skip
 
 
-def times_tolerance(method, tolerance, **parameters):
+def times_tolerance(method, tolerance, direction=1.0, **parameters):
     """Return the largest error of x in tolerances."""
+    rows = direction * ROWS
     sol = system().simulate(
-        (0.0, END), method=method, rtol=tolerance, atol=tolerance, t_eval=ROWS, parameters=parameters, max_steps=10**6
-    )
+        (0.0, rows[-1]), method=method, rtol=tolerance, atol=tolerance, t_eval=rows, parameters=parameters,
+        max_steps=10**6,
+    )  # fmt: skip
     assert sol.success, sol.message
-    return abs(sol.x[0] - np.sin(ROWS)).max() / tolerance
+    return abs(sol.x[0] - np.sin(rows)).max() / tolerance
 
 
 def random_case(rng):
@@ -61,4 +63,14 @@ def test_errors_stay_near_the_tolerance(block, method):
     for _ in range(15):
         case, tolerance = random_case(rng), 10 ** rng.uniform(-9, -4)
         found = times_tolerance(method, tolerance, **case)
+        assert found < TIMES_TOLERANCE, (found, tolerance, case)
+
+
+@pytest.mark.parametrize("method", ["radau5", "radau9", "auto"])
+def test_so_they_do_backwards(method):
+    """A damper of negative strength holds the motion backwards in time."""
+    rng = np.random.default_rng(0)
+    for _ in range(30):
+        case, tolerance = random_case(rng), 10 ** rng.uniform(-9, -4)
+        found = times_tolerance(method, tolerance, -1.0, **(case | {"d": -case["d"]}))
         assert found < TIMES_TOLERANCE, (found, tolerance, case)

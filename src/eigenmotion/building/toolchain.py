@@ -75,14 +75,8 @@ class Toolchain:
         The predefined macros of the compiler depend on all three.
         """
         macros = self._ask(*self.optimised, *self.flags, *_MACROS)
-        fixed = (
-            *STANDARD,
-            *SHARED,
-            *MODULE,
-            *map(str, HURRIED.items()),
-            *link_flags(self.command),
-            *map(str, UNITS.items()),
-        )
+        units = map(str, (*HURRIED.items(), *UNITS.items()))
+        fixed = (*STANDARD, *SHARED, *MODULE, *link_flags(self.command), *units)
         flags = (*self.optimised, *fixed, *self.flags)
         return key(*self.command, "", *flags, "", macros)
 

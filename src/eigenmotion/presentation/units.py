@@ -21,6 +21,19 @@ def unit_of(units: Units, name: str, order: int = 0) -> str:
     return f"{unit}/{time_unit(units)}" + (f"^{order}" if order > 1 else "")
 
 
+def unit_of_marked(units: Units, name: str) -> str:
+    """Return the unit of a name with a prime for each derivative, and "(0)" behind a value at the start.
+
+    Examples
+    --------
+    >>> unit_of_marked({"theta": "rad"}, "theta'(0)"), unit_of_marked({"theta": "rad"}, "m")
+    ('rad/s', '')
+    """
+    moving = name.removesuffix("(0)")
+    plain = moving.rstrip("'")
+    return unit_of(units, plain, len(moving) - len(plain))
+
+
 def force_unit(units: Units, name: str) -> str:
     """Return the unit of the force on a coordinate, energy over its unit; "" if the model does not say both.
 

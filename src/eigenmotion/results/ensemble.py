@@ -13,7 +13,7 @@ from ..arguments.states import names_of_states
 from ..arguments.tasks import EnsembleTask, Members
 from ..codegen.model.normalise import ModelError
 from ..presentation.notebook import table
-from ..presentation.units import time_unit, unit_of
+from ..presentation.units import time_unit, unit_of, unit_of_marked
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .batch_arrays import REASONS, BatchArrays, empty_fields
@@ -360,11 +360,6 @@ def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _unit(runs: Ensemble, name: str) -> dict[str, str]:
-    """Return the attributes of a variable: its unit, if the model has one.
-
-    name : with a prime for a rate, and "(0)" for a value at the start
-    """
-    moving = name.removesuffix("(0)")
-    plain = moving.rstrip("'")
-    unit = unit_of(runs._model.units, plain, len(moving) - len(plain))
+    """Return the attributes of a variable: its unit, if the model has one."""
+    unit = unit_of_marked(runs._model.units, name)
     return {"units": unit} if unit else {}

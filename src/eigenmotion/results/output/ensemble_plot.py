@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ...arguments.named_values import Vector
 from ...presentation.figures import BLUE, blank, folded, plain_text, uncluttered
-from ...presentation.units import Units, on_axis, time_unit, unit_of
+from ...presentation.units import Units, on_axis, time_unit, unit_of_marked
 
 _BAND = (5, 95)  # percentiles
 _PANEL = 1.8  # [inch]
@@ -86,5 +86,4 @@ def _medians(values: Vector, final: Vector) -> tuple[Vector, Vector]:
 
 def _named(name: str, units: Units, more: str = "") -> str:
     """Return a name with its unit; a rate is marked ', and an initial value (0)."""
-    plain = name.removesuffix("(0)")
-    return plain_text(on_axis(name + more, unit_of(units, plain.rstrip("'"), len(plain) - len(plain.rstrip("'")))))
+    return plain_text(on_axis(name + more, unit_of_marked(units, name)))

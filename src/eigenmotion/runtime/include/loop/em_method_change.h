@@ -113,7 +113,7 @@ static int em_change_method(em_run_state *w) {
     return em_note_method(w);
 }
 
-/* Ends a window of steps once it is full, and counts it as dear if `other`, the cost of the other method per unit of
+/* Ends a full window of steps, and counts it as dear if `other`, the cost of the other method per unit of
  * time, is clearly less. The first after a change does not count, since its steps may be short. */
 static void em_end_window(em_run_state *w, double other, double rate) {
     em_choice *const c = &w->choice;
@@ -134,7 +134,7 @@ static int em_explicit_is_strained(em_run_state *w) {
     return ahead > (limited->steps < many ? EM_HUNDREDTH * (double)many : least);
 }
 
-static int em_doubled(int times) { return times + (times < EM_LONGEST_PATIENCE); }
+static int em_more_doublings(int doublings) { return doublings + (doublings < EM_LONGEST_PATIENCE); }
 
 /* After an explicit step: whether the implicit method would cost less, because stability limits the steps, or because it
  * has cost less before, which is seen in the first windows after a change. */
@@ -146,16 +146,15 @@ static int em_explicit_is_dear(em_run_state *w) {
     }
     if (!strained && c->dear < EM_DEAR_WINDOWS) return 0;
     if (strained) c->explicit_rate = em_cost_rate(w, &c->limited);
-    if (c->implicit_rate > 0.0 && c->windows < EM_TRIAL) c->reluctance = em_doubled(c->reluctance);
+    c->reluctance = c->implicit_rate > 0.0 && c->windows < EM_TRIAL ? em_more_doublings(c->reluctance) : 0;
     return 1;
 }
 
 /* The cost of explicit steps per unit of time: of steps as long as stability allows, but no longer than the present ones.
  * For some windows after explicit steps their cost counts: if it was less, for the implicit method may be a trial in
  * vain; if it was more after a trial of explicit steps, for their errors need shorter steps. */
-static double em_explicit_cost(const em_run_state *w) {
+static double em_explicit_cost(const em_run_state *w, double present) {
     const em_choice *const c = &w->choice;
-    const double present = fabs(w->t - c->window.t) / c->window.steps;
     const double stable = EM_EXPLICIT_STEP / em_min(EM_STABLE_SIZE / em_fastest_rate(w), present);
     if (!(c->windows < EM_SHORT_TRIAL << c->reluctance && c->explicit_rate > 0.0)) return stable;
     return c->reluctance > 0 ? em_max(stable, c->explicit_rate) : em_min(stable, c->explicit_rate);
@@ -166,9 +165,9 @@ static int em_implicit_is_dear(em_run_state *w) {
     em_choice *const c = &w->choice;
     if (++c->window.steps < EM_WINDOW) return 0;
     const double rate = em_cost_rate(w, &c->window), step = fabs(w->t - c->window.t) / c->window.steps;
-    em_end_window(w, em_explicit_cost(w), rate);
+    em_end_window(w, em_explicit_cost(w, step), rate);
     if (c->dear < EM_DEAR_WINDOWS) return 0;
-    c->patience = c->windows > EM_SHORT_TRIAL ? 0 : em_doubled(c->patience);
+    c->patience = c->windows > EM_SHORT_TRIAL ? 0 : em_more_doublings(c->patience);
     c->implicit_rate = rate;
     w->h_next = em_min(em_min(w->h_next, step), EM_STABLE_SIZE / em_fastest_rate(w));
     return 1;

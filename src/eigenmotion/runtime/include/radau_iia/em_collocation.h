@@ -1,8 +1,7 @@
 /* em_collocation.h: Radau IIA steps of the motion (x, v): stages, error, next step size and dense output.
  *
  * As in Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8. The error is that of a solution of order
- * s, multiplied by (1 - h J / mu_0)^-1, so that stiff components that have decayed do not contribute, unless the
- * stiffness ends within the step (em_lost_damping). The Jacobian
+ * s, multiplied by (1 - h J / mu_0)^-1, so that stiff components that have decayed do not contribute. The Jacobian
  * is kept as long as the iteration converges well, and its factors as long as the step would grow only little; sizes
  * follow from two errors (Gustafsson 1994). States within the step are those of the collocation polynomial, which
  * have the same error. */
@@ -17,7 +16,6 @@
 #define EM_FAILED_ITERATION_FACTOR 0.5 /* factor of the step size if the iteration does not converge */
 #define EM_SAFETY 0.9                  /* safety factor of em_size_ratio */
 #define EM_LEAST_PREVIOUS_ERROR 1e-2   /* a smaller error is accidental */
-#define EM_ENDS_STIFF 10.0             /* stiffness ends in a step at whose end damping is so many times less */
 
 enum { EM_COUPLED_STEPS = 16 }; /* steps with a Jacobian for each stage, before a shared Jacobian is tried again */
 
@@ -90,76 +88,37 @@ EM_INLINE int em_solve_stages(const em_radau_iia *rk, em_run_state *w) {
 
 /* --- the error --- */
 
-/* raw (2 n) <- h / mu_0 rate + h sum_i e_i rate_i, with `rate` (2 n) at the start of the step. */
-EM_INLINE void em_raw_error(const em_radau_iia *rk, const em_run_state *w, const double *rate, double *raw) {
-    const em_implicit *q = &w->stages;
-    const double share = w->h / rk->mu[0][0];
-    for (int k = 0; k < w->n; ++k) {
-        double p = share * rate[k], r = share * rate[w->n + k];
-        for (int i = 0; i < rk->stages; ++i) p += w->h * rk->e[i] * q->V[i * w->stride + k], r += w->h * rk->e[i] * q->a[i * w->stride + k];
-        raw[k] = p, raw[w->n + k] = r;
-    }
-}
-
-/* error (2 n) <- (1 - h J / mu_0)^-1 raw */
-EM_INLINE void em_filter_error(const em_radau_iia *rk, em_run_state *w, const double *raw, double *error) {
+/* error (2 n) <- (1 - h J / mu_0)^-1 (h / mu_0 rate + h sum_i e_i rate_i), `rate` (2 n) at the start of the step. */
+EM_INLINE void em_filtered_error(const em_radau_iia *rk, em_run_state *w, const double *rate, double *error) {
     em_implicit *q = &w->stages;
     const double sigma = rk->mu[0][0] / w->h;
-    for (int k = 0; k < w->n; ++k) error[k] = sigma * (raw[w->n + k] + sigma * raw[k]);
+    double raw[w->n];
+    for (int k = 0; k < w->n; ++k) {
+        double p = rate[k] / sigma, r = rate[w->n + k] / sigma;
+        for (int i = 0; i < rk->stages; ++i) p += w->h * rk->e[i] * q->V[i * w->stride + k], r += w->h * rk->e[i] * q->a[i * w->stride + k];
+        raw[k] = p;
+        error[k] = sigma * (r + sigma * p);
+    }
     for (int i = 0; i < w->n; ++i)
         for (int k = 0; k < w->n; ++k) error[i] -= sigma * q->D[i * w->n + k] * raw[k];
     em_lu_solve(w->n, q->G[0], q->pivot[0], error);
     for (int k = 0; k < w->n; ++k) error[w->n + k] = sigma * (error[k] - raw[k]);
 }
 
-/* The norm of (p, r), the change of a state, in tolerances. */
-EM_INLINE double em_stage_norm(const em_run_state *w, const double *z) {
-    return sqrt(em_weighted_squares(2 * w->n, z, w->weight) / (2 * w->n));
-}
-
-/* *lost <- how many times less the error estimate is damped by the slopes at the end of the step than by those of the
- * filter, at least 1, from a difference of rates along the raw error. What the filter takes for decayed has not decayed
- * if the stiffness ends within the step. 0, or -1 and w->reason */
-EM_INLINE int em_lost_damping(const em_radau_iia *rk, em_run_state *w, const double *raw, double *lost) {
-    const em_implicit *q = &w->stages;
-    const int n = w->n, last = rk->stages - 1;
-    const double size = em_stage_norm(w, raw), share = w->h / rk->mu[0][0] / size;
-    double shifted[2 * n + EM_PACK], rate[w->width], slope[2 * n];
-    for (int k = 0; k < n; ++k) {
-        shifted[k] = q->X[last * w->stride + k] + raw[k] / size;
-        shifted[n + k] = q->V[last * w->stride + k] + raw[n + k] / size;
-    }
-    if (em_rate_of_stage(w, last, w->t_new, shifted, shifted + n, rate)) return -1;
-    for (int k = 0; k < n; ++k) {
-        rate[k] = raw[n + k];
-        rate[n + k] = size * (rate[n + k] - q->a[last * w->stride + k]);
-        slope[k] = raw[n + k];
-        slope[n + k] = 0.0;
-        for (int l = 0; l < n; ++l) slope[n + k] += q->K[k * n + l] * raw[l] + q->D[k * n + l] * raw[n + l];
-    }
-    *lost = em_max((1.0 + share * em_stage_norm(w, slope)) / (1.0 + share * em_stage_norm(w, rate)), 1.0);
-    return 0;
-}
-
 /* 0, or -1 and w->reason. A large error at the start of a motion, or of a further attempt, is filtered again: it may
- * be of components that decay, unless the stiffness ends. */
+ * be of components that decay. */
 EM_INLINE int em_estimate_stages(const em_radau_iia *rk, em_run_state *w) {
     em_implicit *q = &w->stages;
-    double rate[w->width], raw[2 * w->n], shifted[2 * w->n + EM_PACK], lost = 1.0;
+    double rate[w->width], shifted[2 * w->n + EM_PACK];
     em_copy_state(w, rate, w->K[0]);
     if (q->averaged && em_rate_of_stage(w, -1, w->t, w->y, w->y + w->n, rate)) return -1;
-    em_raw_error(rk, w, rate, raw);
-    em_filter_error(rk, w, raw, w->error);
-    w->error_norm = em_stage_norm(w, w->error);
-    const double unfiltered = em_stage_norm(w, raw);
-    if (unfiltered > 1.0 && isfinite(unfiltered) && em_lost_damping(rk, w, raw, &lost)) return -1;
-    if (lost > EM_ENDS_STIFF) w->error_norm = em_min(lost * w->error_norm, unfiltered);
-    if (lost > EM_ENDS_STIFF || w->error_norm < 1.0 || (q->accepted && !w->retries) || !isfinite(w->error_norm)) return 0;
+    em_filtered_error(rk, w, rate, w->error);
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
+    if (w->error_norm < 1.0 || (q->accepted && !w->retries) || !isfinite(w->error_norm)) return 0;
     for (int k = 0; k < 2 * w->n; ++k) shifted[k] = w->y[k] + w->error[k];
     if (em_rate_of_stage(w, -1, w->t, shifted, shifted + w->n, rate)) return -1;
-    em_raw_error(rk, w, rate, raw);
-    em_filter_error(rk, w, raw, w->error);
-    w->error_norm = em_stage_norm(w, w->error);
+    em_filtered_error(rk, w, rate, w->error);
+    w->error_norm = sqrt(em_weighted_squares(2 * w->n, w->error, w->weight) / (2 * w->n));
     return 0;
 }
 
