@@ -30,6 +30,17 @@ def test_a_turn_of_a_pendulum(tmp_path, capsys):
     assert picture.stat().st_size > 1000
 
 
+def test_a_slope_for_a_rate(capsys):
+    """sin(gamma) = (1.5 tan(2 alpha))^2 l / (4 g sin(alpha))."""
+    wheel = [str(MODELS / "rimless_wheel.py"), "--formulation", "lagrange", "--section", "theta", "--free", "gamma",
+             "--direction", "1", "--condition", "theta' - 1.5"]  # fmt: skip
+    assert main(["cycle", *wheel]) == 2
+    assert "section 'theta' is a name" in capsys.readouterr().err
+    wheel[4:5], wheel[7:9] = ["step"], []
+    assert main(["cycle", *wheel]) == 0
+    assert "gamma = 0.150401591" in capsys.readouterr().out
+
+
 def test_no_cycle(capsys):
     assert main(["cycle", str(MODELS / "pendulum.py"), "--formulation", "lagrange", "--set", "theta=0", "--period", "1"]
                 ) == 2  # fmt: skip

@@ -334,8 +334,11 @@ def test_wrong_arguments(given, words):
 def test_forcing_needs_its_period():
     with pytest.raises(ModelError, match=r"depend on time\. Give the period"):
         em.find_cycle(duffing(), x0={"x": 0.3})
-    with pytest.raises(ModelError, match="start at a time"):
-        em.find_cycle(duffing(), x0={"x": 0.3}, period=1.0, section="x")
+    with pytest.raises(ModelError, match=r"depend on time\. Give the period"):
+        em.find_cycle(duffing(), x0={"x": 0.3}, section="x")
+    later = em.find_cycle(duffing(), x0={"x": 0.3}, period=2 * np.pi / 1.2, section="x")  # at the time that it finds
+    assert later.success
+    assert later.x0["x"] == pytest.approx(0.3, abs=1e-14)
 
 
 def test_too_few_runs():

@@ -78,6 +78,7 @@ class Branch:
     stable : (rows,) True, False, or None if it is undecided
     highest, lowest : name -> (rows,) largest and least value of each coordinate and state along the motion
     special : the bifurcations, in order; each is a row, too
+    free : name -> (rows,) values of the parameters and inputs that are free in the cycles, and of "t"
 
     Examples
     --------
@@ -102,6 +103,7 @@ class Branch:
     highest: dict[str, Vector]
     lowest: dict[str, Vector]
     special: tuple[SpecialPoint, ...]
+    free: dict[str, Vector] = field(default_factory=dict)
 
     def plot(self, *others: "Branch", of: str | None = None) -> Any:
         """Return a picture of the branch, and of others in the same axes: what is stable solid, else dashed.

@@ -140,6 +140,8 @@ def _of_equilibria(system: CompiledSystem, by: str, curve: EquilibriumCurve, pat
 def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: int) -> Branch:
     system, search = start.system, start.search
     assert search is not None
+    if by in search.unknowns.names:
+        raise ModelError(f"{system.name}: {by} is free in this cycle, and cannot be followed, too. Follow another one")
     if by in search.problem.symmetry.names:
         raise ModelError(f"{system.name}: the symmetry depends on {by}, so cycles along it are not followed")
     signal = search.problem.point(search.problem.projected(_start(start), search.problem.prepared), start.t,
@@ -148,7 +150,7 @@ def _cycles(start: Cycle, by: str, ends: tuple[float, float | None], max_steps: 
     to, back = _interval(system, by, value, ends)
     search.problem.count.most = NO_LIMIT
     curve = cycle_curve.curve_of(search, _start(start), start.period, by, abs(to - value))
-    first = curve.at(np.concatenate([_start(start), [start.period, value]]))
+    first = curve.at(np.concatenate([_start(start), [start.period], [*start.free.values(), value]]))
     path = followed(curve, (begun(curve, first.w, to),), (to, back), True, max_steps)
     return _of_cycles(system, by, curve, path)
 
@@ -221,7 +223,17 @@ def _branch(system: CompiledSystem, along: tuple[str, CycleCurve | EquilibriumCu
         np.array([node.place.sample.parameter for node in path.nodes]), _columns(names, rows[:, :split]),
         _columns(names[:n], rows[:, split:]), periods, _values(path.nodes),
         tuple(node.spectrum.stable for node in path.nodes), _columns(names, ends[0]), _columns(names, ends[1]), special,
+        _free(curve, path),
     )  # fmt: skip
+
+
+def _free(curve: CycleCurve | EquilibriumCurve, path: Path) -> dict[str, Vector]:
+    """Return the values of what is free in cycles beside their starts."""
+    if isinstance(curve, EquilibriumCurve):
+        return {}
+    names = curve.search.unknowns.names
+    rows = np.array([node.place.sample.w[len(curve.first.q) + 1 : -1] for node in path.nodes])
+    return _columns(names, rows)
 
 
 def _values(nodes: list[Node]) -> Any:

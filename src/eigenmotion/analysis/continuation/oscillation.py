@@ -42,7 +42,7 @@ def oscillating(system: CompiledSystem, curve: EquilibriumCurve, by: str, at: Pl
     if depends_on_time(problem, q, period):
         raise ModelError(f"{system.name}: the equations depend on time, so no cycles of their own begin at the Hopf "
                          "bifurcation")  # fmt: skip
-    problem = replace(problem, free_advance=advancing(problem, q, period), by=by)
+    problem = replace(problem, free_advance=advancing(problem, q, period), by=(by,))
     for size in _AMPLITUDES:
         try:
             return _begun(problem, q, size * direction, (period, at.sample.parameter, curve.extent))

@@ -21,14 +21,15 @@ def doubled(curve: CycleCurve, at: Place) -> tuple[CycleCurve, Place]:
     twice = Symmetry(G @ G, G @ h + h, problem.symmetry.stated, problem.symmetry.names)
     stated = problem.stated_period
     if stated is not None:
-        stated = replace(stated, expression=2 * stated.expression)
+        stated = stated.doubled()
     problem = replace(problem, symmetry=twice, stated_period=stated)
     section = replace(section, times=2 * section.times)
-    curve = replace(curve, search=replace(search, problem=problem, section=section))
-    w = at.sample.w.copy()
-    w[-2] *= 2.0
-    along = at.tangent * at.sample.unit
-    along[-2] *= 2.0
+    conditions = tuple(one.of_half() for one in search.unknowns.conditions)
+    unknowns = replace(search.unknowns, conditions=conditions)
+    curve = replace(curve, search=replace(search, problem=problem, section=section, unknowns=unknowns))
+    w, along, place_of_period = at.sample.w.copy(), at.tangent * at.sample.unit, len(curve.first.q)
+    w[place_of_period] *= 2.0
+    along[place_of_period] *= 2.0
     return curve, place(curve.at(w), along)
 
 

@@ -1,6 +1,6 @@
 """Cycle: a periodic motion with its multipliers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,7 @@ class Cycle:
     solution : the motion over one period, with dense output
     runs : number of runs
     parameters : all values by name
+    free : name -> value of the parameters and inputs that were among the unknowns, and of "t"
     search : the equations that it solves, for `follow`
 
     Examples
@@ -62,12 +63,14 @@ class Cycle:
     solution: Solution | None
     runs: int
     parameters: dict[str, float]
+    free: dict[str, float] = field(default_factory=dict)
     search: Search | None = None
 
     def __str__(self) -> str:
         if not self.success:
             return f"{self.system.name}: {self.message}"
         lines = [f"{self.system.name}: period {self.period:.6g} s, {self.message}"]
+        lines += [f"{name} = {value:.9g}" for name, value in self.free.items()]
         lines.append(f"multipliers: {', '.join(map(_text, self.multipliers, self.multiplier_error))}")
         lines += [f"advance of {name}: {value:.6g}" for name, value in self.advance.items()]
         return "\n".join(lines)

@@ -1,5 +1,6 @@
 """Search for a periodic motion."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -8,23 +9,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments.differentiation import variable_name
-from ...arguments.named_values import Vector, unknown
+from ...arguments.named_values import Vector, is_named, spelled, unknown
 from ...arguments.options import is_system, no_system
+from ...arguments.tables import refuse_tables
 from ...codegen.model.normalise import ModelError, number, shown
 from ...compiled.compiled_system import CompiledSystem
 from ..equilibrium.assemble import assemble
 from .cycle import Cycle
 from .judgement import judged
 from .newton import Found, Search, Unknowns, converged, noise
-from .period_guess import first_motion
-from .periodic_problem import NO_LIMIT, Count, Problem
+from .period_guess import at_section, first_motion
+from .periodic_problem import NO_LIMIT, Count, Problem, named_values
+from .quantities import PERIOD, TIME, Quantity, quantity_of, stated_period
 from .returns import NoReturnError, Return, Section, firings, returned, run
 from .segments import found_in_segments, number_of_segments
-from .stated_period import stated_period
 from .symmetry import symmetry_of
-from .time_dependence import advancing, check_symmetry, depends_on_time
+from .time_dependence import advancing, check_symmetry, depends_on_time, is_constant
 
-PERIOD = "period"
 _LATER = 10
 """Number of periods after which a search begins again,"""
 _AGAIN = 3
@@ -41,11 +42,13 @@ def find_cycle(
     x0: Mapping[Any, float] | ArrayLike | None = None,
     v0: Mapping[Any, float] | ArrayLike | None = None,
     period: Any = None,
-    section: str | None = None,
+    section: Any = None,
+    direction: int | None = None,
     t: float = 0.0,
     parameters: Any = None,
     inputs: Mapping[Any, Any] | None = None,
     free: Sequence[Any] | None = None,
+    conditions: Sequence[Any] | None = None,
     symmetry: Mapping[Any, Any] | None = None,
     method: str = "dop853",
     rtol: float = 1e-11,
@@ -68,13 +71,23 @@ def find_cycle(
         how often the event happens in a period.
     section
         The name of an event of the model: motions start right after it and end right after it. Or the name of a
-        coordinate, rate ("theta'") or state that keeps the value of the guess at the start. None: the start moves
-        across the motion only.
+        coordinate, rate ("theta'") or state that keeps the value of the guess at the start. Or an expression of these,
+        of parameters and of `em.t` that is zero at the start, in SymPy or as text: "theta - 2*phi'". None: the start
+        moves across the motion only. If equations depend on time, the time of the start is found, too.
+    direction
+        With an expression as section: 1 if it increases through zero where the motion starts, -1 if it decreases; None:
+        as where the motion from x0, v0 first crosses the section.
     t
         Start [s], for equations that depend on time.
     free
-        Names of what may vary, of coordinates, rates, states and "period"; None: all. What is not free keeps the value
-        of the guess, which selects a member of a family, as of a pendulum's swings.
+        Names of what may vary, of coordinates, rates, states, "period", parameters, constant inputs and "t". What is
+        not free keeps the value of the guess, which selects a member of a family, as of a pendulum's swings. None: the
+        state and the period; these vary, too, if only parameters, inputs or "t" are named. A mapping has guesses of
+        parameters and inputs: {"gamma": 0.02}.
+    conditions
+        Expressions that are zero at the start, of coordinates, rates, states, parameters, constant inputs, t and
+        period, in SymPy or as text: "period - 1.2". There must be one for each parameter or input that is free. If
+        there is one less, and no forcing gives the period, `period` is exact: the motion has that one.
     symmetry
         Coordinate or state -> its value after a period, as an expression of their values before: {"x": "x + L"} for
         one that advances, {"left": "right", "right": "left"} for a step after which legs change roles. Coordinates on
@@ -97,7 +110,7 @@ def find_cycle(
     ------
     ModelError
         Unknown names; an inconsistent start; no period for equations that depend on time; the motion does not return;
-        the symmetry is none of the equations.
+        the symmetry is none of the equations; fewer conditions than names that are free.
 
     Notes
     -----
@@ -117,18 +130,36 @@ def find_cycle(
         raise no_system("find_cycle", system)
     with np.errstate(all="ignore"):  # numbers that are not finite are reported by name
         options = {"method": method} | ({} if atol is None else {"atol": atol})
-        problem, q = _problem(system, (x0, v0), number(t, "t"), (parameters, inputs), symmetry, options,
+        given = (*_with_guesses(system, parameters, inputs, free), number(t, "t"))
+        problem, q = _problem(system, (x0, v0), given[2], given[:2], symmetry, options,
                               (number(rtol, "rtol"), max_runs))  # fmt: skip
-        problem = replace(problem, stated_period=stated_period(system.compiled, period))
+        known = (*problem.c.inputs, *problem.c.parameters)
+        problem = replace(problem, stated_period=stated_period(problem.c.name, period, known))
         guess = None if period is None else _period(problem, period)
         if guess is not None and not guess > 0.0:
             raise ModelError(f"{system.name}: period is {guess:g}. Give a positive time")
-        return _searched(problem, q, guess, (section, free, _checked(problem, segments, section)))
+        where = _section(problem, section, direction)
+        return _searched(problem, q, guess, (where, (free, conditions), _checked(problem, segments, section)))
+
+
+def _with_guesses(system: CompiledSystem, parameters: Any, inputs: Any, free: Any) -> tuple[Any, Any]:
+    """Return parameters and inputs with the guesses of what is free."""
+    if not is_named(free):
+        return parameters, inputs
+    c, guesses = system.compiled, {spelled(name): value for name, value in free.items()}
+    known = (*c.inputs, *c.parameters)
+    if wrong := set(guesses) - set(known):
+        raise ModelError(f"{c.name}: {unknown('guess in free', wrong, known)} Guesses of the state are x0 and v0")
+    values = {name: number(value, f"guess of {name!r}") for name, value in guesses.items()}
+    return tuple(
+        named_values(given, names) | {name: value for name, value in values.items() if name in names}
+        for given, names in ((parameters, c.parameters), (inputs, c.inputs))
+    )  # type: ignore[return-value]
 
 
 def _period(problem: Problem, period: Any) -> float:
     stated = problem.stated_period
-    return stated.value(problem.c, problem.prepared) if stated else number(period, "period")
+    return float(stated.value(problem.constants)) if stated else number(period, "period")
 
 
 def _problem(system: CompiledSystem, start: tuple[Any, Any], t: float, given: tuple[Any, Any], symmetry: Any,
@@ -159,26 +190,28 @@ def _checked(problem: Problem, segments: Any, section: Any) -> int | None:
                      "section")  # fmt: skip
 
 
-def _searched(problem: Problem, q: Vector, guess: float | None, choices: tuple[Any, Any, int | None]) -> Cycle:
-    section, free, segments = choices
-    where, c = _section(problem, section), problem.c
+def _searched(problem: Problem, q: Vector, guess: float | None, choices: tuple[Section, tuple[Any, Any], int | None]
+              ) -> Cycle:  # fmt: skip
+    (where, (free, conditions), segments), c = choices, problem.c
     size_of_time = guess or 10.0 * problem.point(q, problem.t, problem.prepared).time
     problem = replace(problem, clock=depends_on_time(problem, q, size_of_time))
-    if problem.clock:
-        _check_clock(problem, guess, section)
+    if problem.clock and guess is None:
+        raise ModelError(f"{c.name}: the equations depend on time. Give the period, that of the forcing or a multiple")
     check_symmetry(problem, q, guess or size_of_time)
     stated = range(problem.c.n_coordinates) if problem.symmetry.stated else ()
     candidates = tuple(k for k in advancing(problem, q, size_of_time) if k not in stated and k != where.place)
     problem = replace(problem, free_advance=candidates)
-    q, period, where = _begun(problem, where, q, guess)
+    unknowns = _unknowns(problem, where, free, _conditions(problem, conditions), guess)
+    problem = replace(problem, by=unknowns.names)
+    problem, q, period, where = _begun(problem, where, q, guess)
     try:
         problem, here = _first(problem, where, q, period)
-        search = Search(problem, where, _unknowns(problem, free))
+        search = Search(problem, where, unknowns)
         if segments is not None and segments > 1:
             return _in_segments(search, here, segments)
         found = _closed(search, here, guess is None)
-        no_use = segments or where.event is not None or search.unknowns.kept or "no cycle" in found.message
-        if found.success or no_use:
+        no_use = segments or where.event is not None or unknowns.kept or unknowns.names or "no cycle" in found.message
+        if found.success or no_use or where.quantity or unknowns.conditions:
             return found
         problem.count.most = NO_LIMIT
         many = number_of_segments(problem, here)
@@ -203,7 +236,7 @@ def _closed(search: Search, first: Return, guessed: bool) -> Cycle:
     here, later, count = first, 0, problem.count
     share = max(1, count.most // (_AGAIN + 1))
     count.until = count.runs + share
-    found = converged(problem, where, unknowns, here)
+    found = converged(search, here)
     while found.failure and later < _LATER * _AGAIN and not unknowns.kept:
         count.until = NO_LIMIT
         try:
@@ -212,13 +245,12 @@ def _closed(search: Search, first: Return, guessed: bool) -> Cycle:
             break
         later += _LATER
         count.until = NO_LIMIT if later == _LATER * _AGAIN else count.runs + share
-        found = converged(problem, where, unknowns, here)
+        found = converged(search, here)
     count.until = NO_LIMIT
-    if guessed and where.event is None and not found.failure and not problem.symmetry.stated:
-        found = _shortest(problem, where, unknowns, found)
-    return judged(
-        Search(problem, where, unknowns), found, f"; the motion from x0, v0, {later} periods later" if later else ""
-    )
+    whole = any(PERIOD in one.names for one in unknowns.conditions)
+    if guessed and where.event is None and not found.failure and not problem.symmetry.stated and not whole:
+        found = _shortest(search, found)
+    return judged(search, found, f"; the motion from x0, v0, {later} periods later" if later else "")
 
 
 def _later(problem: Problem, where: Section, here: Return) -> Return:
@@ -235,9 +267,9 @@ def _later(problem: Problem, where: Section, here: Return) -> Return:
     return returned(problem, where, q, period)
 
 
-def _shortest(problem: Problem, where: Section, unknowns: Unknowns, found: Found) -> Found:
+def _shortest(search: Search, found: Found) -> Found:
     """Return the motion over the shortest period, where several were found as one."""
-    last = found.last
+    last, problem, where = found.last, found.last.problem, search.section
     parts = np.arange(_PARTS, 1, -1)
     try:
         rows = problem.rows(run(problem, last.q, problem.t + last.period, t_eval=problem.t + last.period / parts))
@@ -246,25 +278,29 @@ def _shortest(problem: Problem, where: Section, unknowns: Unknowns, found: Found
         if not len(near):
             return found
         part = returned(problem, where, last.q, last.period / float(parts[near[0]]))
-        shorter = converged(problem, where, unknowns, part)
+        shorter = converged(search, part)
     except NoReturnError:
         return found
     return found if shorter.failure else shorter
 
 
-def _begun(problem: Problem, where: Section, q: Vector, guess: float | None) -> tuple[Vector, float, Section]:
-    """Return the start, the period and the section of the first motion."""
+def _begun(problem: Problem, where: Section, q: Vector, guess: float | None
+           ) -> tuple[Problem, Vector, float, Section]:  # fmt: skip
+    """Return the problem, the start, the period and the section of the first motion."""
+    if where.quantity is not None:
+        q, t, where = at_section(problem, where, q, guess)
+        problem = replace(problem, t=t) if problem.clock else problem
     if guess is None:
-        return first_motion(problem, where, q)
+        return problem, *first_motion(problem, where, q)
     if where.event is None:
-        return q, guess, where
+        return problem, q, guess, where
     q, once, where = first_motion(problem, where, q)
     try:
         times = firings(problem, run(problem, q, problem.t + 1.5 * max(guess, once)), where.event or 0, once)
     except NoReturnError as error:
         raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not return: {error}") from error
     count = int(np.abs(times - problem.t - guess).argmin())
-    return q, float(times[count]) - problem.t, replace(where, times=count + 1)
+    return problem, q, float(times[count]) - problem.t, replace(where, times=count + 1)
 
 
 def _first(problem: Problem, where: Section, q: Vector, period: float) -> tuple[Problem, Any]:
@@ -275,36 +311,95 @@ def _first(problem: Problem, where: Section, q: Vector, period: float) -> tuple[
     return problem, returned(problem, where, rough.q, rough.period)
 
 
-def _check_clock(problem: Problem, guess: float | None, section: Any) -> None:
-    name = problem.c.name
-    if section is not None:
-        raise ModelError(f"{name}: the equations depend on time, so motions start at a time, t, not on a section")
-    if guess is None:
-        raise ModelError(f"{name}: the equations depend on time. Give the period, that of the forcing or a multiple")
-
-
-def _section(problem: Problem, section: Any) -> Section:
+def _section(problem: Problem, section: Any, direction: Any) -> Section:
+    c = problem.c
+    if direction is not None and direction not in (1, -1):
+        raise ModelError(f"{c.name}: direction is {shown(direction)}. Give 1 or -1")
+    places = dict(zip(problem.names, problem.places, strict=True))
+    named = section is not None and (str(section) in c.events or variable_name(section) in places)
+    if direction is not None and (section is None or named):
+        what = "there is no section" if section is None else f"section {str(section)!r} is a name"
+        raise ModelError(f"{c.name}: direction is {direction}, but {what}. Give a section that is an expression")
     if section is None:
         return Section()
-    name, c = str(section), problem.c
-    if name in c.events:
-        return Section(event=c.events.index(name))
-    name = variable_name(section)
-    places = dict(zip(problem.names, problem.places, strict=True))
-    if name not in places:
-        raise ModelError(f"{c.name}: {unknown('section', [name], (*c.events, *places))}")
-    return Section(place=places[name])
+    if str(section) in c.events:
+        return Section(event=c.events.index(str(section)))
+    if named:
+        return Section(place=places[variable_name(section)])
+    if isinstance(section, str) and re.fullmatch(r"[\w\s']+", section) and section not in (*c.parameters, TIME):
+        raise ModelError(f"{c.name}: {unknown('section', [section], (*c.events, *places))} Or give an expression")
+    quantity = quantity_of(c.name, "section", section, (*places, *c.parameters, TIME, *c.events))
+    if not set(quantity.names) & {*places, TIME}:
+        raise ModelError(f"{c.name}: section {quantity.text} does not depend on the state. Name a coordinate, a rate "
+                         "or a state in it")  # fmt: skip
+    if events := set(quantity.names) & set(c.events):
+        raise ModelError(f"{c.name}: section {quantity.text} contains the event {min(events)!r}. Give its name alone, "
+                         "or an expression of coordinates and rates")  # fmt: skip
+    return Section(quantity=quantity, direction=direction or 0)
 
 
-def _unknowns(problem: Problem, free: Any) -> Unknowns:
-    """Return what varies. A period that forcing gives does not."""
+def _conditions(problem: Problem, conditions: Any) -> tuple[Quantity, ...]:
+    if conditions is None:
+        return ()
+    c = problem.c
+    if isinstance(conditions, str) or not isinstance(conditions, Sequence):
+        raise ModelError(f"{c.name}: conditions is {shown(conditions)}. Give a list of expressions that are zero")
+    known = (*problem.names, *c.inputs, *c.parameters, TIME, PERIOD)
+    return tuple(quantity_of(c.name, "conditions", one, known) for one in conditions)
+
+
+def _unknowns(problem: Problem, where: Section, free: Any, conditions: tuple[Quantity, ...], guess: float | None
+              ) -> Unknowns:  # fmt: skip
+    """Return what varies. A period that forcing gives does not; on a section, the time of the start does."""
+    c = problem.c
+    names, kept, timed = _freed(problem, free)
+    sections = (where.event, where.place, where.quantity) != (None, None, None)
+    if problem.clock and sections and TIME not in names:
+        names = (*names, TIME)
+    exact = _exact_period(problem, where, guess)
+    missing = len(names) - len(conditions) - (problem.clock and sections)
+    if exact is not None and (problem.clock or missing == 1):
+        conditions, missing = (*conditions, exact), missing if problem.clock else 0
+    if missing > 0:
+        remedy = "" if problem.clock or guess else ", or the period"
+        raise ModelError(f"{c.name}: free names {', '.join(names)}, and {len(conditions)} conditions are stated. State "
+                         f"one for each, an expression that is zero at the start{remedy}")  # fmt: skip
+    sizes = tuple(abs(problem.value(name)) or 1.0 for name in names if name != TIME)
+    sizes = (*sizes, *([guess or 1.0] if TIME in names else []))
+    return Unknowns(timed, kept, names, sizes, conditions)
+
+
+def _exact_period(problem: Problem, where: Section, guess: float | None) -> Quantity | None:
+    """Return the condition that the period is the given one, where it is not so by the equations, or None."""
+    if guess is None or (problem.clock and where.event is None):
+        return None
+    stated = problem.stated_period
+    text = f"{PERIOD} - ({stated.text})" if stated else f"{PERIOD} - {guess!r}"
+    return quantity_of(problem.c.name, PERIOD, text, (PERIOD, *problem.c.inputs, *problem.c.parameters))
+
+
+def _freed(problem: Problem, free: Any) -> tuple[tuple[str, ...], tuple[int, ...], bool]:
+    """Return the names of constants that are free, the places that keep their values, and whether the period varies."""
+    c = problem.c
     if free is None:
-        return Unknowns(not problem.clock, ())
-    if isinstance(free, str) or not isinstance(free, Sequence):
-        raise ModelError(f"{problem.c.name}: free is {shown(free)}. Give a list of names")
+        return (), (), not problem.clock
+    if isinstance(free, str) or not (is_named(free) or isinstance(free, Sequence)):
+        raise ModelError(f"{c.name}: free is {shown(free)}. Give a list of names")
     places = dict(zip(problem.names, problem.places, strict=True))
-    known = (*places, *(() if problem.clock else (PERIOD,)))
-    names = {PERIOD if str(one) == PERIOD else variable_name(one) for one in free}
-    if wrong := names - set(known):
-        raise ModelError(f"{problem.c.name}: {unknown('name in free', wrong, known)}")
-    return Unknowns(PERIOD in names, tuple(k for name, k in places.items() if name not in names))
+    constants = (*c.inputs, *c.parameters, TIME)
+    known = (*places, *(() if problem.clock else (PERIOD,)), *constants)
+    given = dict.fromkeys(PERIOD if str(one) == PERIOD else variable_name(one) for one in free)
+    if wrong := set(given) - set(known):
+        raise ModelError(f"{c.name}: {unknown('name in free', wrong, known)}")
+    names = tuple(name for name in given if name in constants and name not in places and name != PERIOD)
+    refuse_tables(c, names, "free")
+    if TIME in names and not problem.clock:
+        raise ModelError(f"{c.name}: free names t, but the equations do not depend on time. Leave it out")
+    if moved := set(names) & problem.symmetry.names:
+        raise ModelError(f"{c.name}: the symmetry depends on {min(moved)}, so it cannot be free")
+    if sampled := [name for name in names if name in c.inputs and not is_constant(problem, name)]:
+        raise ModelError(f"{c.name}: input {sampled[0]!r} is a signal. Only a constant input can be free")
+    names = (*(name for name in names if name != TIME), *(name for name in names if name == TIME))
+    if set(given) <= set(names):
+        return names, (), not problem.clock
+    return names, tuple(k for name, k in places.items() if name not in given), PERIOD in given

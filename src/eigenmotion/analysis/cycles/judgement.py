@@ -9,23 +9,28 @@ from .cycle import Cycle
 from .multipliers import Multipliers, multipliers_of
 from .newton import Found, Search, growth, noise, size
 from .periodic_problem import Problem
-from .returns import NoReturnError, Return, Section, returned, run
+from .quantities import TIME
+from .returns import NoReturnError, Return, returned, run
 from .segments import chain_of, joined
 from .time_dependence import unrepeated
 
 _LATER = 0.31830988
 """Part of a period by which the other run begins later, if equations do not depend on time."""
+_TOUCHES = 1e-3
+"""Change of a section's expression in a period, by its rate at the start and relative to sizes, that is none."""
 _UNSTABLE = 1e6
 """Growth of deviations in one period above which a single run decides little."""
 
 
 def judged(search: Search, found: Found, note: str = "") -> Cycle:
     """Return the result of a search, after a run at another tolerance and, if it must not matter, time."""
-    return replace(_judged(search.problem, search.section, found, note), search=search)
+    search = replace(search, problem=found.last.problem)
+    return replace(_judged(search, found, note), search=search)
 
 
-def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycle:
-    failure, last = found.failure, found.last
+def _judged(search: Search, found: Found, note: str) -> Cycle:
+    problem, section = search.problem, search.section
+    failure, last = found.failure or _other_side(search, found.last), found.last
     nothing = Multipliers(np.zeros(0, dtype=complex), np.zeros(0))
     if failure:
         return _cycle(
@@ -33,7 +38,7 @@ def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycl
         )
     problem.count.most += 3 + len(found.nodes)
     later = problem.t if problem.clock else problem.t + _LATER * last.period
-    other = problem.with_tolerance(max(problem.rtol / 10.0, 1e-13), last.scale, later)
+    other = replace(problem, by=()).with_tolerance(max(problem.rtol / 10.0, 1e-13), last.scale, later)
     try:
         if found.nodes:
             check = joined(other, chain_of(other, found.nodes, last.period))
@@ -54,6 +59,24 @@ def _judged(problem: Problem, section: Section, found: Found, note: str) -> Cycl
         return _cycle(problem, check, message, nothing, False)
     multipliers = multipliers_of(other, check)
     return _cycle(problem, check, _words(problem, check, multipliers) + note, multipliers, True)
+
+
+def _other_side(search: Search, last: Return) -> str:
+    """Return that the motion does not cross its section as stated, or ""."""
+    problem, section = last.problem, search.section
+    if section.quantity is None:
+        return ""
+    slopes = section.quantity.slopes(problem.numbers(last.q, last.period))
+    places = dict(zip(problem.names, problem.places, strict=True))
+    terms = [slope * last.flow[places[name]] for name, slope in slopes.items() if name in places]
+    sizes = [slope * last.scale[places[name]] for name, slope in slopes.items() if name in places]
+    rate = sum(terms) + slopes.get(TIME, 0.0)
+    if abs(rate) * last.period <= _TOUCHES * float(np.abs(sizes).max(initial=0.0)):
+        return f"the motion touches {section.quantity.text} = 0, and does not cross it. Give another section"
+    if rate * section.direction < 0.0:
+        which = "decreases" if section.direction > 0 else "increases"
+        return f"where the motion starts, {section.quantity.text} {which}. Give direction={-section.direction}"
+    return ""
 
 
 def _words(problem: Problem, one: Return, multipliers: Multipliers) -> str:
@@ -82,6 +105,7 @@ def _cycle(problem: Problem, one: Return, message: str, multipliers: Multipliers
         {c.coordinates[k]: float(one.end[k] - one.q[k]) for k in problem.free_advance}, size(problem, one),
         tuple(c.events[k] for k in one.order), solution, problem.count.runs,
         _named(c.parameters, np.array(problem.prepared.parameters)),
+        {name: problem.value(name) for name in problem.by},
     )  # fmt: skip
 
 

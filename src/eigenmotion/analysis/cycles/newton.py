@@ -5,7 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arguments.named_values import Vector
+from ...codegen.model.normalise import ModelError
 from .periodic_problem import Problem
+from .quantities import PERIOD, TIME, Quantity
 from .returns import NoReturnError, Return, Section, returned
 
 _HALVINGS = 8
@@ -16,16 +18,25 @@ _WORSE = 1.5
 """Growth of the distance in a motion's own units above which a step is halved: it leads to an equilibrium."""
 NEXT_TO = 1e-3
 """Part of a period within which a start is next to an event."""
+_FREE = 1e-7
+"""Singular values below this part of the largest leave a combination of unknowns undetermined."""
 _STILL = 1e-6
 """Part of the first motion's extent below which the search has reached an equilibrium."""
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """What is varied: the period or not; kept : places in q that keep their values; all others vary."""
+    """What is varied: the period or not; kept : places in q that keep their values; all others vary.
+
+    names : of parameters, constant inputs and "t" that vary, too; sizes : by which their changes are measured
+    conditions : expressions that are zero at the start
+    """
 
     period: bool
     kept: tuple[int, ...]
+    names: tuple[str, ...] = ()
+    sizes: tuple[float, ...] = ()
+    conditions: tuple[Quantity, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -46,19 +57,21 @@ class Found:
     nodes: tuple[Vector, ...] = ()
 
 
-def converged(problem: Problem, section: Section, unknowns: Unknowns, first: Return) -> Found:
-    """Return the motion that closes near the first one."""
-    here, q0, extent = first, first.q, extent_of(problem, first, first.scale)
+def converged(search: Search, first: Return) -> Found:
+    """Return the motion that closes near the first one, and meets the conditions."""
+    here, extent = first, extent_of(first.problem, first, first.scale)
     with np.errstate(all="ignore"):
         while True:
+            problem = here.problem
             if failure := still(problem, here, first, extent):
                 return Found(here, failure)
-            J, right = equations(problem, section, unknowns, here, q0)
-            ends = size(problem, here) <= noise(problem, here)
-            there, failure = _shorter(problem, section, here, step(problem, here, J, right), J)
+            linear = equations(search, here, first.q)
+            ends = linear.distance <= noise(problem, here)
+            there, failure = _shorter(search, here, linear)
             if ends:
-                better = there is not None and size(problem, there) < size(problem, here)
-                return Found(there if there is not None and better else here, "")
+                better = there is not None and distance(search, there, linear, here.scale) < linear.distance
+                last = there if there is not None and better else here
+                return Found(last, undetermined(search, last, first.q))
             if there is None:
                 return Found(here, failure)
             here = there
@@ -80,14 +93,104 @@ def noise(problem: Problem, one: Return) -> float:
     return 100.0 * problem.rtol * growth(one)
 
 
-def step(problem: Problem, here: Return, J: Vector, right: Vector) -> tuple[Vector, float]:
-    """Return the changes of q (2 n,), along the constraints, and of the period, that close the linearised motion.
+@dataclass(frozen=True)
+class Changes:
+    """What unknowns, in units, change: q (2 n, k) of the start, period (k,), end (2 n, k), values (names, k)."""
 
-    Where they leave a choice, as within a family of cycles, the change is the smallest.
+    q: Vector
+    period: Vector
+    end: Vector
+    values: Vector
+
+
+@dataclass(frozen=True)
+class Linear:
+    """Equations J z = right, in units: the motion closes, places are held, expressions are zero.
+
+    norms : the lengths of the rows of expressions, by which their values are divided
     """
-    z = _solved(problem, here, J, right)
-    unit, k = here.scale[list(here.basis.free)], here.basis.Z.shape[1]
-    return here.basis.Z @ (z[:k] * unit), float(z[k] * here.period) if len(z) > k else 0.0
+
+    J: Vector
+    right: Vector
+    norms: Vector
+    changes: Changes
+
+    @property
+    def distance(self) -> float:
+        """The largest part of what is missing."""
+        return float(np.abs(self.right).max(initial=0.0))
+
+
+def changes_of(search: Search, here: Return, sizes: tuple[float, ...] | None = None) -> Changes:
+    """Return what the unknowns change: coordinates of the tangent space, the period, and the names of `by`."""
+    given = np.array(search.unknowns.sizes if sizes is None else sizes)
+    unit, count = here.scale[list(here.basis.free)], len(given)
+    timed = [here.period] * (search.section.event is None and search.unknowns.period)
+    k, moved = len(unit) + len(timed), here.shift
+    return Changes(
+        np.hstack([here.basis.Z * unit, np.zeros((len(here.q), len(timed))), moved.start * given]),
+        np.concatenate([here.dt * unit, timed, moved.period * given]),
+        np.hstack([here.S * unit + np.outer(here.end_flow, here.dt * unit),
+                   np.outer(here.end_flow, timed), moved.end * given]),
+        np.hstack([np.zeros((count, k)), np.diag(given)]),
+    )  # fmt: skip
+
+
+def equations(search: Search, here: Return, q0: Vector, sizes: tuple[float, ...] | None = None) -> Linear:
+    """Return the equations of a cycle near a motion; q0 has what is kept."""
+    problem, scale, changes = here.problem, here.scale, changes_of(search, here, sizes)
+    closing = (changes.end - problem.symmetry.G @ changes.q) / scale[:, None]
+    kept, rows = held(search, problem), _rows(search, here, changes)
+    norms = np.linalg.norm(rows, axis=1)
+    if not norms.all():
+        names = ", ".join(search.unknowns.names) or "the start"
+        raise ModelError(f"{problem.c.name}: {_expressions(search)[int(norms.argmin())].text!r} does not depend on "
+                         f"{names}. Leave it out, or name in free what it depends on")  # fmt: skip
+    own = problem.own
+    J = np.vstack([closing[own], phases(search, here, changes.q), rows / norms[:, None]])
+    right = np.zeros(len(J))
+    right[: len(own)] = -here.residual[own]
+    right[len(own) : len(own) + len(kept)] = [(q0[k] - here.q[k]) / scale[k] for k in kept]
+    right[len(J) - len(norms) :] = -_values(search, here) / norms
+    return Linear(J, right, norms, changes)
+
+
+def _expressions(search: Search) -> tuple[Quantity, ...]:
+    """Return the expressions that are zero at the start: the section's, conditions."""
+    section = search.section.quantity
+    return (*([section] if section is not None else []), *search.unknowns.conditions)
+
+
+def _values(search: Search, here: Return) -> Vector:
+    numbers = here.problem.numbers(here.q, here.period)
+    return np.array([float(one.value(numbers)) for one in _expressions(search)])
+
+
+def _rows(search: Search, here: Return, changes: Changes) -> Vector:
+    """Return what the unknowns change of each expression."""
+    problem, rows = here.problem, []
+    numbers = problem.numbers(here.q, here.period)
+    known = dict(zip(problem.names, changes.q[problem.places], strict=True)) | {PERIOD: changes.period}
+    known |= dict(zip(problem.by, changes.values, strict=True))
+    for one in _expressions(search):
+        row = np.zeros(changes.q.shape[1])
+        for name, slope in one.slopes(numbers).items():
+            row += slope * known.get(name, 0.0)
+        rows.append(row)
+    return np.array(rows).reshape(-1, changes.q.shape[1])
+
+
+def distance(search: Search, there: Return, linear: Linear, scale: Vector) -> float:
+    """Return the largest part of what is missing in a motion, in the units of another one."""
+    return float(np.abs(_missing(search, there, linear, scale)).max(initial=0.0))
+
+
+def _missing(search: Search, there: Return, linear: Linear, scale: Vector) -> Vector:
+    """Return the right-hand side of the equations for a motion, in the units of another one."""
+    right, own = np.zeros(len(linear.right)), there.problem.own
+    right[: len(own)] = -(there.gap / scale)[own]
+    right[len(right) - len(linear.norms) :] = -_values(search, there) / linear.norms
+    return right
 
 
 def _solved(problem: Problem, here: Return, J: Vector, right: Vector) -> Vector:
@@ -99,39 +202,40 @@ def _solved(problem: Problem, here: Return, J: Vector, right: Vector) -> Vector:
     return z
 
 
-def equations(
-    problem: Problem, section: Section, unknowns: Unknowns, here: Return, q0: Vector
-) -> tuple[Vector, Vector]:
-    """Return J and r of J z = r, in units of the scales: the motion closes, its phase, what is kept."""
-    Z, unit, scale = here.basis.Z, here.scale[list(here.basis.free)], here.scale
-    closing = here.S - problem.symmetry.G @ Z
-    if section.event is not None:
-        closing = closing + np.outer(here.end_flow, here.dt)
-    columns = [closing / scale[:, None] * unit]
-    timed = section.event is None and unknowns.period
-    if timed:
-        columns.append((here.end_flow * here.period / scale)[:, None])
-    J, right = np.hstack(columns)[problem.own], -here.residual[problem.own]
-    kept = held(problem, section, unknowns)
-    lower = phases(problem, section, unknowns, here, Z * unit)
-    values = np.zeros(len(lower))
-    values[: len(kept)] = [(q0[k] - here.q[k]) / scale[k] for k in kept]
-    lower = np.hstack([lower, np.zeros((len(lower), int(timed)))])
-    return np.vstack([J, lower]), np.concatenate([right, values])
+def undetermined(search: Search, here: Return, q0: Vector) -> str:
+    """Return which change of parameters, inputs and the time of the start leaves the equations solved, or ""."""
+    names = search.unknowns.names
+    if not names:
+        return ""
+    J = equations(search, here, q0).J
+    s, V = np.linalg.svd(J, full_matrices=True)[1:]
+    s = np.concatenate([s, np.zeros(len(V) - len(s))])
+    for z in V[s <= _FREE * s[0]][:, len(V) - len(names) :]:
+        if np.abs(z).max() > _FREE**0.5:
+            parts = z * search.unknowns.sizes
+            parts = parts / parts[np.abs(parts).argmax()]
+            how = [f"{name} by {part:+.4g}" for name, part in zip(names, parts, strict=True) if abs(part) > 1e-6]
+            return (f"{', '.join(names)} not determined: to first order the motion still closes, and the conditions "
+                    f"hold, after changes in the ratio of {', '.join(how)}. Free one name less, or state another "
+                    "condition")  # fmt: skip
+    return ""
 
 
-def held(problem: Problem, section: Section, unknowns: Unknowns) -> list[int]:
+def held(search: Search, problem: Problem) -> list[int]:
     """Return the places in q that keep their values."""
-    timed = section.event is None and unknowns.period
+    section, unknowns = search.section, search.unknowns
+    timed = (section.event is None and unknowns.period) or TIME in unknowns.names
     at_section = [section.place] if timed and section.place is not None else []
     return [*unknowns.kept, *problem.free_advance, *at_section]
 
 
-def phases(problem: Problem, section: Section, unknowns: Unknowns, here: Return, changes: Vector) -> Vector:
+def phases(search: Search, here: Return, changes: Vector) -> Vector:
     """Return what changes (2 n, k) of the start do to the places that are held, and along the motion."""
-    rows = [changes[k] / here.scale[k] for k in held(problem, section, unknowns)]
-    if section.event is None and unknowns.period and section.place is None and not unknowns.kept:
-        rows.append(_normal(problem, here) @ (changes / here.scale[:, None]))
+    section, unknowns = search.section, search.unknowns
+    rows = [changes[k] / here.scale[k] for k in held(search, here.problem)]
+    stated = section.place is not None or section.quantity is not None
+    if section.event is None and unknowns.period and not stated and not unknowns.kept:
+        rows.append(_normal(here.problem, here) @ (changes / here.scale[:, None]))
     return np.array(rows).reshape(-1, changes.shape[1])
 
 
@@ -142,23 +246,32 @@ def _normal(problem: Problem, here: Return) -> Vector:
     return normal / np.linalg.norm(normal)
 
 
-def _shorter(
-    problem: Problem, section: Section, here: Return, change: tuple[Vector, float], J: Vector
-) -> tuple[Return | None, str]:
-    """Return the motion after the largest step, of those halved, that closes better; or None and why not."""
-    dq, dT = change
+def _shorter(search: Search, here: Return, linear: Linear) -> tuple[Return | None, str]:
+    """Return the motion after the largest step, of those halved, that closes better; or None and why not.
+
+    Where equations leave a choice, as within a family of cycles, the step is the shortest.
+    """
+    problem, unknowns, section = here.problem, search.unknowns, search.section
+    z = _solved(problem, here, linear.J, linear.right)
+    timed = section.event is None and unknowns.period
+    dT, values = float(linear.changes.period @ z) if timed else 0.0, linear.changes.values @ z
     part = min(1.0, 0.5 * here.period / abs(dT)) if dT else 1.0
+    part = min([part, *(0.5 * unit / abs(one) for unit, one in zip(unknowns.sizes, values, strict=True) if one)])
     failure = far = "no step, however short, closes the motion better"
-    before = _correction(problem, here, here, J)
+    before = float(np.linalg.norm(z))
+    now = np.array([problem.value(name) for name in unknowns.names])
     for _ in range(_HALVINGS):
         try:
-            q = on_section(problem, section, problem.projected(here.q + part * dq, problem.prepared), here.period)
-            there = returned(problem, section, q, here.period + part * dT)
+            other = problem.with_values(unknowns.names, now + part * values)
+            period = other.period(here.period + part * dT)
+            q = other.projected(here.q + part * linear.changes.q @ z, other.prepared)
+            there = returned(other, section, on_section(other, section, q, period), period)
         except NoReturnError as error:
             failure = str(error)
         else:
-            nearer = _correction(problem, there, here, J) < (1.0 - 0.25 * part) * before
-            if nearer and size(problem, there) <= _WORSE * size(problem, here):
+            missing = _missing(search, there, linear, here.scale)
+            nearer = float(np.linalg.norm(_solved(problem, here, linear.J, missing))) < (1.0 - 0.25 * part) * before
+            if nearer and distance(search, there, linear, there.scale) <= _WORSE * linear.distance:
                 return there, ""
             failure = far
         if problem.count.spent:
@@ -180,14 +293,6 @@ def on_section(problem: Problem, section: Section, q: Vector, period: float) -> 
             return q
         q = q + after * flow
     return q
-
-
-def _correction(problem: Problem, there: Return, here: Return, J: Vector) -> float:
-    """Return the length of the next step with the derivatives of another motion: a distance in all units alike."""
-    right = np.zeros(len(J))
-    gap = (there.gap / here.scale)[problem.own]
-    right[: len(gap)] = -gap
-    return float(np.linalg.norm(_solved(problem, here, J, right)))
 
 
 def extent_of(problem: Problem, one: Return, scale: Vector) -> float:

@@ -1,5 +1,7 @@
 """Guess of a period: the time at which a motion first comes back to where it started."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...arguments.named_values import Vector
@@ -53,6 +55,49 @@ def first_motion(problem: Problem, section: Section, q: Vector) -> tuple[Vector,
     raise ModelError(f"{problem.c.name}: {what} within {ahead:.3g} s of the start. Give the period, or another start")
 
 
+def at_section(problem: Problem, section: Section, q: Vector, guess: float | None) -> tuple[Vector, float, Section]:
+    """Return the state and the time where a motion first crosses the section, and the section with its direction.
+
+    Raises
+    ------
+    ModelError
+        It does not.
+    """
+    quantity = section.quantity
+    assert quantity is not None
+    ahead = guess or 10.0 * problem.point(q, problem.t, problem.prepared).time
+    for _ in range(_DOUBLINGS):
+        times = np.linspace(problem.t, problem.t + ahead, _ROWS)
+        try:
+            solution = run(problem, q, times[-1], t_eval=times)
+        except NoReturnError as error:
+            raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not reach the section: {error}") from error
+        rows = problem.rows(solution)
+        side = quantity.value(problem.numbers(rows.T, ahead, solution.t)) * np.ones(len(rows))
+        side = np.where(np.abs(side) <= 1e-12 * np.abs(side).max(), 0.0, side)
+        rising = np.diff(np.sign(side)) * _smooth(problem, solution)
+        found = np.flatnonzero(rising * section.direction > 0.0 if section.direction else rising)
+        if len(found):
+            k = int(found[0])
+            part = side[k] / (side[k] - side[k + 1])
+            direction = section.direction or int(np.sign(side[k + 1] - side[k]))
+            time = float(solution.t[k] + part * (solution.t[k + 1] - solution.t[k]))
+            return rows[k] + part * (rows[k + 1] - rows[k]), time, replace(section, direction=direction)
+        ahead *= 2.0
+    way = {1: " upwards", -1: " downwards", 0: ""}[section.direction]
+    raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not cross {quantity.text} = 0{way} within "
+                     f"{ahead / 2:.3g} s. Give another section, direction or start")  # fmt: skip
+
+
+def _smooth(problem: Problem, solution: Solution) -> Vector:
+    """Return 1 for each step between rows, and 0 where an event acts within it."""
+    smooth = np.ones(len(solution.t) - 1)
+    for times, acts in zip(solution.t_events or (), problem.c.acting, strict=True):
+        if acts:
+            smooth[np.clip(np.searchsorted(solution.t, times) - 1, 0, len(smooth) - 1)] = 0.0
+    return smooth
+
+
 def _of_event(problem: Problem, section: Section, q: Vector, solution: Solution) -> tuple[Vector, float] | None:
     """Return a start and a period, or None if the event does not happen often enough."""
     assert section.event is not None
@@ -79,6 +124,8 @@ def _nearest(problem: Problem, section: Section, q: Vector, solution: Solution) 
     if section.place is not None:
         flow = flow * (np.array(own) == section.place)
     side = there @ flow
+    if section.quantity is not None:
+        side = section.direction * section.quantity.value(problem.numbers(rows.T, 0.0)) * np.ones(len(rows))
     crossings = np.flatnonzero((side[1:-1] < 0.0) & (side[2:] >= 0.0)) + 1
     if not len(crossings):
         return None

@@ -13,7 +13,7 @@ from ...compiled.projection import Projection
 from ...results.solution import Solution
 from ...runtime import CompiledModel, Prepared
 from ..state.operating_point import OperatingPoint
-from .stated_period import StatedPeriod
+from .quantities import PERIOD, TIME, Quantity
 from .symmetry import Symmetry
 
 NO_LIMIT = 10**9
@@ -40,8 +40,8 @@ class Problem:
 
     parameters, inputs : of users; prepared : their constants; clock : whether the equations depend on time
     options : of `simulate`; atol : (n,)
-    stated_period : as an expression of parameters, or None; by : name of a parameter or input by which motions are
-        differentiated, too, or ""
+    stated_period : as an expression of parameters, or None
+    by : names of parameters, inputs and "t" by which motions are differentiated, too
     """
 
     system: CompiledSystem
@@ -55,8 +55,8 @@ class Problem:
     rtol: float
     count: Count
     free_advance: tuple[int, ...] = field(default=())
-    stated_period: StatedPeriod | None = None
-    by: str = ""
+    stated_period: Quantity | None = None
+    by: tuple[str, ...] = ()
 
     @property
     def c(self) -> CompiledModel:
@@ -71,7 +71,7 @@ class Problem:
     @property
     def variables(self) -> tuple[str, ...]:
         """Names of all by which runs are differentiated."""
-        return *self.names, *([self.by] if self.by else [])
+        return *self.names, *(name for name in self.by if name != TIME)
 
     @property
     def places(self) -> list[int]:
@@ -85,23 +85,56 @@ class Problem:
         n, every = self.c.n_coordinates, self.c.n
         return [k for k in (*range(n), *range(every, 2 * every)) if k not in self.free_advance]
 
-    @property
-    def column(self) -> int:
-        """The place of `by` among the arguments of derivatives: x, v, inputs, parameters."""
-        return 2 * self.c.n + (*self.c.inputs, *self.c.parameters).index(self.by)
+    def column(self, name: str) -> int:
+        """Return the place of a name of `by` among the arguments of derivatives: x, v, inputs, parameters, time."""
+        return -1 if name == TIME else 2 * self.c.n + (*self.c.inputs, *self.c.parameters).index(name)
 
     @property
-    def period_slope(self) -> float:
-        """The derivative of a stated period by `by`."""
-        return self.stated_period.slope(self.c, self.prepared, self.by) if self.stated_period else 0.0
+    def period_slopes(self) -> Vector:
+        """The derivative of a stated period by each name of `by`."""
+        if self.stated_period is None:
+            return np.zeros(len(self.by))
+        slopes = self.stated_period.slopes(self.constants)
+        return np.array([slopes.get(name, 0.0) for name in self.by])
+
+    def period(self, guess: float) -> float:
+        """Return the period that forcing gives, or else the guess."""
+        if not self.clock or self.stated_period is None:
+            return guess
+        return float(self.stated_period.value(self.constants))
+
+    def numbers(self, q: Vector, period: float, t: Any = None) -> dict[str, Any]:
+        """Return by name what expressions of users contain, at states (2 n,) or (2 n, rows), at the start or at t."""
+        states = {name: q[place] for name, place in zip(self.names, self.places, strict=True)}
+        return self.constants | states | {TIME: self.t if t is None else t, PERIOD: period}
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """The values of inputs at the start, and of parameters, by name."""
+        u = self.system.signals(self.system.prepare_both(self.parameters, self.inputs)[1], self.t)
+        values = (*self.c.inputs, *self.c.parameters), (*u, *self.prepared.parameters)
+        return dict(zip(*values, strict=True))
+
+    def value(self, name: str) -> float:
+        """Return the value of a name of `by`."""
+        return self.t if name == TIME else float(self.constants[name])
+
+    def with_values(self, names: tuple[str, ...], values: Vector) -> "Problem":
+        """Return the problem with other values of parameters, inputs and the time of the start."""
+        made = self
+        for name, value in zip(names, values.tolist(), strict=True):
+            made = made.with_value(name, value)
+        return made
 
     def with_value(self, name: str, value: float) -> "Problem":
-        """Return the problem with another value of a parameter or input."""
+        """Return the problem with another value of a parameter, an input, or the time of the start."""
+        if name == TIME:
+            return replace(self, t=value)
         parameters, inputs = self.parameters, self.inputs
         if name in self.c.inputs:
-            inputs = _named(inputs, self.c.inputs) | {name: value}
+            inputs = named_values(inputs, self.c.inputs) | {name: value}
         else:
-            parameters = _named(parameters, self.c.parameters) | {name: value}
+            parameters = named_values(parameters, self.c.parameters) | {name: value}
         prepared = self.system.prepare_both(parameters, inputs)[0]
         return replace(self, parameters=parameters, inputs=inputs, prepared=prepared)
 
@@ -174,7 +207,7 @@ class Problem:
         return replace(self, options=options, rtol=rtol, t=self.t if t is None else t)
 
 
-def _named(values: Any, names: tuple[str, ...]) -> dict[str, Any]:
+def named_values(values: Any, names: tuple[str, ...]) -> dict[str, Any]:
     """Return the values that users state, by name."""
     if values is None:
         return {}

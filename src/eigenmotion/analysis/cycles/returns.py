@@ -13,6 +13,7 @@ from ...simulation.simulate import simulate
 from ..state.operating_point import OperatingPoint
 from ..state.tangent_space import Tangent, shift, tangent
 from .periodic_problem import Problem
+from .quantities import TIME, Quantity
 
 _AT_ONCE = 1e-8
 """Part of a period within which an event at the start of a run belongs to the period before."""
@@ -24,42 +25,46 @@ class NoReturnError(ModelError):
 
 @dataclass(frozen=True)
 class Section:
-    """Where a motion starts and ends; if neither is given, the hyperplane normal to the motion.
+    """Where a motion starts and ends; if nothing is given, the hyperplane normal to the motion.
 
     event : the number of an event of the model; times : how often it happens in a period
     place : a number of the state that keeps its value
+    quantity : an expression that is zero; direction : 1 where it increases, -1 where it decreases, 0 for both
     """
 
     event: int | None = None
     times: int = 1
     place: int | None = None
+    quantity: Quantity | None = None
+    direction: int = 0
 
 
 @dataclass(frozen=True)
 class Shift:
-    """Derivatives by a parameter, with the start moved along the constraints.
+    """Derivatives by each name of `by` of the problem, with the start moved along the constraints.
 
-    start, end : (2 n,) of the start and the end, the latter at the end of the period; period : of the period
+    start, end : (2 n, k) of the start and the end, the latter at the end of the period; period : (k,) of the period
     """
 
     start: Vector
     end: Vector
-    period: float
+    period: Vector
 
 
 @dataclass(frozen=True)
 class Return:
-    """A motion from q (2 n,) at t until t + period.
+    """A motion of a problem from q (2 n,) at t until t + period.
 
     end : (2 n,); rows : (rows, 2 n) along the motion, at times (rows,)
     basis : the tangent space of the constraints at q; S : (2 n, k) derivatives of the end in its directions, at fixed
     time; dt : (k,) derivatives of the period, 0 if it is given
     flow, end_flow : dq/dt at both ends; order : numbers of the events within, in order
-    shift : derivatives by the parameter `by` of the problem, or None
+    shift : derivatives by what `by` of the problem names
     drift : (2 n,) the largest change of each column of the derivatives, in units of the scales: 0 if nothing depends
         on the number
     """
 
+    problem: Problem
     q: Vector
     period: float
     end: Vector
@@ -74,7 +79,7 @@ class Return:
     drift: Vector
     gap: Vector
     times: Vector
-    shift: Shift | None = None
+    shift: Shift
 
     @property
     def residual(self) -> Vector:
@@ -165,10 +170,11 @@ def _measured(
         if event is not None:
             dt = _later(solution, event, problem.names) @ basis.Z[problem.places]
         end_flow = problem.flow(rows[-1], at, end)
-        moved = _shift(problem, solution, problem.point(q, problem.t, start), (every[-1], row, end_flow), event)
+        flow = problem.flow(q, problem.t, start)
+        moved = _shift(problem, solution, problem.point(q, problem.t, start), (every[-1], row), (flow, end_flow), event)
         made = Return(
-            q, period, rows[-1], rows, scale, basis, every[-1] @ basis.Z, dt, problem.flow(q, problem.t, start),
-            end_flow, _order(problem, solution, at), _drift(every, scale), rows[-1] - problem.symmetry(q),
+            problem, q, period, rows[-1], rows, scale, basis, every[-1] @ basis.Z, dt, flow, end_flow,
+            _order(problem, solution, at), _drift(every, scale), rows[-1] - problem.symmetry(q),
             solution.t[: row + 1], moved,
         )  # fmt: skip
     if not all(np.isfinite(part).all() for part in (made.end, made.S, made.dt, made.end_flow)):
@@ -181,19 +187,29 @@ def _later(solution: Solution, event: tuple[int, int], names: tuple[str, ...]) -
     return np.array([solution.sensitivity[name].dt_events[event[0]][event[1]] for name in names])
 
 
-def _shift(problem: Problem, solution: Solution, at: OperatingPoint, last: tuple[Vector, int, Vector],
-           event: tuple[int, int] | None) -> Shift | None:  # fmt: skip
-    """Return derivatives by the parameter; `last` are the derivatives of the end, its row, and its dq/dt."""
-    if not problem.by:
-        return None
-    (S, row, end_flow), n, every = last, problem.c.n_coordinates, problem.c.n
-    start, period = shift(at, problem.column), problem.period_slope
-    if event is not None:
-        period = float(_later(solution, event, (problem.by,))[0])
-        period += float(_later(solution, event, problem.names) @ start[problem.places])
-    one, own = solution.sensitivity[problem.by], np.zeros(2 * every)
-    own[:n], own[every : every + n], own[every + n :] = one.dx[:, row], one.dv[:, row], one.dz[:, row]
-    return Shift(start, own + S @ start + end_flow * period, period)
+def _shift(problem: Problem, solution: Solution, at: OperatingPoint, last: tuple[Vector, int],
+           flows: tuple[Vector, Vector], event: tuple[int, int] | None) -> Shift:  # fmt: skip
+    """Return derivatives by what `by` names; `last` are the derivatives of the end and its row, flows dq/dt.
+
+    A start that is later by dt is on the same motion if it is moved by the flow, too, and its end is that of the motion
+    a time dt later.
+    """
+    (S, row), n, every, count = last, problem.c.n_coordinates, problem.c.n, len(problem.by)
+    start, own, period = np.zeros((2 * every, count)), np.zeros((2 * every, count)), problem.period_slopes
+    for k, name in enumerate(problem.by):
+        start[:, k] = shift(at, problem.column(name))
+        moved = start[:, k] - (flows[0] if name == TIME else 0.0)
+        if event is not None:
+            period[k] = _later(solution, event, problem.names) @ moved[problem.places] - (name == TIME)
+        if name == TIME:
+            own[:, k] = flows[1]
+        else:
+            one = solution.sensitivity[name]
+            own[:n, k], own[every : every + n, k] = one.dx[:, row], one.dv[:, row]
+            own[every + n :, k] = one.dz[:, row]
+            period[k] += float(_later(solution, event, (name,))[0]) if event is not None else 0.0
+        own[:, k] += S @ moved
+    return Shift(start, own + np.outer(flows[1], period), period)
 
 
 def _derivatives(problem: Problem, solution: Solution, row: int) -> Vector:

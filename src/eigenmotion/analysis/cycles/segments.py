@@ -82,8 +82,9 @@ def joined(problem: Problem, chain: Chain) -> Return:
         S = one.S @ S[list(one.basis.free)]
     worst = int(np.abs(chain.gaps / chain.scale)[:, problem.own].max(axis=1).argmax())
     return replace(
-        last, q=first.q, period=chain.period, rows=np.vstack([one.rows for one in chain.parts]), scale=chain.scale,
-        basis=first.basis, S=S, flow=first.flow, order=tuple(k for one in chain.parts for k in one.order),
+        last, problem=first.problem, q=first.q, period=chain.period, scale=chain.scale,
+        rows=np.vstack([one.rows for one in chain.parts]), basis=first.basis, S=S, flow=first.flow,
+        order=tuple(k for one in chain.parts for k in one.order),
         drift=np.max([one.drift for one in chain.parts], axis=0), gap=chain.gaps[worst],
         times=np.concatenate([one.times for one in chain.parts]),
     )  # fmt: skip
@@ -175,7 +176,7 @@ def _step(search: Search, here: Chain) -> tuple[list[Vector], float]:
             row[:, -1] = one.end_flow * one.period
         rows.append((row / here.scale[:, None])[kept])
         right.append(-(here.gaps[k] / here.scale)[kept])
-    held = phases(problem, search.section, search.unknowns, here.parts[0], starts[0])
+    held = phases(search, here.parts[0], starts[0])
     rows.append(np.hstack([held, np.zeros((len(held), first[-1] + timed - len(held.T)))]))
     z = np.linalg.lstsq(np.vstack(rows), np.concatenate([*right, np.zeros(len(held))]), rcond=1e-10)[0]
     changes = [start @ z[a:b] for start, a, b in zip(starts, first[:-1], first[1:], strict=True)]

@@ -114,6 +114,11 @@ def _inputs(problem: Problem) -> Inputs:
     return problem.system.bind(problem.system.prepare_both(problem.parameters, problem.inputs)[1])
 
 
+def is_constant(problem: Problem, name: str) -> bool:
+    """Return whether an input is a number."""
+    return isinstance(_inputs(problem).signals[problem.c.inputs.index(name)], int | float)
+
+
 def _end_of_samples(problem: Problem) -> float:
     """Return the time up to which the signals are known: one that covers a single period is taken to repeat."""
     sampled = [one for one in _inputs(problem).signals if isinstance(one, Signal) and one.kind != "hold"]
@@ -157,7 +162,7 @@ def _accelerations(problem: Problem, bound: Inputs, t: float, q: Vector) -> Vect
 
 def _other_run(problem: Problem, section: Section, one: Return, nodes: tuple[Vector, ...]) -> str:
     """Return by how much the run over the next period does not close, or ""."""
-    later = replace(problem, t=problem.t + one.period, by="")
+    later = replace(problem, t=problem.t + one.period, by=())
     problem.count.most += 1 + len(nodes)
     try:
         if nodes:

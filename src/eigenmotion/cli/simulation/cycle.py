@@ -23,12 +23,20 @@ from .targets import check_results
 @click.option("--period", default=None, metavar="T",
               help="A guess in seconds, or exactly, for equations that depend on time: a number or an expression of "
               "parameters, such as 2*pi/w. Default: the first return.")  # fmt: skip
-@click.option("--section", default=None, metavar="NAME",
-              help="An event after which the motion starts and ends, or a number that keeps its value.")  # fmt: skip
+@click.option("--section", default=None, metavar="NAME|EXPR",
+              help="An event after which the motion starts and ends, or a number that keeps its value, or an "
+              "expression that is zero at the start, such as \"theta - 2*phi'\".")  # fmt: skip
+@click.option("--direction", type=click.Choice(["1", "-1"]), default=None,
+              help="With an expression as section: whether it increases or decreases there. Default: as it first does."
+              )  # fmt: skip
 @click.option("--symmetry", "symmetries", multiple=True, metavar="NAME=IMAGE",
               help="The value of a coordinate after a period, such as theta=theta+2*pi.")  # fmt: skip
 @click.option("--free", multiple=True, metavar="NAME",
-              help="What may vary: a coordinate, theta' for a rate, or period. Default: all.")  # fmt: skip
+              help="What may vary: a coordinate, theta' for a rate, or period. Default: all. Or a parameter or an "
+              "input that is found, too, one for each condition.")  # fmt: skip
+@click.option("--condition", "conditions", multiple=True, metavar="EXPR",
+              help="An expression that is zero at the start, of coordinates, rates, parameters and period, such as "
+              "\"theta' - 1.5\".")  # fmt: skip
 @click.option("--follow", "along", default=None, metavar="NAME=TO",
               help="Follow the cycle along a parameter up to a value, and print the bifurcations.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
@@ -40,8 +48,10 @@ def command(
     settings: tuple[str, ...],
     period: str | None,
     section: str | None,
+    direction: str | None,
     symmetries: tuple[str, ...],
     free: tuple[str, ...],
+    conditions: tuple[str, ...],
     along: str | None,
     plot: Path | None,
     **shape: Any,
@@ -57,7 +67,8 @@ def command(
     arguments: dict[str, Any] = dict(values(request.model, settings))
     with clock():
         found = find_cycle(
-            system_of(request), period=_period(period), section=section, free=free or None,
+            system_of(request), period=_period(period), section=section,
+            direction=None if direction is None else int(direction), free=free or None, conditions=conditions or None,
             symmetry=distinct_assignments(symmetries, "--symmetry") or None, **arguments,
         )  # fmt: skip
         branch = follow(found, goal[0], to=goal[1]) if goal and found.success else None
