@@ -25,6 +25,8 @@ BEGINS = 1e-3
 """Relative, of accelerations where a cone begins to slide: rounding and shifts turn a slip as long as it is small."""
 PIECES = 40
 """Steps at least where the directions of cones turn."""
+SOON = (1e-13, 1e-12)
+"""Later than times can tell apart, sooner than a gap opens: a motion that has reached its end goes no further."""
 AGREES = 1e-6
 """Relative, of accelerations and velocities; runs are made at 1e-9."""
 
@@ -173,15 +175,22 @@ def of_refusal(body: Body, s: State, why: str) -> Judged:
     """Return what it is worth that a run does not go beyond a state."""
     if not why:
         return Judged(Verdict.WRONG, "ended without a reason")
-    after, count, clear = velocities(body, s), 0, True
+    after, count, clear, stays = velocities(body, s), 0, True, 0
     for u in after.found:
-        found = solutions(here(body, replace(s, u=u)))
+        found = solutions(here(body, now := replace(s, u=u)))
         count, clear = count + found.count, clear and found.clear and found.stable
+        stays += sum(not ends(body, now, one.a) for one in found.found)
     if count > 1:
         return Judged(Verdict.REFUSED_OF_SEVERAL, why)
     if not (clear and after.clear):
         return Judged(Verdict.BLURRED, why)
-    return Judged(Verdict.REFUSED if count else Verdict.NAMED, why)
+    return Judged(Verdict.REFUSED if stays else Verdict.NAMED, why)
+
+
+def ends(body: Body, s: State, a: np.ndarray) -> bool:
+    """Whether a motion with these accelerations has none to follow it: forces have grown without bound (Painleve)."""
+    moments = (replace(s, x=s.x + dt * s.u[:3], u=s.u + dt * full(body, a), t=s.t + dt) for dt in SOON)
+    return not any(solutions(here(body, one)).count for one in moments)
 
 
 def allowed(one: Problem) -> str:

@@ -47,9 +47,10 @@ FOUND = {
 """Judged wrong or refused by night: slips that are left where a start is put on its contacts; a judge who came late."""
 ON_THEIR_WAY = {
     Shape(1, 0, 2): [48], Shape(1, 1, 2): [11, 12, 120], Shape(1, 1, 0, unequal=True): [83], Shape(2, 2): [73],
-    Shape(3, 3): [8],
+    Shape(3, 3): [8], Shape(2, 2, 0, False, True): [68], Shape(3, 2, 0, False, True): [126],
 }  # fmt: skip
-"""Longer runs: what idled goes, touches by rounding as a slip stops, lets go of a contact, rocks ever faster."""
+"""Longer runs: what idled goes, touches by rounding as a slip stops, lets go of a contact, rocks ever faster; forces
+that grow without bound; rolls about the line between two rough feet."""
 ALIKE = Shape(2, 2)
 
 

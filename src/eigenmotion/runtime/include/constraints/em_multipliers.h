@@ -8,6 +8,8 @@
 #include "numeric/em_complete_pivoting.h"
 #endif
 
+#define EM_SQUARE_ROUNDING (256.0 * DBL_EPSILON) /* by which Delta of rows at length one may differ from its transpose */
+
 /* B (m, n) <- A L^-T */
 EM_INLINE void em_rows_of_root(int m, int n, const real *restrict L, const real *restrict r,
                                const real *restrict A, real *restrict B) {
@@ -130,12 +132,15 @@ EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, in
 }
 
 #ifndef EM_ON_LANES
-/* Whether Delta is B B^T, to the last bit, as it is if no friction slides. */
+/* Whether Delta is B B^T, to rounding, as it is if no friction slides: its factors are then the same rows, but from
+ * different expressions. A friction this small changes nothing. */
 EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
     for (int i = 0; i < m; ++i) {
         if (!(Delta[i * m + i] >= 0.0)) return 0;
-        for (int j = 0; j < i; ++j)
-            if (Delta[i * m + j] != Delta[j * m + i]) return 0;
+        for (int j = 0; j < i; ++j) {
+            const double apart = Delta[i * m + j] - Delta[j * m + i], within = EM_SQUARE_ROUNDING * EM_SQUARE_ROUNDING;
+            if (!(apart * apart <= within * Delta[i * m + i] * Delta[j * m + j])) return 0;
+        }
     }
     return 1;
 }
