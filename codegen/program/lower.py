@@ -160,6 +160,7 @@ def _links(scene: Scene, layout: Layout, choices: Choices) -> LinksView | None:
         bodies=tuple(BodyView("", row.parent, row.joint, row.coordinates) for row in rows),
         slots=sum(len(row.coordinates) for row in rows), start=layout.first_link,
         solves=trees.table.solves and choices.formulation in OF_TREES,
+        yields=trees.table.yields and choices.formulation in OF_TREES,
         numbers=tuple(repr(number) for row in rows for number in numbers_of(trees.graph, row.numbers)),
     )  # fmt: skip
 

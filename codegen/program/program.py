@@ -187,7 +187,7 @@ class LinksView:
 
     bodies : their joints; slots : number of coordinates of all joints
     start : offset of the table in the prepared parameters; numbers : its numbers, 0 for those that depend on parameters
-    solves : whether accelerations are computed in loops, too
+    solves : whether accelerations are computed in loops, too; yields : whether pivots are, without M
     """
 
     bodies: tuple[BodyView, ...]
@@ -195,6 +195,7 @@ class LinksView:
     start: int
     numbers: tuple[str, ...]
     solves: bool
+    yields: bool
 
 
 @dataclass(frozen=True, slots=True)

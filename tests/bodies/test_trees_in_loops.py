@@ -104,6 +104,48 @@ def test_trees_in_loops_run_in_lanes(loops, solves):
         assert np.abs(one.x[:, -1] - end).max() < 1e-8
 
 
+def turned(axis, angle):
+    """The rotation by an angle about an axis of the frame."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    R = np.eye(3)
+    R[[i, j], [i, j]], R[j, i] = np.cos(angle), np.sin(angle)
+    R[i, j] = -R[j, i]
+    return R
+
+
+def past_gimbal_lock(miss):
+    """x, v of a ball in two massless rings, which turns about y with 1 rad/s and is close to gimbal lock at 0.5 s."""
+    R = turned(1, -0.5) @ turned(0, miss)
+    x = np.array([np.arctan2(R[0, 2], -R[1, 2]), np.arccos(R[2, 2]), np.arctan2(R[2, 0], R[2, 1])])
+    axes = np.column_stack([(0, 0, 1), (np.cos(x[0]), np.sin(x[0]), 0), R[:, 2]])
+    return x, np.linalg.solve(axes, (0, 1, 0))
+
+
+@pytest.mark.parametrize("solves", [False, True])
+@pytest.mark.parametrize(("miss", "rtol", "right"), [(1e-6, 1e-6, True), (1e-6, 1e-8, False), (1e-3, 1e-8, True)])
+def test_pivots_of_bodies_tell_gimbal_lock(loops, solves, miss, rtol, right):
+    """In one run and in lanes: where the inertia of a ring is lost in rounding, the run ends and names it."""
+    loops(solves)
+    tree = em.Tree(gravity=(0, 0, 0))
+    ring = tree.body("outer", joint="revolute", axis="z", mass=0.0)
+    ring = tree.body("inner", ring, joint="revolute", axis="x", mass=0.0)
+    tree.body("ball", ring, joint="revolute", axis="z", mass=1.0, inertia=(0.4, 0.4, 0.4))
+    model = em.Model(name="ball_in_rings", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy,
+                     initial=dict(zip(tree.coordinates, (0.1, 0.7, 0.2), strict=True)))  # fmt: skip
+    system, (x0, v0) = em.build(model, formulation="articulated_body"), past_gimbal_lock(miss)
+    given = {"v0": v0, "rtol": rtol, "method": "dop853"}
+    one = system.simulate((0, 1), x0=x0, **given)
+    many = em.simulate_ensemble(system, (0, 1), x0=np.tile(x0, (9, 1)), **given)
+    assert [one.success, *many.success] == [right] * 10
+    for found in (one, *many):
+        if right:
+            a, b, c = found.x[:, -1]
+            off = turned(2, a) @ turned(0, b) @ turned(2, c) - turned(1, 0.5) @ turned(0, miss)
+            assert np.abs(off).max() < 1000 * rtol
+        else:
+            assert found.stop is em.StopReason.SINGULAR_MASS_MATRIX
+
+
 def test_derivatives_of_a_tree_in_loops_are_those_of_straight_line_code(loops):
     straight = em.build(random_model(3), formulation="lagrange")
     x, v = np.full((2, straight.n), 0.1)

@@ -44,10 +44,12 @@ class LinkTable:
     """The moving bodies of all trees of a model.
 
     solves : whether accelerations are computed in loops, too
+    yields : whether loops can compute pivots: no bodies have a coordinate in common
     """
 
     rows: tuple[LinkRow, ...]
     solves: bool
+    yields: bool
 
     @property
     def nodes(self) -> Iterator[Node]:
@@ -69,7 +71,8 @@ def link_table(trees: Sequence[tuple[Dynamics, Sequence[int], Vector]]) -> LinkT
     rows: list[LinkRow] = []
     for dynamics, numbers, gravity in trees:
         rows += list(_rows(dynamics, numbers, gravity, len(rows)))
-    return LinkTable(tuple(rows), n > LARGEST and not any(dynamics.shared for dynamics, _, _ in trees))
+    yields = not any(dynamics.shared for dynamics, _, _ in trees)
+    return LinkTable(tuple(rows), n > LARGEST and yields, yields)
 
 
 def _is_special(body: Moving) -> bool:

@@ -2,7 +2,7 @@
 #ifndef EM_ARTICULATED_BODIES_H
 #define EM_ARTICULATED_BODIES_H
 
-#include "bodies/em_links.h"
+#include "bodies/em_recursions.h"
 
 /* The forces and results of trees, of all n coordinates; the m rows of P become those of W = (M^-1 P^T)^T. */
 typedef struct em_tree_motion {
@@ -224,19 +224,19 @@ EM_ANY_SIZE void em_tree_pivots(const em_tree *tree, const em_tree_motion *motio
     em_link links[tree->count];
     em_articulated I[tree->count];
     em_yield yields[tree->slots];
-    real moves[tree->slots][6], force[6];
+    real moves[tree->slots][6], composite[tree->count][10], force[6];
     const real(*const S)[6] = (const real(*)[6])moves;
     em_place_links(tree, motion->x, motion->table, links, moves);
     em_yields_inwards(tree, motion, links, S, I, yields);
-    em_own_inertias(tree, motion->table, I);
+    em_own_bodies(tree, motion->table, composite);
     for (int i = tree->count - 1; i >= 0; --i) {
         const em_body *const body = &tree->bodies[i];
         for (int k = 0; k < body->count; ++k) {
-            em_articulated_force(&I[i], S[links[i].first + k], force);
+            em_momentum(composite[i], S[links[i].first + k], force);
             diagonal[body->coordinates[k]] =
                 em_dot_of(6, S[links[i].first + k], force) + motion->armature[body->coordinates[k]];
         }
-        if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
+        if (body->parent >= 0) em_add_inertia_up(&links[i], composite[i], composite[body->parent]);
     }
 }
 

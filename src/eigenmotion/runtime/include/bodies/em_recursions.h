@@ -42,6 +42,12 @@ EM_ANY_SIZE void em_add_tree_forces(const em_tree *tree, const real *x, const re
     }
 }
 
+/* composite (count, 10) <- the bodies themselves, as rigid bodies (mass, m c, J) */
+EM_INLINE void em_own_bodies(const em_tree *tree, const real *table, real (*composite)[10]) {
+    for (int i = 0; i < tree->count; ++i)
+        for (int k = 0; k < 10; ++k) composite[i][k] = table[EM_LINK * i + EM_LINK_INERTIA + k];
+}
+
 /* up (10) += a rigid body (mass, m c, J) in the parent's frame */
 EM_INLINE void em_add_inertia_up(const em_link *link, const real *inertia, real *up) {
     static const int full[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5}, symmetric[6] = {0, 1, 2, 4, 5, 8};
@@ -86,8 +92,7 @@ EM_ANY_SIZE void em_add_tree_masses(const em_tree *tree, int n, const real *x, c
     em_link links[tree->count];
     real S[tree->slots][6], composite[tree->count][10], force[6];
     em_place_links(tree, x, table, links, S);
-    for (int i = 0; i < tree->count; ++i)
-        for (int k = 0; k < 10; ++k) composite[i][k] = table[EM_LINK * i + EM_LINK_INERTIA + k];
+    em_own_bodies(tree, table, composite);
     for (int i = tree->count - 1; i >= 0; --i) {
         const em_body *const body = &tree->bodies[i];
         for (int k = 0; k < body->count; ++k) {

@@ -34,6 +34,16 @@ static void em_factored_gradient(const em_model *model, double t, const double *
     (model->factored_gradient ? model->factored_gradient : model->mass_matrix_gradient)(t, x, c, dM);
 }
 
+/* Whether all pivots of M are positive, by a function of the model that computes them without M. */
+static int em_has_inertia(const em_model *model, double t, const double *x, const double *c) {
+    double pivots[model->n], diagonal[model->n];
+    if (model->dynamics->pivots == NULL) return 0;
+    model->dynamics->pivots(t, x, c, pivots, diagonal);
+    for (int k = 0; k < model->n; ++k)
+        if (!(pivots[k] > EM_SINGULAR_PIVOT * diagonal[k])) return 0;
+    return 1;
+}
+
 /* M = L L^T, as em_cholesky. Returns the first coordinate whose pivot is not positive, or -1. */
 static int em_lacks_inertia(const em_model *model, double t, const double *x, const double *c, double *L, double *r) {
     const int n = model->n;
@@ -154,7 +164,7 @@ static int em_start(const em_model *model, double t, const double *x, const doub
     if (model->declared && em_check_declared(model->declared, model->n_parameters, model->n, x, &fault))
         return EM_UNDECLARED;
     double L[model->n * model->n], r[model->n];
-    const int lacking = em_lacks_inertia(model, t, x, c, L, r);
+    const int lacking = model->m == 0 && em_has_inertia(model, t, x, c) ? -1 : em_lacks_inertia(model, t, x, c, L, r);
     if (at != NULL) *at = lacking;
     if (lacking >= 0) return EM_WITHOUT_INERTIA;
     const int refusal = em_constraints_refuse(model, t, x, v, c, L, r, rtol, atol, off);
