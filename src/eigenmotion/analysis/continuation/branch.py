@@ -34,11 +34,13 @@ class SpecialPoint:
     ----------
     kind : "fold": the branch turns back; "branch point": branches cross; "Hopf": an equilibrium begins to oscillate, or
         to stop; "doubling": a cycle of twice the period branches off; "torus": a second frequency appears; "flutter":
-        two frequencies of an undamped equilibrium meet
+        two frequencies of an undamped equilibrium meet; "corner": two events in a period happen at once, and their
+        order changes; "grazing": an event begins or ceases to happen, such as a contact that is only touched
     parameter : its value, to about 1e-8 of the interval that was followed
     row : the index in the arrays of the branch
     x0, v0 : name -> value, the start for `simulate` or `find_cycle`; period : [s] of a cycle, 0 of an equilibrium
-    values : (k,) complex multipliers of a cycle, eigenvalues of an equilibrium
+    values : (k,) complex multipliers of a cycle, eigenvalues of an equilibrium; at a corner those before it
+    events : the names of those that meet at a corner, or of the one that grazes
     origin : the branch's equations there, for `follow`
 
     Examples
@@ -58,9 +60,11 @@ class SpecialPoint:
     period: float
     values: NDArray[np.complex128]
     origin: Origin = field(repr=False, compare=False)
+    events: tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        return f"{self.kind} at {self.parameter:.9g}"
+        names = f" of {' and '.join(self.events)}" if self.events else ""
+        return f"{self.kind}{names} at {self.parameter:.9g}"
 
 
 @dataclass(frozen=True)

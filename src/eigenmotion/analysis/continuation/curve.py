@@ -13,6 +13,7 @@ from ...codegen.model.normalise import ModelError
 _ITERATIONS = 8
 _SINGULAR = 1e-7
 """Singular values below this part of the largest count as 0: near a branch point the other branch is left alone."""
+CORNER, GRAZING = "corner", "grazing"
 _ACCURATE = 1e-7
 """Largest correction of a point that is left out."""
 
@@ -69,6 +70,27 @@ class Place:
     rounds: int
 
 
+@dataclass(frozen=True)
+class Meeting:
+    """A change of the order of events between two motions.
+
+    kind : CORNER where two events happen at once, GRAZING where one begins or ceases to happen; names : theirs
+    order : the events that act before; value : of a motion before, which is 0 there
+    """
+
+    kind: str
+    names: tuple[str, ...]
+    order: tuple[int, ...]
+    value: Callable[[Any], float]
+
+    @property
+    def words(self) -> str:
+        """What happens there."""
+        if self.kind == CORNER:
+            return f"events {self.names[0]!r} and {self.names[1]!r} happen at once"
+        return f"grazing: event {self.names[0]!r}"
+
+
 class Curve(Protocol):
     """Equations with one unknown more than there are equations."""
 
@@ -80,6 +102,9 @@ class Curve(Protocol):
 
     def obstacle(self, before: Sample, after: Sample, /) -> str:
         """Return the reason why a curve is not smooth between two points, or ""."""
+
+    def meeting(self, before: Sample, after: Sample, /) -> "Meeting | None":
+        """Return the single change of the order of events between two points, or None."""
 
 
 Normal = tuple[Vector, Vector]

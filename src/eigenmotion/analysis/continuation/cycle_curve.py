@@ -11,7 +11,8 @@ from ..cycles.newton import Search, equations, extent_of, noise, on_section, sti
 from ..cycles.periodic_problem import Problem
 from ..cycles.returns import NoReturnError, Return, returned
 from ..cycles.time_dependence import event_at_start, unrepeated
-from .curve import NoPointError, Sample, Spectrum
+from .curve import Meeting, NoPointError, Sample, Spectrum
+from .meetings import acting, meeting_of
 
 _SMALLEST = 0.03
 """Least unit, relative to the first cycle's."""
@@ -78,16 +79,23 @@ class CycleCurve:
         """
         a, b, problem = before.detail, after.detail, self.search.problem
         self._check_repeats(after)
-        if a.order != b.order:
+        if acting(a) != acting(b):
             if meets := self._meets_event(b.problem, b.q, b.period):
                 return meets
             names = problem.c.events
-            orders = " to ".join(", ".join(names[k] for k in one) or "none" for one in (a.order, b.order))
+            orders = " to ".join(", ".join(names[k] for k in one) or "none" for one in (acting(a), acting(b)))
             return f"the order of events in a period changes there, from {orders}"
         own = problem.own
         if (a.flow / a.scale)[own] @ (b.flow / a.scale)[own] < 0.0:
             return "the cycle shrinks to an equilibrium there"
         return ""
+
+    def meeting(self, before: Sample, after: Sample) -> Meeting | None:
+        """Return the single change of the order of events between two points; not where one moves onto the start."""
+        b = after.detail
+        if acting(before.detail) == acting(b):
+            return None
+        return None if self._meets_event(b.problem, b.q, b.period) else meeting_of(before.detail, b)
 
     def _meets_event(self, problem: Problem, q: Vector, period: float) -> str:
         """Return that an event that acts has moved onto the start of the period, or ""."""

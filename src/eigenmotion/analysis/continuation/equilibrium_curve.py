@@ -61,6 +61,11 @@ class EquilibriumCurve:
         """Return "": the equations are smooth."""
         return ""
 
+    @staticmethod
+    def meeting(_: Sample, __: Sample) -> None:
+        """Return None: an equilibrium has no events."""
+        return
+
 
 def curve_of(balance: Balance, start: Vector, extent: float) -> EquilibriumCurve:
     """Return the curve through a solution of a balance, over an interval of the parameter."""

@@ -39,7 +39,9 @@ def follow(
     """Return the branch of equilibria or cycles through one of them along a parameter, by steps of arclength.
 
     The branch may turn back, and ends where the parameter is `to` or `back`, or where it is closed. Folds, Hopf
-    bifurcations, period doublings, tori, branch points, and flutter of undamped equilibria are located.
+    bifurcations, period doublings, tori, branch points, and flutter of undamped equilibria are located. Conditions and
+    free parameters of a cycle stay so. Where two events of a cycle happen at once, the branch goes on if they do not
+    disturb each other; it ends where they do, and where a contact is only touched.
 
     Parameters
     ----------
@@ -213,9 +215,9 @@ def _branch(system: CompiledSystem, along: tuple[str, CycleCurve | EquilibriumCu
     names, n, (by, curve) = (*system.coordinates, *system.states), system.n, along
     split = len(names)
     special = tuple(
-        SpecialPoint(node.kind, node.place.sample.parameter, k, _named(names, rows[k, :split]),
+        SpecialPoint(node.kind, node.parameter, k, _named(names, rows[k, :split]),
                      _named(names[:n], rows[k, split:]), float(periods[k]), node.spectrum.values,
-                     Origin(system, curve, by, node.place))
+                     Origin(system, curve, by, node.place), node.events)
         for k, node in enumerate(path.nodes) if node.kind
     )  # fmt: skip
     return Branch(

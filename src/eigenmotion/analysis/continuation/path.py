@@ -1,15 +1,16 @@
 """Path along a curve by steps of arclength, with the special points on it."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import brentq
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
-from .curve import Curve, NoPointError, Place, Spectrum, corrected, in_between, place
+from .curve import GRAZING, Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
 from .indicators import BRANCHING, FLUTTER, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
+from .meetings import beyond, reached
 
 _FIRST, _LARGEST, _LEAST = 0.02, 0.2, 1e-7
 """First, largest and least step, in units."""
@@ -17,16 +18,28 @@ _TURN = 0.2
 """Largest angle between tangents at the ends of a step [rad]; half of it allows the next step to be larger."""
 _FAMILY = 1e-8
 """Least singular value, relative to the largest, of an isolated branch."""
+_SINGLE = 0.01
+"""Largest step in which a change of the order of events is looked at."""
 _COMPLETE = "complete"
 
 
 @dataclass(frozen=True)
 class Node:
-    """A point of a path: its kind is "" unless it is special."""
+    """A point of a path: its kind is "" unless it is special.
+
+    events : names of those that meet there; at : the parameter where they do, None: that of the place
+    """
 
     place: Place
     spectrum: Spectrum
     kind: str = ""
+    events: tuple[str, ...] = ()
+    at: float | None = None
+
+    @property
+    def parameter(self) -> float:
+        """The parameter of what is special."""
+        return self.place.sample.parameter if self.at is None else self.at
 
 
 @dataclass
@@ -73,21 +86,53 @@ def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], 
         path.signs = {kind: function(one, path.nodes[-1].spectrum).sign for kind, function in functions.items()}
     here, h = begin[-1], _FIRST
     for _ in range(max_steps):
-        there, h = _stepped(curve, path, here, h)
+        there, h, meeting = _stepped(curve, path, here, h)
+        corner = there.sample.w if there is not None else here.sample.w
+        if meeting is not None and (found := reached(curve, here, meeting)) is not None:
+            there, corner = found
         if there is None:
+            path.message = path.message or _stuck(here, f"{meeting.words if meeting else 'events'} near there")
             return path
         there, over = _within(curve, (begin[0], here, there), *ends)
         _add(curve, path, Node(there, curve.spectrum(there.sample)), functions)
         if over:
             path.complete, path.message = over == _COMPLETE, over
             return path
+        if meeting is not None:
+            there = _met(curve, path, corner, meeting)
+            if there is None:
+                return path
+            path.nodes.append(Node(there, curve.spectrum(there.sample)))
+            path.signs = {kind: one(there, path.nodes[-1].spectrum).sign for kind, one in functions.items()}
+            h = _FIRST
         here = there
     path.message = f"{max_steps} steps were not enough, at {here.sample.parameter:.9g}; give max_steps"
     return path
 
 
-def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | None, float]:
-    """Return the next point and the size of the step after it; or None, with the reason in the path."""
+def _met(curve: Curve, path: Path, corner: Vector, meeting: Meeting) -> Place | None:
+    """Return the first point beyond a change of the order of events, after the last point; or None, with why not."""
+    last, at = path.nodes[-1].place, float(corner[-1])
+    path.nodes[-1] = replace(path.nodes[-1], kind=meeting.kind, events=meeting.names, at=at)
+    if meeting.kind == GRAZING:
+        path.message = (f"{meeting.words} begins or ceases to happen at {at:.9g}, where derivatives of the motion jump "
+                        "or are not finite")  # fmt: skip
+        return None
+    there, why = beyond(curve, last, corner)
+    if there is None:
+        path.message = f"{meeting.words} at {at:.9g}, and the branch ends: {why}"
+    return there
+
+
+def _stuck(here: Place, reason: str) -> str:
+    return f"no step leads beyond {here.sample.parameter:.9g}: {reason}"
+
+
+def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | None, float, Meeting | None]:
+    """Return the next point and the size of the step after it; or None and a change of the order of events, or None.
+
+    If there is no such change, the reason is in the path.
+    """
     reason = ""
     while h > _LEAST:
         try:
@@ -95,15 +140,18 @@ def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | N
             sample, rounds = corrected(curve, w)
             there = place(sample, here.tangent * here.sample.unit, rounds)
             reason = curve.obstacle(here.sample, sample) or _far(here, there, h)
+            meeting = curve.meeting(here.sample, sample) if h <= _SINGLE else None
+            if meeting is not None:
+                return None, h, meeting
         except NoPointError as error:
             reason = str(error)
         if not reason:
             turn = _angle(here, there)
             easy = turn < 0.5 * _TURN and rounds <= 4
-            return there, min(1.6 * h, _LARGEST) if easy else h
+            return there, min(1.6 * h, _LARGEST) if easy else h, None
         h *= 0.5
-    path.message = f"no step leads beyond {here.sample.parameter:.9g}: {reason}"
-    return None, h
+    path.message = _stuck(here, reason)
+    return None, h, None
 
 
 def _angle(here: Place, there: Place) -> float:

@@ -58,7 +58,8 @@ class Return:
     end : (2 n,); rows : (rows, 2 n) along the motion, at times (rows,)
     basis : the tangent space of the constraints at q; S : (2 n, k) derivatives of the end in its directions, at fixed
     time; dt : (k,) derivatives of the period, 0 if it is given
-    flow, end_flow : dq/dt at both ends; order : numbers of the events within, in order
+    flow, end_flow : dq/dt at both ends
+    order, moments : numbers of the events within, in order, and when they happen after the start
     shift : derivatives by what `by` of the problem names
     drift : (2 n,) the largest change of each column of the derivatives, in units of the scales: 0 if nothing depends
         on the number
@@ -76,6 +77,7 @@ class Return:
     flow: Vector
     end_flow: Vector
     order: tuple[int, ...]
+    moments: tuple[float, ...]
     drift: Vector
     gap: Vector
     times: Vector
@@ -174,7 +176,7 @@ def _measured(
         moved = _shift(problem, solution, problem.point(q, problem.t, start), (every[-1], row), (flow, end_flow), event)
         made = Return(
             problem, q, period, rows[-1], rows, scale, basis, every[-1] @ basis.Z, dt, flow, end_flow,
-            _order(problem, solution, at), _drift(every, scale), rows[-1] - problem.symmetry(q),
+            *_order(problem, solution, at), _drift(every, scale), rows[-1] - problem.symmetry(q),
             solution.t[: row + 1], moved,
         )  # fmt: skip
     if not all(np.isfinite(part).all() for part in (made.end, made.S, made.dt, made.end_flow)):
@@ -229,8 +231,9 @@ def _drift(every: Vector, scale: Vector) -> Vector:
     return np.asarray(np.abs(changes).max(axis=(0, 1)))
 
 
-def _order(problem: Problem, solution: Solution, at: float) -> tuple[int, ...]:
-    """Return the numbers of the events within a period, in order; none at its ends."""
+def _order(problem: Problem, solution: Solution, at: float) -> tuple[tuple[int, ...], tuple[float, ...]]:
+    """Return the numbers of the events within a period, in order, and when they happen; none at its ends."""
     margin = _AT_ONCE * (at - problem.t)
     times = [(float(t), k) for k, one in enumerate(solution.t_events or ()) for t in one]
-    return tuple(k for t, k in sorted(times) if problem.t + margin < t < at - margin)
+    inner = [(t - problem.t, k) for t, k in sorted(times) if problem.t + margin < t < at - margin]
+    return tuple(k for _, k in inner), tuple(t for t, _ in inner)

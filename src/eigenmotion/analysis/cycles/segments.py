@@ -85,6 +85,7 @@ def joined(problem: Problem, chain: Chain) -> Return:
         last, problem=first.problem, q=first.q, period=chain.period, scale=chain.scale,
         rows=np.vstack([one.rows for one in chain.parts]), basis=first.basis, S=S, flow=first.flow,
         order=tuple(k for one in chain.parts for k in one.order),
+        moments=tuple(one.problem.t - first.problem.t + t for one in chain.parts for t in one.moments),
         drift=np.max([one.drift for one in chain.parts], axis=0), gap=chain.gaps[worst],
         times=np.concatenate([one.times for one in chain.parts]),
     )  # fmt: skip

@@ -1,0 +1,187 @@
+"""Places of a branch of cycles where the order of events in a period changes: two meet, or one begins to happen."""
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from ...arguments.named_values import Vector
+from ..cycles.returns import Return, run
+from .curve import CORNER, GRAZING, Curve, Meeting, NoPointError, Place, corrected, place
+
+_NEAR = 1e-9
+"""Distance in units at which such a place counts as reached."""
+_POINTS, _PART, _SURE = 4, 0.7, 1e-7
+"""Number of points from which the place is extrapolated, the part of the way of a step, the largest error, in units."""
+_ACCURATE = 1e-11
+_BESIDE = 1e-5
+"""Distance in units at which the branch is looked for on the other side."""
+_PROBE = 1e-3
+_ROUNDS = 60
+_WINDOW, _ROWS = 0.05, 401
+"""Part of a period around a moment in which an event is looked at, and at how many times."""
+
+
+def acting(one: Return) -> tuple[int, ...]:
+    """Return the numbers of the events that act in a motion, in order; a motion is smooth at the others."""
+    return tuple(k for k in one.order if one.problem.c.acting[k])
+
+
+def meeting_of(before: Return, after: Return) -> Meeting | None:
+    """Return the change between two motions if it is a single one, else None."""
+    first, second, names = acting(before), acting(after), before.problem.c.events
+    if first == second:
+        return None
+    more, less = Counter(second) - Counter(first), Counter(first) - Counter(second)
+    if more and not less:
+        event = min(more)
+        k = next(k for k, (a, b) in enumerate(zip((*first, -1), second, strict=False)) if a != b)
+        part = _moments(after)[k] / after.period
+        return Meeting(GRAZING, (names[event],), first, _nearest(event, part))
+    if less and not more:
+        event = min(less)
+        k = next(k for k, (a, b) in enumerate(zip(first, (*second, -1), strict=False)) if a != b)
+        return Meeting(GRAZING, (names[event],), first, _speed(event, k))
+    swaps = [k for k, (a, b) in enumerate(zip(first, second, strict=False)) if a != b]
+    if more or len(swaps) != 2 or swaps[1] != swaps[0] + 1:
+        return None
+    k = swaps[0]
+    return Meeting(CORNER, (names[first[k]], names[first[k + 1]]), first, lambda one: _apart(one, k))
+
+
+def _moments(one: Return) -> list[float]:
+    return [t for t, k in zip(one.moments, one.order, strict=True) if one.problem.c.acting[k]]
+
+
+def _apart(one: Return, k: int) -> float:
+    """Return the time between two events, as a part of the period."""
+    moments = _moments(one)
+    return (moments[k + 1] - moments[k]) / one.period
+
+
+def _values(one: Return, event: int, times: Vector, rows: Vector) -> Vector:
+    """Return the values of an event's expression at states (rows, 2 n)."""
+    problem, n = one.problem, one.problem.c.n
+    inputs = problem.system.prepare_both(problem.parameters, problem.inputs)[1]
+    u = np.array([problem.system.signals(inputs, t) for t in times]).reshape(len(times), -1)
+    x, v = np.ascontiguousarray(rows[:, :n]), np.ascontiguousarray(rows[:, n:])
+    return np.asarray(problem.c.event_rows(times, x, v, u, problem.prepared)[:, event])
+
+
+def _along(one: Return, event: int, times: Vector) -> Vector:
+    """Return the values of an event's expression at times after the start."""
+    solution = run(one.problem, one.q, one.problem.t + float(times[-1]), t_eval=one.problem.t + times)
+    return _values(one, event, solution.t, one.problem.rows(solution))
+
+
+def _nearest(event: int, part: float) -> Callable[[Return], float]:
+    """Return the function of the distance of an event that does not happen: the extremum near a part of the period."""
+
+    def distance(one: Return) -> float:
+        moments = [0.0, *_moments(one), one.period]
+        low, high = next((a, b) for a, b in pairwise(moments) if a <= part * one.period <= b)
+        begin, end = max(low, (part - _WINDOW) * one.period), min(high, (part + _WINDOW) * one.period)
+        edge = 1e-6 * one.period  # beside the events, where the motion jumps
+        times = np.linspace(begin + edge, end - edge, _ROWS)
+        rows = np.abs(_along(one, event, times))
+        lows = np.flatnonzero((rows[1:-1] <= rows[:-2]) & (rows[1:-1] <= rows[2:])) + 1
+        k = int(lows[rows[lows].argmin()]) if len(lows) else int(rows.argmin())
+        k = min(max(k, 2), len(rows) - 3)
+        fit = np.polynomial.Polynomial.fit(times[k - 2 : k + 3], rows[k - 2 : k + 3], 4)
+        return float(fit(np.linspace(times[k - 2], times[k + 2], _ROWS)).min() / np.ptp(rows))
+
+    return distance
+
+
+def _speed(event: int, k: int) -> Callable[[Return], float]:
+    """Return the function of the speed with which an event, the k-th that acts, begins, in its changes per period."""
+
+    def speed(one: Return) -> float:
+        problem = one.problem
+        solution = run(problem, one.q, problem.t + one.period)
+        times = solution.t_events[event]
+        at = float(times[np.abs(times - problem.t - _moments(one)[k]).argmin()])
+        row = int(np.flatnonzero(solution.t == at)[0])  # before the event acts
+        q, small = problem.rows(solution)[row], 1e-6 * one.period
+        flow = problem.flow(q, at, problem.in_mode(solution, float(solution.t[row - 1])))
+        there = np.array([q - small * flow, q + small * flow])
+        values = _values(one, event, np.array([at - small, at + small]), there)
+        whole = _values(one, event, solution.t, problem.rows(solution))
+        return float(abs(values[1] - values[0]) / (2.0 * small) * one.period / np.ptp(whole))
+
+    return speed
+
+
+def reached(curve: Curve, here: Place, meeting: Meeting) -> tuple[Place, Vector] | None:
+    """Return the last point of a branch before its order of events changes, and w at the change; None if not reached.
+
+    The change is where points, as polynomials of the value, have the value 0: before a contact that grazes, derivatives
+    grow without bound, and points nearer to it are less accurate.
+    """
+    last, value, h = here, meeting.value(here.sample.detail), _PROBE
+    values, points, best = [value], [here.sample.w], (np.inf, here.sample.w)
+    for _ in range(_ROUNDS):
+        there = _step(curve, last, h) if h > _NEAR else None
+        if there is None or acting(there.sample.detail) != meeting.order:
+            h *= 0.3
+            if h > _NEAR:
+                continue
+            break
+        after = meeting.value(there.sample.detail)
+        slope = (after - value) / h
+        last, value = there, after
+        values.append(value)
+        points.append(there.sample.w)
+        best = min(best, _extrapolated(values, points, there.sample.unit), key=lambda one: one[0])
+        left = -value / slope if slope < 0.0 else 4.0 * h
+        if left <= _NEAR:
+            break
+        h = min(_PART * left, 4.0 * h)
+    return (last, best[1]) if best[0] <= _SURE else None
+
+
+def _extrapolated(values: list[float], points: list[Vector], unit: Vector) -> tuple[float, Vector]:
+    """Return an estimate of the error of w at the value 0, in units, and w: by the last points, as Neville does."""
+    v, rows = values[-_POINTS:], points[-_POINTS:]
+    estimates = [rows[-1]]
+    for order in range(1, len(rows)):
+        rows = [(v[k] * rows[k + 1] - v[k + order] * rows[k]) / (v[k] - v[k + order]) for k in range(len(rows) - 1)]
+        estimates.append(rows[-1])
+    if len(estimates) < _POINTS:
+        return np.inf, estimates[-1]
+    return float(np.linalg.norm((estimates[-1] - estimates[-2]) / unit)), estimates[-1]
+
+
+def _step(curve: Curve, last: Place, h: float) -> Place | None:
+    unit = last.sample.unit
+    w = last.sample.w + h * last.tangent * unit
+    try:
+        sample, rounds = corrected(curve, w, (last.tangent / unit, w), _ACCURATE)
+    except NoPointError:
+        return None
+    return place(sample, last.tangent * unit, rounds)
+
+
+def beyond(curve: Curve, last: Place, corner: Vector) -> tuple[Place | None, str]:
+    """Return the first point on the other side of a corner, or None and why there is none."""
+    unit = last.sample.unit
+    try:
+        probe = curve.at(corner + _BESIDE * last.tangent * unit)
+    except NoPointError as error:
+        return None, str(error)
+    if acting(probe.detail) == acting(last.sample.detail):
+        return None, "no motion with the other order is found"
+    if float(np.abs(probe.F).max()) > 100.0 * _BESIDE:
+        return None, "which is first makes a difference to the motion after them"
+    along = place(probe, last.tangent * unit).tangent
+    for side in (1.0, -1.0):
+        turned = replace(last, sample=replace(last.sample, w=corner), tangent=side * along)
+        near, far = (_step(curve, turned, h) for h in (_BESIDE, 2.0 * _BESIDE))
+        if near is None or far is None or acting(near.sample.detail) == acting(last.sample.detail):
+            continue
+        back = 2.0 * near.sample.w - far.sample.w
+        if float(np.linalg.norm((back - corner) / unit)) <= 0.1 * _BESIDE:
+            return near, ""
+    return None, "no motion of the branch is found on the other side"
