@@ -144,6 +144,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "presentation",
         "compiled",
+        "analysis.state",
         "analysis.linear",
         "analysis.equilibrium",
         "analysis.cycles",

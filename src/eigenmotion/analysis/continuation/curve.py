@@ -13,7 +13,7 @@ from ...codegen.model.normalise import ModelError
 _ITERATIONS = 8
 _SINGULAR = 1e-7
 """Singular values below this part of the largest count as 0: near a branch point the other branch is left alone."""
-CORNER, GRAZING = "corner", "grazing"
+CORNER, GRAZING, MODE = "corner", "grazing", "mode change"
 _ACCURATE = 1e-7
 """Largest correction of a point that is left out."""
 
@@ -72,23 +72,19 @@ class Place:
 
 @dataclass(frozen=True)
 class Meeting:
-    """A change of the order of events between two motions.
+    """A change between two points of what a curve's equations hold for: of the order of events, or of the contact mode.
 
-    kind : CORNER where two events happen at once, GRAZING where one begins or ceases to happen; names : theirs
-    order : the events that act before; value : of a motion before, which is 0 there
+    kind : CORNER, beyond which a curve may go on, GRAZING or MODE; names : of the events, the contact or the friction
+    words : what happens there; why : why the curve ends there
+    before : of a detail, whether it is on the first side; value : of a detail before, which is 0 there
     """
 
     kind: str
     names: tuple[str, ...]
-    order: tuple[int, ...]
+    words: str
+    why: str
+    before: Callable[[Any], bool]
     value: Callable[[Any], float]
-
-    @property
-    def words(self) -> str:
-        """What happens there."""
-        if self.kind == CORNER:
-            return f"events {self.names[0]!r} and {self.names[1]!r} happen at once"
-        return f"grazing: event {self.names[0]!r}"
 
 
 class Curve(Protocol):
@@ -104,7 +100,7 @@ class Curve(Protocol):
         """Return the reason why a curve is not smooth between two points, or ""."""
 
     def meeting(self, before: Sample, after: Sample, /) -> "Meeting | None":
-        """Return the single change of the order of events between two points, or None."""
+        """Return the single change of the order of events, or of the contact mode, between two points, or None."""
 
 
 Normal = tuple[Vector, Vector]

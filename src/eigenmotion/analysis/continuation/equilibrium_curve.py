@@ -9,7 +9,8 @@ from ...codegen.model.normalise import ModelError
 from ...runtime import EvaluationError
 from ..equilibrium.equilibrium_equations import Balance
 from ..linear.linearize import linearized
-from .curve import NoPointError, Sample, Spectrum
+from .contact_limits import meeting_at, reached_limit
+from .curve import Meeting, NoPointError, Sample, Spectrum
 
 _NOISE = 1e-11
 """Residuals that are errors, relative to the terms of the equations."""
@@ -56,15 +57,16 @@ class EquilibriumCurve:
         grows = (values.real > errors).any()
         return Spectrum(values, errors, False if grows else True if (values.real < -errors).all() else None)
 
-    @staticmethod
-    def obstacle(_: Sample, __: Sample) -> str:
-        """Return "": the equations are smooth."""
-        return ""
+    def obstacle(self, before: Sample, after: Sample) -> str:
+        """Return that the contact mode ends between two points, or ""."""
+        meeting = self.meeting(before, after)
+        return meeting.words if meeting else ""
 
-    @staticmethod
-    def meeting(_: Sample, __: Sample) -> None:
-        """Return None: an equilibrium has no events."""
-        return
+    def meeting(self, before: Sample, after: Sample) -> Meeting | None:
+        """Return the end of the contact mode between two points, or None."""
+        first, second = self.balance.point(before.w), self.balance.point(after.w)
+        limit = reached_limit(first, second)
+        return None if limit is None else meeting_at(limit, first, self.balance.point)
 
 
 def curve_of(balance: Balance, start: Vector, extent: float) -> EquilibriumCurve:

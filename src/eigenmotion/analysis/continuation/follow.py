@@ -13,6 +13,9 @@ from ..cycles.cycle import Cycle
 from ..cycles.periodic_problem import NO_LIMIT
 from ..cycles.returns import Return
 from ..equilibrium.equilibrium import Equilibrium, balance_of
+from ..state.active_contacts import switches_of
+from ..state.contact_bounds import Bounds
+from ..state.operating_point import OperatingPoint
 from . import cycle_curve, equilibrium_curve
 from .branch import Branch, Origin, SpecialPoint
 from .cycle_curve import CycleCurve
@@ -41,7 +44,8 @@ def follow(
     The branch may turn back, and ends where the parameter is `to` or `back`, or where it is closed. Folds, Hopf
     bifurcations, period doublings, tori, branch points, and flutter of undamped equilibria are located. Conditions and
     free parameters of a cycle stay so. Where two events of a cycle happen at once, the branch goes on if they do not
-    disturb each other; it ends where they do, and where a contact is only touched.
+    disturb each other; it ends where they do, and where a contact is only touched. Equilibria in contact are followed
+    in their mode, until a contact opens or closes, or a friction begins or ceases to slide.
 
     Parameters
     ----------
@@ -68,8 +72,8 @@ def follow(
     Raises
     ------
     ModelError
-        The start was not found; unknown names; `to` is the value at the start; the start is one of a family; contacts
-        or frictions of an equilibrium; a stated symmetry depends on the parameter; the forcing's period depends on it,
+        The start was not found; unknown names; `to` is the value at the start; the start is one of a family; contact
+        modes meet at an equilibrium; a stated symmetry depends on the parameter; the forcing's period depends on it,
         but that of the cycle is a number.
 
     Notes
@@ -115,9 +119,6 @@ def _interval(system: CompiledSystem, by: str, value: float, ends: tuple[float, 
 def _equilibria(start: Equilibrium, by: str, ends: tuple[float, float | None], free: Any, constant: Any, max_steps: int
                 ) -> Branch:  # fmt: skip
     system = start.system
-    if system.compiled.switches:
-        raise ModelError(f"{system.name}: equilibria with contacts or friction are not followed: their modes change. "
-                         "Find them at values of the parameter")  # fmt: skip
     value = start.inputs[by] if by in start.inputs else start.parameters[by]
     to, back = _interval(system, by, value, ends)
     x0 = dict(zip(system.coordinates, start.x.tolist(), strict=True)) | start.states
@@ -127,8 +128,29 @@ def _equilibria(start: Equilibrium, by: str, ends: tuple[float, float | None], f
         raise ModelError(f"{system.name}: {by} is followed; leave it out of free")
     balance = balance_of(system, x0, [*chosen, by], v0, start.t, start.inputs, start.parameters, constant)
     curve = equilibrium_curve.curve_of(balance, balance.start, abs(to - value))
-    path = followed(curve, (begun(curve, balance.start, to),), (to, back), False, max_steps)
+    _check_mode(system, balance.point(balance.start))
+    try:
+        first = begun(curve, balance.start, to)
+    except ModelError as error:
+        raise ModelError(f"{system.name}: {error}{_of_sticking(balance.point(balance.start))}") from error
+    path = followed(curve, (first,), (to, back), False, max_steps)
     return _of_equilibria(system, by, curve, path)
+
+
+def _of_sticking(at: OperatingPoint) -> str:
+    """Return that a sticking friction leaves a choice, or ""."""
+    names = [at.model.events[one.event] for one in switches_of(at.model)
+             if not one.is_contact and at.prepared.parameters[one.holds]]  # fmt: skip
+    if not names:
+        return ""
+    return (f". While {names[0]!r} sticks, equilibria beside each other are possible: leave the coordinate that it "
+            "holds out of free")  # fmt: skip
+
+
+def _check_mode(system: CompiledSystem, at: OperatingPoint) -> None:
+    """Raise ModelError if contact modes meet at the start of a branch, which has one."""
+    if system.compiled.switches and (meeting := next(Bounds(at).at_bound(), None)):
+        raise ModelError(f"{system.name}: contact modes meet at the start: {meeting[1]}. Begin at another value")
 
 
 def _of_equilibria(system: CompiledSystem, by: str, curve: EquilibriumCurve, path: Path) -> Branch:

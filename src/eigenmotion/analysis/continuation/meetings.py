@@ -1,4 +1,4 @@
-"""Places of a branch of cycles where the order of events in a period changes: two meet, or one begins to happen."""
+"""Places of a branch where the order of events in a period changes, or the contact mode: how they are reached."""
 
 from collections import Counter
 from collections.abc import Callable
@@ -20,6 +20,7 @@ _BESIDE = 1e-5
 """Distance in units at which the branch is looked for on the other side."""
 _PROBE = 1e-3
 _ROUNDS = 60
+_NOT_SMOOTH = "where derivatives of the motion jump or are not finite"
 _WINDOW, _ROWS = 0.05, 401
 """Part of a period around a moment in which an event is looked at, and at how many times."""
 
@@ -35,20 +36,25 @@ def meeting_of(before: Return, after: Return) -> Meeting | None:
     if first == second:
         return None
     more, less = Counter(second) - Counter(first), Counter(first) - Counter(second)
-    if more and not less:
-        event = min(more)
-        k = next(k for k, (a, b) in enumerate(zip((*first, -1), second, strict=False)) if a != b)
-        part = _moments(after)[k] / after.period
-        return Meeting(GRAZING, (names[event],), first, _nearest(event, part))
-    if less and not more:
-        event = min(less)
-        k = next(k for k, (a, b) in enumerate(zip(first, (*second, -1), strict=False)) if a != b)
-        return Meeting(GRAZING, (names[event],), first, _speed(event, k))
-    swaps = [k for k, (a, b) in enumerate(zip(first, second, strict=False)) if a != b]
-    if more or len(swaps) != 2 or swaps[1] != swaps[0] + 1:
+    longer, shorter = (second, first) if more else (first, second)
+    k = next(k for k, (a, b) in enumerate(zip(longer, (*shorter, -1), strict=False)) if a != b)
+    if more and less:
         return None
-    k = swaps[0]
-    return Meeting(CORNER, (names[first[k]], names[first[k + 1]]), first, lambda one: _apart(one, k))
+    if more or less:
+        event = min(more or less)
+        value = _nearest(event, _moments(after)[k] / after.period) if more else _speed(event, k)
+        words = f"grazing: event {names[event]!r} begins or ceases to happen"
+        return Meeting(GRAZING, (names[event],), words, _NOT_SMOOTH, _in_order(first), value)
+    swaps = [k for k, (a, b) in enumerate(zip(first, second, strict=True)) if a != b]
+    if len(swaps) != 2 or swaps[1] != k + 1:
+        return None
+    both = names[first[k]], names[first[k + 1]]
+    words = f"events {both[0]!r} and {both[1]!r} happen at once"
+    return Meeting(CORNER, both, words, "", _in_order(first), lambda one: _apart(one, k))
+
+
+def _in_order(order: tuple[int, ...]) -> Callable[[Return], bool]:
+    return lambda one: acting(one) == order
 
 
 def _moments(one: Return) -> list[float]:
@@ -124,7 +130,7 @@ def reached(curve: Curve, here: Place, meeting: Meeting) -> tuple[Place, Vector]
     values, points, best = [value], [here.sample.w], (np.inf, here.sample.w)
     for _ in range(_ROUNDS):
         there = _step(curve, last, h) if h > _NEAR else None
-        if there is None or acting(there.sample.detail) != meeting.order:
+        if there is None or not meeting.before(there.sample.detail):
             h *= 0.3
             if h > _NEAR:
                 continue
@@ -164,14 +170,14 @@ def _step(curve: Curve, last: Place, h: float) -> Place | None:
     return place(sample, last.tangent * unit, rounds)
 
 
-def beyond(curve: Curve, last: Place, corner: Vector) -> tuple[Place | None, str]:
+def beyond(curve: Curve, last: Place, corner: Vector, meeting: Meeting) -> tuple[Place | None, str]:
     """Return the first point on the other side of a corner, or None and why there is none."""
     unit = last.sample.unit
     try:
         probe = curve.at(corner + _BESIDE * last.tangent * unit)
     except NoPointError as error:
         return None, str(error)
-    if acting(probe.detail) == acting(last.sample.detail):
+    if meeting.before(probe.detail):
         return None, "no motion with the other order is found"
     if float(np.abs(probe.F).max()) > 100.0 * _BESIDE:
         return None, "which is first makes a difference to the motion after them"
@@ -179,7 +185,7 @@ def beyond(curve: Curve, last: Place, corner: Vector) -> tuple[Place | None, str
     for side in (1.0, -1.0):
         turned = replace(last, sample=replace(last.sample, w=corner), tangent=side * along)
         near, far = (_step(curve, turned, h) for h in (_BESIDE, 2.0 * _BESIDE))
-        if near is None or far is None or acting(near.sample.detail) == acting(last.sample.detail):
+        if near is None or far is None or meeting.before(near.sample.detail):
             continue
         back = 2.0 * near.sample.w - far.sample.w
         if float(np.linalg.norm((back - corner) / unit)) <= 0.1 * _BESIDE:

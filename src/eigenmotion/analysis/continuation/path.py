@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
-from .curve import GRAZING, Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
+from .curve import CORNER, Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
 from .indicators import BRANCHING, FLUTTER, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
 from .meetings import beyond, reached
 
@@ -114,11 +114,10 @@ def _met(curve: Curve, path: Path, corner: Vector, meeting: Meeting) -> Place | 
     """Return the first point beyond a change of the order of events, after the last point; or None, with why not."""
     last, at = path.nodes[-1].place, float(corner[-1])
     path.nodes[-1] = replace(path.nodes[-1], kind=meeting.kind, events=meeting.names, at=at)
-    if meeting.kind == GRAZING:
-        path.message = (f"{meeting.words} begins or ceases to happen at {at:.9g}, where derivatives of the motion jump "
-                        "or are not finite")  # fmt: skip
+    if meeting.kind != CORNER:
+        path.message = f"{meeting.words} at {at:.9g}, {meeting.why}"
         return None
-    there, why = beyond(curve, last, corner)
+    there, why = beyond(curve, last, corner, meeting)
     if there is None:
         path.message = f"{meeting.words} at {at:.9g}, and the branch ends: {why}"
     return there

@@ -9,6 +9,7 @@ from ...presentation.figures import BLACK, BLUE, GREEN, ORANGE, PURPLE, VERMILIO
 _MARKS = {
     "fold": ("v", ORANGE), "branch point": ("D", GREEN), "Hopf": ("o", VERMILION), "doubling": ("s", PURPLE),
     "torus": ("^", BLACK), "flutter": ("P", BLACK), "corner": ("<", BLACK), "grazing": ("X", VERMILION),
+    "mode change": ("X", BLACK),
 }  # fmt: skip
 _LOOKS = {True: ("-", BLUE, "stable"), False: ("--", VERMILION, "unstable"), None: (":", BLACK, "undecided")}
 
