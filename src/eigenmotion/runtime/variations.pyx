@@ -69,14 +69,9 @@ cdef extern from "sensitivity/em_adjoint.h" nogil:
     ctypedef struct em_pass:
         int n
 
-    ctypedef struct em_tape:
-        size_t n_maps
-        size_t n_numbers
-
     ctypedef struct em_taped_pass:
         em_variations of
         em_pass recorded "pass"
-        em_tape tape
 
     ctypedef struct em_adjoint:
         # "lambda" is a keyword of Python
@@ -391,11 +386,6 @@ cdef class Tape:
         with nogil:
             em_pull(&self.taped.recorded, &by)
         return start.array, gradient.array
-
-    @property
-    def size(self):
-        """The number of linear maps, and the bytes of their numbers."""
-        return self.taped.tape.n_maps, self.taped.tape.n_numbers * sizeof(double)
 
 
 def _unknown(*shape):

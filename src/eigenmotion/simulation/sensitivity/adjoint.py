@@ -50,7 +50,7 @@ class Part(NamedTuple):
 def steps_within(task: Task, varied: Directions, megabytes: float) -> int:
     """Return the number of steps of a run whose dense output and maps need this memory; a map a step, or fewer."""
     n, size = task.model.n, NODES * task.model.n
-    maps = size * (size + 1) + (NODES + 3) * n * (2 * n + len(varied.names))
+    maps = size * (size + _COLUMNS + 2) + (NODES + 3) * n * (2 * n + len(varied.names))
     return max(16, int(min(megabytes, 1e9) * 1e6 / 8.0 / (maps + _DENSE * task.model.n_state)))
 
 

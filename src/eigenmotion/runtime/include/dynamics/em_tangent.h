@@ -24,6 +24,13 @@ EM_NOINLINE void em_correct_along(const em_factors *f, int rows, int columns, do
     for (int k = 0; k < N * columns; ++k) X[k] += change[k];
 }
 
+/* Whether rows of contacts and frictions that are open, or directions on the tangent, leave nothing to correct. */
+EM_INLINE int em_are_on_tangent(int count, const double *E) {
+    for (int i = 0; i < count; ++i)
+        if (E[i] != 0.0) return 0;
+    return 1;
+}
+
 /* S (2 n, columns) <- the nearest directions, in the mass metric, along which the constraints stay satisfied. */
 EM_EXPORT int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns,
                          double *S, const double *P, em_fault *fault) {
@@ -41,7 +48,7 @@ EM_EXPORT int em_tangent(double t, const double *x, const double *v, const doubl
         memset(E, 0, (size_t)rows * columns * sizeof *E);
         em_add_products(rows, 2 * N, columns, by_state + first * 2 * N, S, E);
         em_add_products(rows, N_FORCING, columns, by_forcing + first * N_FORCING, P, E);
-        em_correct_along(&f, rows, columns, E, S + level * N * columns);
+        if (!em_are_on_tangent(rows * columns, E)) em_correct_along(&f, rows, columns, E, S + level * N * columns);
     }
     return 0;
 }

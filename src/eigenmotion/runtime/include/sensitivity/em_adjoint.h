@@ -23,16 +23,17 @@ static void em_add_transposed(const em_tape *tape, const double *J, const double
     }
 }
 
-/* b (size) <- the solution of G^T y = b, G as factored by em_eliminate: rows in this order are L U. */
-static void em_solve_transposed(int size, const double *factors, const double *order, double *b) {
+/* b (size) <- the solution of G^T y = b, G as factored by em_eliminate: its rows, `apart` numbers apart, are L U in this
+ * order. */
+static void em_solve_transposed(int size, int apart, const double *factors, const double *order, double *b) {
     double y[size];
     for (int i = 0; i < size; ++i) {
-        const double *const row = factors + (size_t)i * size;
+        const double *const row = factors + (size_t)order[i] * apart;
         const double solved = b[i] /= row[i];
         for (int j = i + 1; j < size; ++j) b[j] -= row[j] * solved;
     }
     for (int i = size - 1; i >= 0; --i) {
-        const double *const row = factors + (size_t)i * size, solved = b[i];
+        const double *const row = factors + (size_t)order[i] * apart, solved = b[i];
         for (int j = 0; j < i; ++j) b[j] -= row[j] * solved;
     }
     for (int i = 0; i < size; ++i) y[(int)order[i]] = b[i];
@@ -68,11 +69,11 @@ static void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by) {
     for (int i = 0; i < n; ++i) by->lambda[n + i] += h * by->lambda[i];
     for (size_t row = map->first; row < map->last; ++row) em_add_row_within(p, map, row, by, kappa);
     for (int i = 0; i < size; ++i) b[i] = kappa[i % NODES * n + i / NODES];
-    em_solve_transposed(size, s.factors, s.order, b);
+    em_solve_transposed(size, size + tape->columns, s.L, s.order, b);
     for (int i = 0; i < size; ++i) kappa[i % NODES * n + i / NODES] = b[i];
     for (int j = 0; j < NODES; ++j)
-        em_add_transposed(tape, s.J + (size_t)(j + 1) * n * tape->width, kappa + j * n, p->of->place[j] * h, by);
-    em_add_transposed(tape, s.J, kappa + size, 0.0, by);
+        em_add_transposed(tape, s.F + (size_t)(j + 1) * n * tape->width, kappa + j * n, p->of->place[j] * h, by);
+    em_add_transposed(tape, s.F, kappa + size, 0.0, by);
 }
 
 /* The transpose of a matrix. */
@@ -110,16 +111,25 @@ static void em_taped_close(em_taped_pass *taped) {
     em_tape_close(&taped->tape);
 }
 
+/* Takes memory for as many steps as the pass begins with: to grow it copies it. */
+static void em_tape_reserve(em_taped_pass *taped) {
+    const em_variations *const w = &taped->of;
+    em_tape *const tape = &taped->tape;
+    const double steps = (w->run ? (double)w->run->n_dense / w->initial_steps : 0.0) + (double)w->n_spans;
+    const size_t count = (size_t)steps * em_step_count(tape);
+    tape->numbers = malloc((count + 1) * sizeof *tape->numbers);
+    tape->numbers_capacity = tape->numbers ? count : 0;
+}
+
 /* Integrates the pass `taped->of` and records its tape, for a basis P (n_forcing, basis). 0, or -1. */
 static int em_record_tape(em_taped_pass *taped, int basis, const double *P) {
     em_variations *const w = &taped->of, *const over = &taped->of_basis;
     const int n = w->model->n, width = 2 * n + basis;
     double *const all = calloc((size_t)w->n_forcing * width, sizeof *all);
     taped->tape = (em_tape){.n = n, .basis = basis, .width = width, .random = 1};
-    taped->tape.work = calloc((size_t)(EM_VARIATION_NODES + 4) * n * width, sizeof *P);
     taped->tape.size = calloc((size_t)n * width, sizeof *P);
     taped->tape.acts = calloc((size_t)n * width, sizeof *taped->tape.acts);
-    if (!all || !taped->tape.work || !taped->tape.size || !taped->tape.acts) return free(all), em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    if (!all || !taped->tape.size || !taped->tape.acts) return free(all), em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     for (int i = 0; i < w->n_forcing; ++i) memcpy(all + (size_t)i * width + 2 * n, P + (size_t)i * basis, basis * sizeof *P);
     *over = *w;
     over->columns = width, over->P = all, over->S = NULL, over->poll = NULL;
@@ -128,8 +138,10 @@ static int em_record_tape(em_taped_pass *taped, int basis, const double *P) {
     if (status == 0) {
         taped->pass.tape = &taped->tape, taped->pass.over_basis = &taped->basis;
         taped->basis.records_for = &taped->pass;
-        em_sample_forcings(&taped->pass);
-        status = em_pass_integrate(&taped->pass);
+        taped->tape.columns = taped->pass.columns;
+        em_tape_reserve(taped);
+        if ((status = em_begin_step_on_tape(&taped->pass)) == 0) em_sample_forcings(&taped->pass);
+        if (status == 0) status = em_pass_integrate(&taped->pass);
     }
     over->P = NULL;
     free(all);

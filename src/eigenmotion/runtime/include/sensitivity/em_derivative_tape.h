@@ -28,11 +28,12 @@ typedef struct em_map {
     double from, h;
 } em_map;
 
-/* Factors in the order of the pass. width: of a matrix, 2 n + basis. */
+/* Factors in the order of the pass. width: of a matrix, 2 n + basis; columns: of the pass. */
 typedef struct em_tape {
-    int n, basis, width;
+    int n, basis, width, columns;
     uint64_t random;      /* the state of a generator */
-    double *work, *size;  /* (nodes + 4, n, width); (n, width): the size of df/dp along the run */
+    double *F, *size;     /* of the step that is being solved (em_step_numbers); (n, width): the size of df/dp along
+                             the run */
     int *acts;            /* (n, width) whether df/dp is more than rounding */
     em_map *maps;
     double *numbers;
@@ -42,7 +43,6 @@ typedef struct em_tape {
 static void em_tape_close(em_tape *tape) {
     free(tape->maps);
     free(tape->numbers);
-    free(tape->work);
     free(tape->size);
     free(tape->acts);
     *tape = (em_tape){0};
@@ -57,18 +57,27 @@ static void *em_tape_grow(void *table, size_t *capacity, size_t count, size_t si
     return grown;
 }
 
+/* Room for this many numbers at the end of the tape; NULL: out of memory. */
+static double *em_tape_room(em_pass *p, size_t count) {
+    em_tape *const tape = p->tape;
+    double *const numbers = em_tape_grow(tape->numbers, &tape->numbers_capacity, tape->n_numbers + count + 1, sizeof *numbers);
+    if (!numbers) return em_fail(&p->of->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0), NULL;
+    tape->numbers = numbers;
+    return numbers + tape->n_numbers;
+}
+
 /* Appends a factor with this many numbers; NULL: out of memory. */
 static double *em_tape_append(em_pass *p, em_map map, size_t count) {
     em_tape *const tape = p->tape;
+    double *const numbers = em_tape_room(p, count);
     em_map *const maps = em_tape_grow(tape->maps, &tape->maps_capacity, tape->n_maps + 1, sizeof *maps);
     if (maps) tape->maps = maps;
-    double *const numbers = em_tape_grow(tape->numbers, &tape->numbers_capacity, tape->n_numbers + count + 1, sizeof *numbers);
-    if (numbers) tape->numbers = numbers;
-    if (!maps || !numbers) return em_fail(&p->of->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0), NULL;
+    if (!numbers) return NULL;
+    if (!maps) return em_fail(&p->of->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0), NULL;
     map.at = tape->n_numbers;
     maps[tape->n_maps++] = map;
     tape->n_numbers += count;
-    return numbers + map.at;
+    return numbers;
 }
 
 /* --- matrices: what a part of the pass does to a basis --- */
@@ -138,20 +147,31 @@ static int em_keep_at_stop(em_pass *p, size_t stop) {
 
 /* --- steps --- */
 
-/* The numbers of a step on the tape: the factors, the order of their rows, and J (n, width) at the start and at the
- * nodes, with respect to the state and the basis. */
+/* The numbers of a step on the tape: its linear system as it is factored, rows of (size + columns) numbers; the place of
+ * the row of each pivot; F (nodes + 1, n, width): J at the start of the step and at its nodes, with respect to the state
+ * and the basis. */
 typedef struct em_step_numbers {
-    double *factors, *order, *J;
+    double *L, *order, *F;
 } em_step_numbers;
 
 static em_step_numbers em_step_numbers_at(const em_tape *tape, double *numbers) {
-    const size_t size = (size_t)EM_VARIATION_NODES * tape->n;
-    return (em_step_numbers){numbers, numbers + size * size, numbers + size * size + size};
+    const size_t size = (size_t)EM_VARIATION_NODES * tape->n, system = size * (size + tape->columns);
+    return (em_step_numbers){numbers, numbers + system, numbers + system + size};
 }
 
 static size_t em_step_count(const em_tape *tape) {
     const size_t size = (size_t)EM_VARIATION_NODES * tape->n;
-    return size * size + size + (EM_VARIATION_NODES + 1) * (size_t)tape->n * tape->width;
+    return size * (size + tape->columns) + size + (EM_VARIATION_NODES + 1) * (size_t)tape->n * tape->width;
+}
+
+/* The next step is solved where its numbers are kept if it is accepted. 0, or -1. */
+static int em_begin_step_on_tape(em_pass *p) {
+    em_tape *const tape = p->tape;
+    double *const numbers = em_tape_room(p, em_step_count(tape));
+    if (!numbers) return -1;
+    const em_step_numbers s = em_step_numbers_at(tape, numbers);
+    p->L = s.L, tape->F = s.F;
+    return 0;
 }
 
 /* to (n, width) <- J (n, n_arguments), with respect to the state and the basis. */
@@ -162,9 +182,17 @@ static void em_along_basis(const em_pass *p, const double *J, double *to) {
         memcpy(to + i * width, J + i * arguments, 2 * n * sizeof *to);
         memset(to + i * width + 2 * n, 0, p->tape->basis * sizeof *to);
     }
-    for (const int(*at)[2] = q->nonzeros; at < q->nonzeros + q->n_nonzeros; ++at)
-        for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i)
+        for (const int(*at)[2] = q->nonzeros; at < q->nonzeros + q->n_nonzeros; ++at)
             to[i * width + (*at)[1]] += J[i * arguments + 2 * n + (*at)[0]] * q->P[(*at)[0] * q->columns + (*at)[1]];
+}
+
+/* F <- J at the start and at the nodes of a step that has been solved. */
+static void em_step_along_basis(const em_pass *p) {
+    const int block = p->n * p->tape->width, arguments = p->of->model->n_arguments;
+    em_along_basis(p, p->J0, p->tape->F);
+    for (int j = 0; j < EM_VARIATION_NODES; ++j)
+        em_along_basis(p, p->J + j * p->n * arguments, p->tape->F + (size_t)(j + 1) * block);
 }
 
 /* --- the error of a step, of directions that the pass does not follow --- */
@@ -206,13 +234,13 @@ static void em_sample_forcing(em_pass *p, double t, const double *z) {
     em_pass_inputs(p, t);
     if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, p->a + LAST * n, p->lambda,
                                      p->J + LAST * n * arguments, p->dlambda, &none)) return;
-    em_along_basis(p, p->J + LAST * n * arguments, tape->work);
+    em_along_basis(p, p->J + LAST * n * arguments, tape->F);
     em_cancellation_by_parameters(p, D);
-    em_rounding_along_basis(p, t, z, D, tape->work + entries);
+    em_rounding_along_basis(p, t, z, D, tape->F + entries);
     for (int i = 0; i < entries; ++i) {
-        const double size = fabs(tape->work[i]);
+        const double size = fabs(tape->F[i]);
         if (isfinite(size)) tape->size[i] = fmax(tape->size[i], size);
-        if (size > tape->work[entries + i]) tape->acts[i] = 1;
+        if (size > tape->F[entries + i]) tape->acts[i] = 1;
     }
 }
 
@@ -227,36 +255,49 @@ static void em_sample_forcings(em_pass *p) {
     p->of->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
 }
 
-/* The largest error of df/dp of the basis as a series in a step, relative to its size along the run, in tolerances
- * (em_variation_error.h). What is rounding all along the run is left out. */
-static double em_forcing_error(em_pass *p, double from, double to) {
+/* One row of the series of F, from the column `first` on: the last coefficients and the next one, as em_last_terms, and
+ * its largest size. part (4, width), whole (width). */
+EM_INLINE void em_last_terms_of_forcing(const em_pass *p, int i, int first, double *restrict part, double *restrict whole) {
     enum { NODES = EM_VARIATION_NODES };
     const em_tape *const tape = p->tape;
-    const int n = p->n, width = tape->width, arguments = p->of->model->n_arguments, within = em_has_rows(p, from, to);
-    double *const F = tape->work, most = 0.0;
-    const em_run *const run = p->of->run;
-    if (fabs(to - from) <= EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h)) return 0.0;
-    em_along_basis(p, p->J0, F);
-    for (int j = 0; j < NODES; ++j) em_along_basis(p, p->J + j * n * arguments, F + (size_t)(j + 1) * n * width);
-    for (int b = 2 * n; b < width; ++b) {
-        em_series_size size = {0.0, 0.0, 0.0, 0.0};
-        for (int i = 0; i < n; ++i) {
-            if (!tape->acts[i * width + b]) continue;
-            double part[4] = {0.0}, whole = fmax(fabs(F[i * width + b]), tape->size[i * width + b]);
-            for (int j = 0; j < NODES; ++j) {
-                const double f = F[((j + 1) * n + i) * width + b];
-                for (int d = 0; d < 3; ++d) part[d] += p->of->series[(5 + d) * NODES + j] * f;
-                part[3] += p->origin[j] * f;
-                whole = fmax(whole, fabs(f));
-            }
-            part[3] = 0.5 * (F[i * width + b] - part[3]);
-            const double per = 1.0 / (whole + DBL_MIN);
-            size.five = fmax(size.five, per * fabs(part[0])), size.six = fmax(size.six, per * fabs(part[1]));
-            size.seven = fmax(size.seven, per * fabs(part[2])), size.eight = fmax(size.eight, per * fabs(part[3]));
+    const int n = p->n, width = tape->width;
+    const double *const C = p->of->series, *const start = tape->F + i * width;
+    memset(part, 0, 4 * (size_t)width * sizeof *part);
+    for (int b = first; b < width; ++b) whole[b] = em_larger(fabs(start[b]), tape->size[i * width + b]);
+    for (int q = 0; q < NODES; ++q) {
+        const double *const F = tape->F + ((q + 1) * n + i) * width;
+        const double five = C[5 * NODES + q], six = C[6 * NODES + q], seven = C[7 * NODES + q], at = p->origin[q];
+        for (int b = first; b < width; ++b) {
+            part[b] += five * F[b], part[width + b] += six * F[b], part[2 * width + b] += seven * F[b];
+            part[3 * width + b] += at * F[b];
+            whole[b] = em_larger(whole[b], fabs(F[b]));
         }
-        most = fmax(most, em_direction_error(&size, within));
     }
-    return most / fmax(p->of->tolerance, EM_FORCING_ROUNDING);
+    for (int b = first; b < width; ++b) part[3 * width + b] = 0.5 * (start[b] - part[3 * width + b]);
+}
+
+/* The largest errors of df/dp of the basis as a series in a step, relative to its size along the run
+ * (em_variation_error.h). What is rounding all along the run is left out. */
+EM_INLINE em_step_errors em_forcing_error(em_pass *p) {
+    const em_tape *const tape = p->tape;
+    const int n = p->n, width = tape->width, first = 2 * n;
+    double part[4 * width], whole[width];
+    em_series_size sizes[width];
+    em_step_errors most = {0.0, 0.0};
+    memset(sizes, 0, sizeof sizes);
+    for (int i = 0; i < n; ++i) {
+        em_last_terms_of_forcing(p, i, first, part, whole);
+        for (int b = first; b < width; ++b) {
+            const double per = tape->acts[i * width + b] ? 1.0 / (whole[b] + DBL_MIN) : 0.0;
+            sizes[b].five = em_larger(sizes[b].five, per * fabs(part[b]));
+            sizes[b].six = em_larger(sizes[b].six, per * fabs(part[width + b]));
+            sizes[b].seven = em_larger(sizes[b].seven, per * fabs(part[2 * width + b]));
+            sizes[b].eight = em_larger(sizes[b].eight, per * fabs(part[3 * width + b]));
+        }
+    }
+    for (int b = first; b < width; ++b)
+        most = em_larger_errors(most, em_direction_errors(&sizes[b], 1.0 / fmax(p->of->tolerance, EM_FORCING_ROUNDING)));
+    return most;
 }
 
 /* S, in the columns after the global probe <- directions at random: the steps must resolve all motions, also those of
@@ -283,20 +324,13 @@ static void em_set_local_probes(em_pass *p, double t) {
 
 /* Appends the step that has just been solved, whose rows are first to last - 1. */
 static int em_append_step(em_pass *p, double from, double to, size_t first, size_t last) {
-    enum { NODES = EM_VARIATION_NODES };
     const em_tape *const tape = p->tape;
-    const int n = p->n, size = NODES * n, apart = size + p->columns, arguments = p->of->model->n_arguments;
+    const int size = EM_VARIATION_NODES * p->n, apart = size + p->columns;
     double *const numbers = em_tape_append(
         p, (em_map){.kind = EM_STEP_MAP, .first = first, .last = last, .from = from, .h = to - from}, em_step_count(tape));
     if (!numbers) return -1;
     const em_step_numbers s = em_step_numbers_at(tape, numbers);
-    for (int i = 0; i < size; ++i) {
-        memcpy(s.factors + (size_t)i * size, p->rows[i], size * sizeof *s.factors);
-        s.order[i] = (double)((p->rows[i] - p->L) / apart);
-    }
-    em_along_basis(p, p->J0, s.J);
-    for (int j = 0; j < NODES; ++j)
-        em_along_basis(p, p->J + j * n * arguments, s.J + (size_t)(j + 1) * n * tape->width);
+    for (int i = 0; i < size; ++i) s.order[i] = (double)((p->rows[i] - p->L) / apart);
     return 0;
 }
 

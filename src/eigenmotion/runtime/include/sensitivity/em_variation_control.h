@@ -7,9 +7,13 @@
 #define EM_MOST_LENGTH 2.0 /* bound on the length of a step here, relative to initial_steps: features that the run has
                               resolved matter */
 #define EM_LEAST_CUT 0.6   /* the smallest part of its length to which a step is cut to end with a step of the run */
+#define EM_SAME_ROW 1e-6   /* of a step: a row that is nearer to its start is there */
+#define EM_NO_STEP 1e-2    /* of a step: a part that is not worth a step of its own */
 #define EM_MOTION_ITERATIONS 4     /* iterations of Newton's method for a step's own motion */
 #define EM_JUMP_TOLERANCES 100.0   /* in tolerances: apparent jumps of the accelerations of a smooth motion */
 #define EM_MOST_STEPS_OF_SPAN 1e7  /* progress: a span that needs more steps of the current length is given up */
+
+enum { EM_END_POWER = 14, EM_WITHIN_POWER = 10 }; /* the errors of a step, as powers of its length */
 
 enum { EM_MOST_LEAST = 200 /* successive steps of the smallest length */, EM_MOST_CRAWLING = 10000 };
 
@@ -21,10 +25,12 @@ static int em_is_finite(size_t count, const double *a) {
 
 EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
 static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
-EM_WIDE static double em_error_wide(em_pass *p, double h, int within, const double *K_rounding) {
-    return em_step_error(p, h, within, K_rounding);
+EM_WIDE static em_step_errors em_error_wide(em_pass *p, double h, const double *K_rounding) {
+    return em_step_error(p, h, K_rounding);
 }
-static double em_error_narrow(em_pass *p, double h, int within, const double *K_rounding) { return em_step_error(p, h, within, K_rounding); }
+static em_step_errors em_error_narrow(em_pass *p, double h, const double *K_rounding) { return em_step_error(p, h, K_rounding); }
+EM_WIDE static em_step_errors em_forcing_error_wide(em_pass *p) { return em_forcing_error(p); }
+static em_step_errors em_forcing_error_narrow(em_pass *p) { return em_forcing_error(p); }
 EM_WIDE static void em_begin_wide(em_pass *p) {
     em_rates_of(p, p->J0, p->S, p->K0);
     em_sum_terms(p, p->J0, p->S, p->T0);
@@ -59,6 +65,7 @@ static int em_begin_span(em_pass *p, double t) {
 static int em_solve_step(em_pass *p, double from, double to) {
     const double h = to - from;
     p->own_motion = 0;
+    if (p->tape && em_begin_step_on_tape(p)) return -1;
     for (int j = 0; j < EM_VARIATION_NODES; ++j)
         if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * p->n)) return -1;
     for (int round = 0;; ++round) {
@@ -101,30 +108,57 @@ static int em_keep_step(em_pass *p, double from, double to) {
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
 }
 
-/* The end of the next step, in a span that ends at `last`: the end of a step of the run, if one is nearly as far. */
-static double em_next_end(const em_pass *p, double from, double last) {
+/* The end of a step of about this length on the way to `last`: the end of a step of the run, if one is nearly as far. */
+static double em_end_towards(const em_pass *p, double from, double last, double length) {
     const em_variations *const w = p->of;
-    const double most = fabs(em_dense_beyond(w->run, from, EM_MOST_LENGTH * w->initial_steps) - from);
     const double rest = fabs(last - from);
-    const double length = fmin(p->h, most);
     if (length >= rest) return last;
     const double to = from + w->direction * (length > rest / 2.0 ? rest / 2.0 : length);
     const double before = w->run->dense_steps[em_dense_at(w->run, to)].t;
     return w->direction * (before - from) > EM_LEAST_CUT * fabs(to - from) ? before : to;
 }
 
-/* The growth of the step size that follows from this error. */
-static double em_step_growth(double error) {
-    return fmin(4.0, fmax(0.1, 0.75 * pow(fmax(error, 1e-30), -1.0 / 14.0)));
+/* The end of the next step, in a span that ends at `last`; within: whether the error within it counts. Where this
+ * limits steps, and rows are not denser than these, a step ends at a row. */
+static double em_next_end(const em_pass *p, double from, double last, int *within) {
+    const em_variations *const w = p->of;
+    const double most = fabs(em_dense_beyond(w->run, from, EM_MOST_LENGTH * w->initial_steps) - from);
+    const double length = fmin(p->h, most), rest = fabs(last - from), longest = fmin(length, rest);
+    const double with_rows = fmin(p->h_within, most);
+    const size_t row = em_next_row(p, from, EM_SAME_ROW * longest);
+    const double next = em_distance_of_row(p, from, row), second = em_distance_of_row(p, from, row + 1);
+    const int dense = second <= longest || next < EM_NO_STEP * longest || rest - next < EM_NO_STEP * longest;
+    *within = next < rest && (dense || with_rows >= longest);
+    if (*within) return em_end_towards(p, from, last, with_rows);
+    return em_end_towards(p, from, next < rest ? w->t_rows[row] : last, length);
 }
 
-/* The error of a solved step, in tolerances; if it exceeds one, without its rounding. */
-static double em_error_of(em_pass *p, double from, double to) {
-    double (*const error)(em_pass *, double, int, const double *) = p->wide ? em_error_wide : em_error_narrow;
-    const int within = em_has_rows(p, from, to);
-    const double forced = p->tape ? em_forcing_error(p, from, to) : 0.0, found = error(p, to - from, within, NULL);
-    if (found <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return fmax(found, forced);
-    return fmax(error(p, to - from, within, p->K_rounding), forced);
+/* Whether a step resolves more than rounding of df/dp. */
+static int em_resolves_forcing(const em_pass *p, double from, double to) {
+    const em_run *const run = p->of->run;
+    return fabs(to - from) > EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h);
+}
+
+/* The errors of a solved step; if those that count exceed one, without their rounding. */
+static em_step_errors em_errors_of(em_pass *p, double from, double to, int within) {
+    em_step_errors (*const error)(em_pass *, double, const double *) = p->wide ? em_error_wide : em_error_narrow;
+    em_step_errors forced = {0.0, 0.0};
+    if (p->tape) em_step_along_basis(p);
+    if (p->tape && em_resolves_forcing(p, from, to)) forced = (p->wide ? em_forcing_error_wide : em_forcing_error_narrow)(p);
+    const em_step_errors found = error(p, to - from, NULL);
+    if ((within ? found.within : found.end) <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return em_larger_errors(found, forced);
+    return em_larger_errors(error(p, to - from, p->K_rounding), forced);
+}
+
+/* The next length of a step, after one of `length` whose error grows with this power of it. */
+static double em_next_length(double before, double length, double error, int power) {
+    const double growth = fmin(4.0, fmax(0.1, 0.8 * pow(fmax(error, 1e-30), -1.0 / power)));
+    return error > 1.0 ? length * fmin(0.7, growth) : fmax(length < before ? before : 0.0, length * growth);
+}
+
+static void em_set_next_length(em_pass *p, double length, double least, em_step_errors errors) {
+    p->h = fmax(em_next_length(p->h, length, errors.end, EM_END_POWER), least);
+    p->h_within = fmax(em_next_length(p->h_within, length, errors.within, EM_WITHIN_POWER), least);
 }
 
 /* The roughness of the accelerations in a step, relative to that of a smooth motion; if it exceeds one, without its
@@ -142,11 +176,14 @@ static double em_advance(em_pass *p, double from, double last) {
     em_variations *const w = p->of;
     const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
     for (;;) {
-        const double to = em_next_end(p, from, last), length = fabs(to - from);
+        int within;
+        const double to = em_next_end(p, from, last, &within), length = fabs(to - from);
         const int solved = em_solve_step(p, from, to), is_least = length <= 2.0 * least;
         if (solved < 0) return NAN;
-        const double error = solved > 0 ? INFINITY : em_error_of(p, from, to);
-        const double rough = solved > 0 ? 0.0 : em_roughness_of(p, to), off = fmax(error, rough);
+        const double rough = solved > 0 ? 0.0 : em_roughness_of(p, to);
+        const em_step_errors none = {INFINITY, INFINITY}, of_step = solved > 0 ? none : em_errors_of(p, from, to, within);
+        const em_step_errors errors = em_larger_errors(of_step, (em_step_errors){rough, rough});
+        const double off = within ? errors.within : errors.end;
         p->n_least = is_least ? p->n_least + 1 : 0;
         p->n_crawling += length * EM_MOST_STEPS_OF_SPAN < fabs(last - from) ? 1 : p->n_crawling > 0 ? -1 : 0;
         if (is_least && rough > 1.0) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1), w->t_reached = to, NAN;
@@ -155,11 +192,11 @@ static double em_advance(em_pass *p, double from, double last) {
         if (off <= 1.0 || is_least) {
             p->longest = fmax(p->longest, length);
             if (length > 0.25 * p->longest) p->n_again = 0;
-            p->h = fmax(length < p->h ? p->h : 0.0, length * em_step_growth(off));
+            em_set_next_length(p, length, least, errors);
             return em_keep_step(p, from, to) ? NAN : to;
         }
         ++w->n_refused, ++p->n_again;
-        p->h = fmax(length * fmin(0.7, em_step_growth(off)), least);
+        em_set_next_length(p, length, least, errors);
     }
 }
 
@@ -175,6 +212,7 @@ static int em_cross_span(em_pass *p, size_t span) {
     }
     if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
     p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
+    p->h_within = fmax(p->h_within, p->h);
     while (t != last)
         if (isnan(t = em_advance(p, t, last))) return -1;
     return 0;

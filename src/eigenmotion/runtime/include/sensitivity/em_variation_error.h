@@ -15,23 +15,35 @@
 #define EM_STEP_SHARE (1.0 / 32.0)
 #define EM_END_SAFETY 2.0
 
+/* The larger number, or b. Unlike fmax it is one instruction: compilers keep to its rule for NaN. */
+EM_INLINE double em_larger(double a, double b) { return a > b ? a : b; }
+
 /* The sizes of the coefficients of one direction that determine its error, relative to its size. */
 typedef struct em_series_size {
     double five, six, seven, eight;
 } em_series_size;
 
-/* The error of a direction at the end of a step, or within it. */
-EM_INLINE double em_direction_error(const em_series_size *s, int within) {
+/* The errors of a step, in tolerances: at its end, and anywhere in it. */
+typedef struct em_step_errors {
+    double end, within;
+} em_step_errors;
+
+EM_INLINE em_step_errors em_larger_errors(em_step_errors a, em_step_errors b) {
+    return (em_step_errors){fmax(a.end, b.end), fmax(a.within, b.within)};
+}
+
+/* The errors of a direction, relative to its size, times `per`. */
+EM_INLINE em_step_errors em_direction_errors(const em_series_size *s, double per) {
     const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
     const double falls = before > after ? after / before : 1.0; /* the decay over two terms */
     const double off = EM_STEP_SHARE * s->eight, end = off * EM_END_SAFETY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
-    return within ? fmax(end, off * sqrt(falls)) : end;
+    return (em_step_errors){per * end, per * fmax(end, off * sqrt(falls))};
 }
 
 /* The size of S_v[i] in a step: its own, and that of the terms that change it. */
 EM_INLINE double em_rate_size(const em_pass *p, double length, int at) {
     const int v = at + p->n * p->columns;
-    return fmax(fmax(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * fmax(p->T0[at], p->T[at]));
+    return em_larger(em_larger(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * em_larger(p->T0[at], p->T[at]));
 }
 
 /* One row of the series of K: the absolute values of its last coefficients and of the next one. part (4, columns). */
@@ -51,12 +63,12 @@ EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
     for (int j = 0; j < k; ++j) part[3 * k + j] = 0.5 * (p->K0[i * k + j] - part[3 * k + j]);
 }
 
-/* The largest error of a direction, relative to its size, in tolerances. K_rounding (n, columns): the rounding of K;
- * NULL: unknown. */
-EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *K_rounding) {
+/* The largest errors of a direction. K_rounding (n, columns): the rounding of K; NULL: unknown. */
+EM_INLINE em_step_errors em_step_error(em_pass *p, double h, const double *K_rounding) {
     const int n = p->n, k = p->columns;
     const double tolerance = p->of->tolerance, length = fabs(h);
-    double part[4 * k], most = 0.0;
+    double part[4 * k];
+    em_step_errors most = {0.0, 0.0};
     em_series_size sizes[k];
     memset(sizes, 0, sizeof sizes);
     if (!K_rounding) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
@@ -65,14 +77,14 @@ EM_INLINE double em_step_error(em_pass *p, double h, int within, const double *K
         for (int j = 0; j < p->of->columns; ++j) {
             const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
             const double per = length / (em_rate_size(p, length, i * k + j) + rounding + DBL_MIN);
-            sizes[j].five = fmax(sizes[j].five, per * fabs(part[j]));
-            sizes[j].six = fmax(sizes[j].six, per * fabs(part[k + j]));
-            sizes[j].seven = fmax(sizes[j].seven, per * fabs(part[2 * k + j]));
-            sizes[j].eight = fmax(sizes[j].eight, per * fabs(part[3 * k + j]));
+            sizes[j].five = em_larger(sizes[j].five, per * fabs(part[j]));
+            sizes[j].six = em_larger(sizes[j].six, per * fabs(part[k + j]));
+            sizes[j].seven = em_larger(sizes[j].seven, per * fabs(part[2 * k + j]));
+            sizes[j].eight = em_larger(sizes[j].eight, per * fabs(part[3 * k + j]));
         }
     }
-    for (int j = 0; j < p->of->columns; ++j) most = fmax(most, em_direction_error(&sizes[j], within));
-    return most / tolerance;
+    for (int j = 0; j < p->of->columns; ++j) most = em_larger_errors(most, em_direction_errors(&sizes[j], 1.0 / tolerance));
+    return most;
 }
 
 #endif

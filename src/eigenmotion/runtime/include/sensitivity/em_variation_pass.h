@@ -67,7 +67,7 @@ typedef struct em_pass {
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
     double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *y;
     double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
-    double inside[2], h;               /* h: the length of the next step that follows from the last one */
+    double inside[2], h, h_within;     /* the length of the next step that follows from the last one; with rows in it */
     size_t row;
     double longest;                         /* of the accepted steps */
     int n_least, n_crawling, n_again, own_motion; /* n_again: rejected since a step of about the longest length;

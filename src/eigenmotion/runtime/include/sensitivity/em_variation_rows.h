@@ -61,14 +61,17 @@ static void em_step_rows(em_pass *p, double from, double to) {
     }
 }
 
-/* Whether rows are requested between the ends of a step. */
-static int em_has_rows(const em_pass *p, double from, double to) {
+/* The first row that is farther from `from` than `least`. */
+static size_t em_next_row(const em_pass *p, double from, double least) {
     const em_variations *const w = p->of;
-    for (size_t row = p->row; row < w->n_rows; ++row) {
-        const double x = (w->t_rows[row] - from) / (to - from);
-        if (x > 1e-6) return x < 1.0 - 1e-6;
-    }
-    return 0;
+    size_t row = p->row;
+    while (row < w->n_rows && w->direction * (w->t_rows[row] - from) <= least) ++row;
+    return row;
+}
+
+/* The distance of a row from `from`; infinite: there is no such row. */
+static double em_distance_of_row(const em_pass *p, double from, size_t row) {
+    return row < p->of->n_rows ? fabs(p->of->t_rows[row] - from) : INFINITY;
 }
 
 #endif
