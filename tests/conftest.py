@@ -17,7 +17,7 @@ from .support import generation
 from .support.browser import Browser, chromium
 from .support.by_day import mark_nightly, rule_of
 from .support.generation import COMPILERS
-from .support.night_slice import outside_slice, slice_of
+from .support.night_slice import out_of_turn, outside_slice, slice_of
 
 SCENE = """\
 from sympy import cos, symbols
@@ -46,7 +46,9 @@ LEFT_OUT = pytest.StashKey[Counter[str]]()
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Add what `make nightly`, `make docs` and `make screenshots` use."""
-    parser.addoption("--slice", metavar="K/N", help="of the cases run at night only, one of N parts (default: all)")
+    parser.addoption(
+        "--slice", metavar="K/N", help="one of N parts, with one in ten of the night's random cases (default: all)"
+    )
     parser.addoption("--site", type=Path, metavar="FOLDER", help="the site whose looks are tested")
     parser.addoption("--screenshots", type=_folder, metavar="FOLDER", help="where photographs of pages are kept")
 
@@ -83,8 +85,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Longest files first, where `--no-loadscope-reorder` leaves it at that; what is not for every day, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
     mark_nightly(items)
-    if part := config.option.slice:
-        others = outside_slice(items, *slice_of(part))
+    if text := config.option.slice:
+        part = slice_of(text)
+        others = set(out_of_turn(items, part.turn))
+        items[:] = [item for item in items if item not in others]
+        others = outside_slice(items, part.part, part.parts)
         items[:] = [item for item in items if item not in others]
 
 

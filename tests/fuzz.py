@@ -122,9 +122,11 @@ def main() -> int:
         ("workers", os.cpu_count() or 1),
     ):
         parser.add_argument(f"--{name}", type=int, default=default)
-    parser.add_argument("--slice", type=slice_of, default=(0, 1), metavar="K/N", help="one of N parts of all seeds")
+    parser.add_argument(
+        "--slice", type=slice_of, metavar="K/N", help="one of N parts of a tenth of all seeds (default: all)"
+    )
     asked = parser.parse_args()
-    part, parts = asked.slice
+    seeds = asked.slice.seeds if asked.slice else lambda first, count: range(first, first + count)
     lines, wrong = [], 0
     with ProcessPoolExecutor(asked.workers) as pool:
         kinds = (("trees", one_tree, asked.trees), ("mechanisms", one_mechanism, asked.mechanisms),
@@ -132,7 +134,7 @@ def main() -> int:
                  ("driven", one_driven, asked.driven), ("machines", one_machine, asked.machines))  # fmt: skip
         for name, check, count in kinds:
             start = time.monotonic()
-            found = list(swept(check, range(asked.first + part, asked.first + count, parts), pool))
+            found = list(swept(check, seeds(asked.first, count), pool))
             if found:
                 lines.append(summed(name, time.monotonic() - start, found))
                 wrong += sum(len(counts.wrong) for counts in found)

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from ..support.night_slice import outside_slice, slice_of
+from ..support.night_slice import TURNS, out_of_turn, outside_slice, slice_of
 
 
 def cases(file: str, *names: str) -> list[SimpleNamespace]:
@@ -28,8 +28,43 @@ def test_the_parts_are_all_cases_each_once(n):
             assert all(one in part for one in alike)
 
 
+def random_cases(file: str, *names: str) -> list[SimpleNamespace]:
+    items = cases(file, *names)
+    for item in items:
+        item.callspec.params = {"seed": 0}
+        item.originalname = item.name.partition("-")[0]
+        item.get_closest_marker = lambda _: pytest.mark.nightly.mark
+    return items
+
+
+def test_each_turn_has_a_tenth_of_the_random_cases_and_ten_turns_have_all():
+    items = random_cases(
+        "a.py", *(f"{test}-{case}" for test in "pq" for case in range(40)), *(f"r-r{k}" for k in range(3))
+    )
+    others = cases("b.py", "p-1", "p-2")
+    for item in others:
+        item.get_closest_marker, item.callspec.params = lambda _: None, {"seed": 0}
+    turns = []
+    for turn in range(TURNS):
+        left_out = set(out_of_turn(items + others, turn))
+        turns.append([item for item in items + others if item not in left_out])
+        assert all(item in turns[-1] for item in others)
+        for test, share in (("p", 4), ("q", 4)):
+            assert sum(item.name.startswith(test) for item in turns[-1] if item in items) == share
+    assert sorted(id(item) for turn in turns for item in turn if item in items) == sorted(map(id, items))
+
+
+@pytest.mark.parametrize("n", [1, 10])
+def test_nights_take_all_seeds_in_turn(n):
+    nights = [set(slice_of(f"{night}/{n}").seeds(5, 1000)) for night in range(n * TURNS)]
+    assert set().union(*nights) == set(range(5, 1005))
+    assert sum(map(len, nights)) == 1000
+    assert max(map(len, nights)) == min(map(len, nights)) == 1000 // (n * TURNS)
+
+
 def test_days_count_modulo_the_parts():
-    assert slice_of("028/10") == (8, 10)
+    assert slice_of("028/10") == (8, 10, 2)
+    assert slice_of("365/1") == (0, 1, 5)
     for wrong in ("3", "3/0", "a/2", ""):
         with pytest.raises(ValueError, match="Give a part and how many there are"):
             slice_of(wrong)

@@ -25,6 +25,9 @@ PAGE = "pictures and pages of single models: by day those of cam_follower and lu
 CLOSED_FORM = "closed forms against integration: by day every third model's"
 SEED = "random cases: by day the first of each kind"
 
+RANDOM = frozenset({"seed", "block", "quarter", "half"})
+"""What a test is parametrised with whose cases are drawn at random."""
+
 MODELS = {*NAMES, *BY_NAME}
 
 BY_ALL = ("test_paper_scene", "test_signs")
@@ -55,6 +58,11 @@ def rule_of(item: pytest.Item) -> str | None:
     """Return the rule by which a case runs at night only."""
     marker = item.get_closest_marker("nightly")
     return marker and (marker.args[0] if marker.args else MARKED)
+
+
+def is_random(item: pytest.Item) -> bool:
+    """Whether this is a random case of the night: of one number of many, or of a block of numbers."""
+    return bool(rule_of(item) and hasattr(item, "callspec") and RANDOM & item.callspec.params.keys())
 
 
 def _rule_of_models(item: pytest.Item) -> str | None:
