@@ -13,19 +13,20 @@ typedef struct em_adjoint {
 } em_adjoint;
 
 /* lambda (2 n), gradient (basis) += J^T mu, for J (n, width) and the node's place c h: x there is x + c h v. */
-static void em_add_transposed(const em_tape *tape, const double *J, const double *mu, double shift, em_adjoint *by) {
+EM_INLINE void em_add_transposed(const em_tape *tape, const double *J, const double *mu, double shift, em_adjoint *by) {
     const int n = tape->n, width = tape->width;
+    double *restrict const of_x = by->lambda, *restrict const of_v = of_x + n, *restrict const gradient = by->gradient;
     for (int i = 0; i < n; ++i) {
-        const double *const row = J + i * width;
+        const double *restrict const row = J + i * width, *restrict const by_v = row + n, *restrict const by_p = row + 2 * n;
         if (mu[i] == 0.0) continue;
-        for (int k = 0; k < n; ++k) by->lambda[k] += row[k] * mu[i], by->lambda[n + k] += (row[n + k] + shift * row[k]) * mu[i];
-        for (int k = 2 * n; k < width; ++k) by->gradient[k - 2 * n] += row[k] * mu[i];
+        for (int k = 0; k < n; ++k) of_x[k] += row[k] * mu[i], of_v[k] += (by_v[k] + shift * row[k]) * mu[i];
+        for (int k = 0; k < tape->basis; ++k) gradient[k] += by_p[k] * mu[i];
     }
 }
 
 /* b (size) <- the solution of G^T y = b, G as factored by em_eliminate: its rows, `apart` numbers apart, are L U in this
  * order. */
-static void em_solve_transposed(int size, int apart, const double *factors, const double *order, double *b) {
+EM_INLINE void em_solve_transposed(int size, int apart, const double *factors, const double *order, double *restrict b) {
     double y[size];
     for (int i = 0; i < size; ++i) {
         const double *const row = factors + (size_t)order[i] * apart;
@@ -55,7 +56,7 @@ static void em_add_row_within(const em_pass *p, const em_map *map, size_t row, e
 }
 
 /* The transpose of a step. */
-static void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by) {
+EM_INLINE void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by) {
     enum { NODES = EM_VARIATION_NODES };
     const em_tape *const tape = p->tape;
     const int n = p->n, size = NODES * n;
@@ -63,7 +64,7 @@ static void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by) {
     const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
     const em_step_numbers s = em_step_numbers_at(tape, tape->numbers + map->at);
     double kappa[size + n], b[size];
-    memset(kappa + size, 0, n * sizeof *kappa);
+    memset(kappa + size, 0, n * sizeof *kappa), memset(b, 0, sizeof b);
     for (int j = 0; j < NODES; ++j)
         for (int i = 0; i < n; ++i) kappa[j * n + i] = h * (h * A2[j] * by->lambda[i] + A[j] * by->lambda[n + i]);
     for (int i = 0; i < n; ++i) by->lambda[n + i] += h * by->lambda[i];
@@ -75,6 +76,9 @@ static void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by) {
         em_add_transposed(tape, s.F + (size_t)(j + 1) * n * tape->width, kappa + j * n, p->of->place[j] * h, by);
     em_add_transposed(tape, s.F, kappa + size, 0.0, by);
 }
+
+EM_WIDE static void em_pull_wide(const em_pass *p, const em_map *map, em_adjoint *by) { em_pull_step(p, map, by); }
+static void em_pull_narrow(const em_pass *p, const em_map *map, em_adjoint *by) { em_pull_step(p, map, by); }
 
 /* The transpose of a matrix. */
 static void em_pull_matrix(const em_tape *tape, const double *B, em_adjoint *by) {
@@ -91,7 +95,7 @@ static void em_pull(const em_pass *p, em_adjoint *by) {
     const em_tape *const tape = p->tape;
     for (size_t i = tape->n_maps; i-- > 0;) {
         const em_map *const map = tape->maps + i;
-        if (map->kind == EM_STEP_MAP) em_pull_step(p, map, by);
+        if (map->kind == EM_STEP_MAP) (p->wide ? em_pull_wide : em_pull_narrow)(p, map, by);
         else if (map->kind == EM_MATRIX_MAP) em_pull_matrix(tape, tape->numbers + map->at, by);
         else if (map->kind == EM_READING) em_add_to(2 * p->n, 1.0, by->stops + map->first * 2 * p->n, by->lambda);
     }

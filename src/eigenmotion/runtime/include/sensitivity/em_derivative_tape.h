@@ -182,9 +182,13 @@ static void em_along_basis(const em_pass *p, const double *J, double *to) {
         memcpy(to + i * width, J + i * arguments, 2 * n * sizeof *to);
         memset(to + i * width + 2 * n, 0, p->tape->basis * sizeof *to);
     }
-    for (int i = 0; i < n; ++i)
-        for (const int(*at)[2] = q->nonzeros; at < q->nonzeros + q->n_nonzeros; ++at)
-            to[i * width + (*at)[1]] += J[i * arguments + 2 * n + (*at)[0]] * q->P[(*at)[0] * q->columns + (*at)[1]];
+    double value[q->n_nonzeros + 1];
+    for (int k = 0; k < q->n_nonzeros; ++k) value[k] = q->P[q->nonzeros[k][0] * q->columns + q->nonzeros[k][1]];
+    for (int i = 0; i < n; ++i) {
+        const double *restrict const by_forcing = J + i * arguments + 2 * n;
+        double *restrict const row = to + i * width;
+        for (int k = 0; k < q->n_nonzeros; ++k) row[q->nonzeros[k][1]] += by_forcing[q->nonzeros[k][0]] * value[k];
+    }
 }
 
 /* F <- J at the start and at the nodes of a step that has been solved. */
@@ -256,24 +260,24 @@ static void em_sample_forcings(em_pass *p) {
 }
 
 /* One row of the series of F, from the column `first` on: the last coefficients and the next one, as em_last_terms, and
- * its largest size. part (4, width), whole (width). */
-EM_INLINE void em_last_terms_of_forcing(const em_pass *p, int i, int first, double *restrict part, double *restrict whole) {
+ * its largest size: all (width). */
+EM_INLINE void em_last_terms_of_forcing(const em_pass *p, int i, int first, double *restrict five, double *restrict six,
+                                        double *restrict seven, double *restrict eight, double *restrict whole) {
     enum { NODES = EM_VARIATION_NODES };
     const em_tape *const tape = p->tape;
     const int n = p->n, width = tape->width;
     const double *const C = p->of->series, *const start = tape->F + i * width;
-    memset(part, 0, 4 * (size_t)width * sizeof *part);
     for (int b = first; b < width; ++b) whole[b] = em_larger(fabs(start[b]), tape->size[i * width + b]);
+    for (int b = first; b < width; ++b) five[b] = six[b] = seven[b] = eight[b] = 0.0;
     for (int q = 0; q < NODES; ++q) {
-        const double *const F = tape->F + ((q + 1) * n + i) * width;
-        const double five = C[5 * NODES + q], six = C[6 * NODES + q], seven = C[7 * NODES + q], at = p->origin[q];
+        const double *restrict const F = tape->F + ((q + 1) * n + i) * width;
+        const double c_five = C[5 * NODES + q], c_six = C[6 * NODES + q], c_seven = C[7 * NODES + q], at = p->origin[q];
         for (int b = first; b < width; ++b) {
-            part[b] += five * F[b], part[width + b] += six * F[b], part[2 * width + b] += seven * F[b];
-            part[3 * width + b] += at * F[b];
+            five[b] += c_five * F[b], six[b] += c_six * F[b], seven[b] += c_seven * F[b], eight[b] += at * F[b];
             whole[b] = em_larger(whole[b], fabs(F[b]));
         }
     }
-    for (int b = first; b < width; ++b) part[3 * width + b] = 0.5 * (start[b] - part[3 * width + b]);
+    for (int b = first; b < width; ++b) eight[b] = 0.5 * (start[b] - eight[b]);
 }
 
 /* The largest errors of df/dp of the basis as a series in a step, relative to its size along the run
@@ -281,18 +285,18 @@ EM_INLINE void em_last_terms_of_forcing(const em_pass *p, int i, int first, doub
 EM_INLINE em_step_errors em_forcing_error(em_pass *p) {
     const em_tape *const tape = p->tape;
     const int n = p->n, width = tape->width, first = 2 * n;
-    double part[4 * width], whole[width];
+    double five[width], six[width], seven[width], eight[width], whole[width];
     em_series_size sizes[width];
     em_step_errors most = {0.0, 0.0};
     memset(sizes, 0, sizeof sizes);
     for (int i = 0; i < n; ++i) {
-        em_last_terms_of_forcing(p, i, first, part, whole);
+        em_last_terms_of_forcing(p, i, first, five, six, seven, eight, whole);
         for (int b = first; b < width; ++b) {
             const double per = tape->acts[i * width + b] ? 1.0 / (whole[b] + DBL_MIN) : 0.0;
-            sizes[b].five = em_larger(sizes[b].five, per * fabs(part[b]));
-            sizes[b].six = em_larger(sizes[b].six, per * fabs(part[width + b]));
-            sizes[b].seven = em_larger(sizes[b].seven, per * fabs(part[2 * width + b]));
-            sizes[b].eight = em_larger(sizes[b].eight, per * fabs(part[3 * width + b]));
+            sizes[b].five = em_larger(sizes[b].five, per * fabs(five[b]));
+            sizes[b].six = em_larger(sizes[b].six, per * fabs(six[b]));
+            sizes[b].seven = em_larger(sizes[b].seven, per * fabs(seven[b]));
+            sizes[b].eight = em_larger(sizes[b].eight, per * fabs(eight[b]));
         }
     }
     for (int b = first; b < width; ++b)

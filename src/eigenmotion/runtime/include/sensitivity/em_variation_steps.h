@@ -20,10 +20,10 @@ EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const
     }
 }
 
-/* to (n, columns) += F, the effect of P. One product if most of P is not zero, as in random directions. */
+/* to (n, columns) += F, the effect of P. One product if much of P is not zero, as in random directions. */
 EM_INLINE void em_add_forcing(const em_pass *p, const double *J, double *to) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments, rows = p->of->n_forcing;
-    if (p->n_nonzeros > rows * (k / 4)) {
+    if (2 * p->n_nonzeros > rows * (k / 4)) {
         double last[n];
         for (int i = 0; i < n; ++i) last[i] = to[i * k + k - 1];
         em_add_product(n, rows, width, k, J + 2 * n, p->P, to);
@@ -62,8 +62,9 @@ EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     for (int row = 0; row < n; ++row)
         for (int i = 0; i < NODES; ++i) {
             const double *const J = p->J + (i * n + row) * width;
-            const double *const A = p->of->A + i * NODES, *const A2 = p->of->A2 + i * NODES;
-            double *const at = p->rows[row * NODES + i] = p->L + (row * NODES + i) * (size + k);
+            double A[NODES], A2[NODES];
+            memcpy(A, p->of->A + i * NODES, sizeof A), memcpy(A2, p->of->A2 + i * NODES, sizeof A2);
+            double *restrict const at = p->rows[row * NODES + i] = p->L + (row * NODES + i) * (size + k);
             for (int q = 0; q < n; ++q) {
                 const double by_x = -h * h * J[q], by_v = -h * J[n + q];
                 for (int j = 0; j < NODES; ++j) at[q * NODES + j] = by_x * A2[j] + by_v * A[j];
