@@ -119,6 +119,24 @@ def test_two_hits_at_once_that_disturb_each_other():
     assert "which is first makes a difference" in branch.message
 
 
+def test_a_hit_moves_onto_the_section():
+    """From left hit to left hit: the right one comes nearer to the end of the period, and is at it at equal strokes."""
+    smooth = both()
+    hit = next(t for t in smooth.solution.t_events[0])
+    row = np.flatnonzero(smooth.solution.t == hit)[-1]
+    rows = smooth.solution.x[:, row], smooth.solution.v[:, row]
+    x0, v0 = ({"z": one[0], "y": one[1]} for one in rows)
+    start = em.find_cycle(smooth.system, x0=x0, v0=v0, t=hit, period=T, section="left")
+    assert start.success
+    assert start.t == pytest.approx(hit, abs=1e-9)
+    branch = em.follow(start, "a", to=0.016)
+    assert not branch.success
+    assert branch.special[-1].parameter == pytest.approx(0.014, abs=1e-10)
+    assert branch.special[-1].events == ("right", "left")
+    assert "event 'right' moves onto the section, event 'left', at 0.014" in branch.message
+    assert "with another section" in branch.message
+
+
 def stopped(acts: bool) -> em.System:
     """A driven oscillator beside a stop at x = 1, or a counter there that does not act."""
     what = {"impact": (1 - x, e)} if acts else {}

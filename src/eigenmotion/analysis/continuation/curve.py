@@ -75,7 +75,7 @@ class Meeting:
     """A change between two points of what a curve's equations hold for: of the order of events, or of the contact mode.
 
     kind : CORNER, beyond which a curve may go on, GRAZING or MODE; names : of the events, the contact or the friction
-    words : what happens there; why : why the curve ends there
+    words : what happens there; why : why the curve ends there, or ""
     before : of a detail, whether it is on the first side; value : of a detail before, which is 0 there
     """
 

@@ -12,7 +12,7 @@ from ..cycles.periodic_problem import Problem
 from ..cycles.returns import NoReturnError, Return, returned
 from ..cycles.time_dependence import event_at_start, unrepeated
 from .curve import Meeting, NoPointError, Sample, Spectrum
-from .meetings import acting, meeting_of
+from .meetings import acting, changed, meeting_of
 
 _SMALLEST = 0.03
 """Least unit, relative to the first cycle's."""
@@ -79,7 +79,7 @@ class CycleCurve:
         """
         a, b, problem = before.detail, after.detail, self.search.problem
         self._check_repeats(after)
-        if acting(a) != acting(b):
+        if changed(a, b):
             if meets := self._meets_event(b.problem, b.q, b.period):
                 return meets
             names = problem.c.events
@@ -92,10 +92,10 @@ class CycleCurve:
 
     def meeting(self, before: Sample, after: Sample) -> Meeting | None:
         """Return the single change of the order of events between two points; not where one moves onto the start."""
-        b = after.detail
-        if acting(before.detail) == acting(b):
+        a, b = before.detail, after.detail
+        if not changed(a, b) or self._meets_event(b.problem, b.q, b.period):
             return None
-        return None if self._meets_event(b.problem, b.q, b.period) else meeting_of(before.detail, b)
+        return meeting_of(a, b, self.search.section.event)
 
     def _meets_event(self, problem: Problem, q: Vector, period: float) -> str:
         """Return that an event that acts has moved onto the start of the period, or ""."""

@@ -20,6 +20,9 @@ _BESIDE = 1e-5
 """Distance in units at which the branch is looked for on the other side."""
 _PROBE = 1e-3
 _ROUNDS = 60
+_BESIDE_SECTION = 0.02
+"""Part of a period within which an event is near the section."""
+_ELSEWHERE = "so cycles beyond start elsewhere: call find_cycle with another section"
 _NOT_SMOOTH = "where derivatives of the motion jump or are not finite"
 _WINDOW, _ROWS = 0.05, 401
 """Part of a period around a moment in which an event is looked at, and at how many times."""
@@ -30,8 +33,20 @@ def acting(one: Return) -> tuple[int, ...]:
     return tuple(k for k in one.order if one.problem.c.acting[k])
 
 
-def meeting_of(before: Return, after: Return) -> Meeting | None:
-    """Return the change between two motions if it is a single one, else None."""
+def changed(before: Return, after: Return) -> bool:
+    """Return whether the order of events is another one, or one has moved from one end of the period to the other."""
+    if acting(before) != acting(after):
+        return True
+    pairs = zip(_phases(before), _phases(after), strict=True)
+    return any(abs(a - b) > 0.5 for a, b in pairs)
+
+
+def meeting_of(before: Return, after: Return, section: int | None) -> Meeting | None:
+    """Return the change between two motions if it is a single one, else None; section : the event where they start."""
+    if not changed(before, after):
+        return None
+    if section is not None and (meeting := _onto_section(before, section)):
+        return meeting
     first, second, names = acting(before), acting(after), before.problem.c.events
     if first == second:
         return None
@@ -55,6 +70,30 @@ def meeting_of(before: Return, after: Return) -> Meeting | None:
 
 def _in_order(order: tuple[int, ...]) -> Callable[[Return], bool]:
     return lambda one: acting(one) == order
+
+
+def _onto_section(one: Return, section: int) -> Meeting | None:
+    """Return that an event moves onto the one where motions start, if one is near, or None."""
+    phases, order, names = _phases(one), acting(one), one.problem.c.events
+    distances = [min(phase, 1.0 - phase) for phase in phases]
+    if not distances or min(distances) > _BESIDE_SECTION:
+        return None
+    k = int(np.argmin(distances))
+    late = phases[k] > 0.5
+
+    def before(other: Return) -> bool:
+        return acting(other) == order and (_phases(other)[k] > 0.5) == late
+
+    def value(other: Return) -> float:
+        return 1.0 - _phases(other)[k] if late else _phases(other)[k]
+
+    words = f"event {names[order[k]]!r} moves onto the section, event {names[section]!r},"
+    return Meeting(CORNER, (names[order[k]], names[section]), words, _ELSEWHERE, before, value)
+
+
+def _phases(one: Return) -> list[float]:
+    """Return when the events that act happen, as parts of the period."""
+    return [t / one.period for t in _moments(one)]
 
 
 def _moments(one: Return) -> list[float]:

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
-from .curve import CORNER, Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
+from .curve import Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
 from .indicators import BRANCHING, FLUTTER, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
 from .meetings import beyond, reached
 
@@ -114,7 +114,7 @@ def _met(curve: Curve, path: Path, corner: Vector, meeting: Meeting) -> Place | 
     """Return the first point beyond a change of the order of events, after the last point; or None, with why not."""
     last, at = path.nodes[-1].place, float(corner[-1])
     path.nodes[-1] = replace(path.nodes[-1], kind=meeting.kind, events=meeting.names, at=at)
-    if meeting.kind != CORNER:
+    if meeting.why:
         path.message = f"{meeting.words} at {at:.9g}, {meeting.why}"
         return None
     there, why = beyond(curve, last, corner, meeting)
