@@ -3,16 +3,17 @@
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq, fsolve
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import Event, Model
+from eigenmotion import Contact, Event, Friction, Model
 
 from ..support.generation import system_for
 
 x, y, z = dynamicsymbols("x y z")
-a, b, c, d, e, k, w, F = symbols("a b c d e k w F")
+a, b, c, d, e, k, w, mu, F = symbols("a b c d e k w mu F")
 G, W, T = 9.81, 30.0, 2 * np.pi / 30.0
 
 
@@ -175,3 +176,75 @@ def test_an_event_that_does_not_act_is_no_obstacle():
     assert branch.success
     assert branch.special == ()
     assert branch.highest["x"][-1] == pytest.approx(1.5 / TOUCHES, rel=1e-3)
+
+
+def test_a_contact_that_holds_is_touched():
+    """Beyond, the motion is far away: it leaves the stop each time with the same state."""
+    model = Model(name="held_at_a_stop", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[F * cos(w * em.t) - c * x.diff()], parameters={c: 0.3, w: 1.4, F: 0.5},
+                  contacts={"stop": Contact(1 - x)})  # fmt: skip
+    branch = em.follow(em.find_cycle(system_for(model, "lagrange"), period="2*pi/w", t=0.3), "F", to=1.5)
+    assert [one.kind for one in branch.special] == ["grazing"]
+    assert branch.special[0].parameter == pytest.approx(TOUCHES, abs=1e-8)
+    assert "grazing: event 'stop' begins to happen" in branch.message
+
+
+def first_stop(w: float) -> float:
+    """Den Hartog's problem with damping 0.05, in closed form: the friction mu at which a stop becomes a rest.
+
+    From rest at x = X until rest at -X half a period later, it slides back; at the first, the force is just mu.
+    """
+
+    def equations(unknowns: np.ndarray) -> list[float]:
+        X, angle, mu = unknowns
+        force = 1 / (1 - w**2 + 0.05j * w) * np.exp(1j * angle)
+        rate = -0.025 + 1j * np.sqrt(1 - 0.025**2)
+        A = X - mu - force.real  # x = mu + Re((A + i B) exp(rate t) + force exp(i w t))
+        B = -((1j * w * force).real + A * rate.real) / rate.imag
+        decays = (A - 1j * B) * np.exp(rate * np.pi / w)
+        return [mu + decays.real - force.real + X, (rate * decays).real + w * force.imag, np.cos(angle) - X + mu]
+
+    found, _, ok, words = fsolve(equations, [1.4, 0.0, 0.3], xtol=1e-13, full_output=True)
+    assert ok == 1, words
+    return float(found[2])
+
+
+def rubbed(start: np.ndarray, t: float, limit: float) -> np.ndarray:
+    """The state (x, x') a period of the forcing cos(0.6 t) later: by SciPy, slide by slide and rest by rest."""
+    end, state = t + 2 * np.pi / 0.6, start
+    while t < end:
+        side = np.sign(state[1]) or np.sign(np.cos(0.6 * t) - state[0])
+
+        def stops(_: float, s: np.ndarray) -> float:
+            return s[1]
+
+        stops.terminal, stops.direction = True, -side
+        run = solve_ivp(lambda u, s, side=side: [s[1], np.cos(0.6 * u) - 0.05 * s[1] - s[0] - limit * side], (t, end),
+                        state, method="DOP853", rtol=1e-12, atol=1e-13, events=stops)  # fmt: skip
+        t, state = run.t[-1], run.y[:, -1]
+        if t < end:
+            state = np.array([state[0], 0.0])
+            times = np.linspace(t, end, 2001)
+            pulls = np.abs(np.cos(0.6 * times) - state[0]) > limit
+            if not pulls[0]:
+                k = int(pulls.argmax()) if pulls.any() else len(times) - 1
+                pull = lambda u, at=state[0]: abs(np.cos(0.6 * u) - at) - limit  # noqa: E731
+                t = brentq(pull, times[k - 1], times[k], xtol=1e-15) + 1e-14 if pulls.any() else end
+    return state
+
+
+@pytest.mark.parametrize(("first", "last"), [(0.3, 0.56), (0.56, 0.3)])
+def test_a_friction_begins_and_ceases_to_stick(first, last):
+    """The branch goes on past the value at which a stop becomes a rest."""
+    model = Model(name="rubbed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[cos(w * em.t) - 0.05 * x.diff()], contacts={"rub": Friction(x.diff(), limit=mu)},
+                  parameters={w: 0.6, mu: first})  # fmt: skip
+    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.0}, v0={"x": -0.5}, period="2*pi/w", t=3.0)
+    assert len(start.events) == (2 if first < last else 4)
+    branch = em.follow(start, "mu", to=last)
+    assert branch.success
+    assert [str(one) for one in branch.special] == ["corner of rub at 0.498613631"]
+    assert branch.special[0].parameter == pytest.approx(first_stop(0.6), abs=1e-8)
+    for row in (0, branch.special[0].row + 1, -1):
+        state = np.array([branch.x0["x"][row], branch.v0["x"][row]])
+        assert rubbed(state, 3.0, branch.parameter[row]) == pytest.approx(state, abs=1e-8)

@@ -35,8 +35,9 @@ class SpecialPoint:
     kind : "fold": the branch turns back; "branch point": branches cross; "Hopf": an equilibrium begins to oscillate, or
         to stop; "doubling": a cycle of twice the period branches off; "torus": a second frequency appears; "flutter":
         two frequencies of an undamped equilibrium meet; "corner": two events in a period happen at once, and their
-        order changes; "grazing": an event begins or ceases to happen, such as a contact that is only touched; "mode
-        change": a contact of an equilibrium opens or closes, or a friction begins or ceases to slide
+        order changes, or a friction begins or ceases to stick; "grazing": an event begins or ceases to happen, such as
+        a contact that is only touched; "mode change": a contact of an equilibrium opens or closes, or a friction begins
+        or ceases to slide
     parameter : its value, to about 1e-8 of the interval that was followed
     row : the index in the arrays of the branch
     x0, v0 : name -> value, the start for `simulate` or `find_cycle`; period : [s] of a cycle, 0 of an equilibrium

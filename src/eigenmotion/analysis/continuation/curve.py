@@ -99,8 +99,11 @@ class Curve(Protocol):
     def obstacle(self, before: Sample, after: Sample, /) -> str:
         """Return the reason why a curve is not smooth between two points, or ""."""
 
-    def meeting(self, before: Sample, after: Sample, /) -> "Meeting | None":
-        """Return the single change of the order of events, or of the contact mode, between two points, or None."""
+    def meeting(self, before: Sample, after: Sample | None, /) -> "Meeting | None":
+        """Return the single change of the order of events, or of the contact mode, between two points, or None.
+
+        Without a second point: the change that is about to happen.
+        """
 
 
 Normal = tuple[Vector, Vector]

@@ -12,7 +12,7 @@ from ..cycles.periodic_problem import Problem
 from ..cycles.returns import NoReturnError, Return, returned
 from ..cycles.time_dependence import event_at_start, unrepeated
 from .curve import Meeting, NoPointError, Sample, Spectrum
-from .meetings import acting, changed, meeting_of
+from .meetings import acting, changed, meeting_of, near_meeting
 
 _SMALLEST = 0.03
 """Least unit, relative to the first cycle's."""
@@ -90,12 +90,18 @@ class CycleCurve:
             return "the cycle shrinks to an equilibrium there"
         return ""
 
-    def meeting(self, before: Sample, after: Sample) -> Meeting | None:
-        """Return the single change of the order of events between two points; not where one moves onto the start."""
-        a, b = before.detail, after.detail
+    def meeting(self, before: Sample, after: Sample | None) -> Meeting | None:
+        """Return the single change of the order of events between two points, or the one that is near, or None.
+
+        An event that moves onto the start is none.
+        """
+        a, section = before.detail, self.search.section.event
+        if after is None:
+            return None if self._meets_event(a.problem, a.q, a.period) else near_meeting(a, section)
+        b = after.detail
         if not changed(a, b) or self._meets_event(b.problem, b.q, b.period):
             return None
-        return meeting_of(a, b, self.search.section.event)
+        return meeting_of(a, b, section)
 
     def _meets_event(self, problem: Problem, q: Vector, period: float) -> str:
         """Return that an event that acts has moved onto the start of the period, or ""."""

@@ -62,8 +62,10 @@ class EquilibriumCurve:
         meeting = self.meeting(before, after)
         return meeting.words if meeting else ""
 
-    def meeting(self, before: Sample, after: Sample) -> Meeting | None:
+    def meeting(self, before: Sample, after: Sample | None) -> Meeting | None:
         """Return the end of the contact mode between two points, or None."""
+        if after is None:
+            return None
         first, second = self.balance.point(before.w), self.balance.point(after.w)
         limit = reached_limit(first, second)
         return None if limit is None else meeting_at(limit, first, self.balance.point)

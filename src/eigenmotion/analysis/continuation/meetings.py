@@ -8,7 +8,10 @@ from itertools import pairwise
 import numpy as np
 
 from ...arguments.named_values import Vector
+from ...results.solution import Solution
 from ..cycles.returns import Return, run
+from ..state.active_contacts import Switch, holding, switches_of
+from ..state.contact_bounds import Bounds
 from .curve import CORNER, GRAZING, Curve, Meeting, NoPointError, Place, corrected, place
 
 _NEAR = 1e-9
@@ -19,7 +22,9 @@ _ACCURATE = 1e-11
 _BESIDE = 1e-5
 """Distance in units at which the branch is looked for on the other side."""
 _PROBE = 1e-3
-_ROUNDS = 60
+_ROUNDS, _FARTHEST = 60, 0.02
+_ABOUT = 1e-5
+"""Part of the period, or of an expression's changes, below which something is about to happen."""
 _BESIDE_SECTION = 0.02
 """Part of a period within which an event is near the section."""
 _ELSEWHERE = "so cycles beyond start elsewhere: call find_cycle with another section"
@@ -57,6 +62,11 @@ def meeting_of(before: Return, after: Return, section: int | None) -> Meeting | 
         return None
     if more or less:
         event = min(more or less)
+        friction = next(
+            (one for one in switches_of(before.problem.c) if one.event == event and not one.is_contact), None
+        )
+        if friction is not None:
+            return _sticking(before, after, friction, bool(more))
         value = _nearest(event, _moments(after)[k] / after.period) if more else _speed(event, k)
         words = f"grazing: event {names[event]!r} begins or ceases to happen"
         return Meeting(GRAZING, (names[event],), words, _NOT_SMOOTH, _in_order(first), value)
@@ -65,7 +75,79 @@ def meeting_of(before: Return, after: Return, section: int | None) -> Meeting | 
         return None
     both = names[first[k]], names[first[k + 1]]
     words = f"events {both[0]!r} and {both[1]!r} happen at once"
-    return Meeting(CORNER, both, words, "", _in_order(first), lambda one: _apart(one, k))
+    return Meeting(CORNER, both, words, "", _in_order(first), _gap(k))
+
+
+def _sticking(before: Return, after: Return, friction: Switch, more: bool) -> Meeting | None:
+    """Return that a friction begins or ceases to stick for a while where its slip is zero, or None."""
+    pairs = [(_apart(one, k), k) for one in [after if more else before] for k in range(len(acting(one)) - 1)
+             if acting(one)[k] == acting(one)[k + 1] == friction.event]  # fmt: skip
+    if not pairs:
+        return None
+    k, name = min(pairs)[1], before.problem.c.events[friction.event]
+    phase = _phases(after if more else before)[k]
+    value = _excess(friction, phase) if more else _gap(k)
+    words = f"friction {name!r} {'begins' if more else 'ceases'} to stick"
+    return Meeting(CORNER, (name,), words, "", _in_order(acting(before)), value)
+
+
+def _excess(friction: Switch, phase: float) -> Callable[[Return], float]:
+    """Return the function of the force that a friction would need to stick at a moment, beyond its limit."""
+
+    def excess(one: Return) -> float:
+        solution, row = _at_moment(one, friction.event, phase * one.period)
+        q, at = one.problem.rows(solution)[row], float(solution.t[row])
+        bounds = Bounds(holding(one.problem.point(q, at, one.problem.in_mode(solution, at)), [friction]))
+        return -bounds.margins[friction] / bounds.size
+
+    return excess
+
+
+def _at_moment(one: Return, event: int, moment: float) -> tuple[Solution, int]:
+    """Return the motion and its row at an event, before this acts, nearest to a moment after the start."""
+    solution = run(one.problem, one.q, one.problem.t + one.period)
+    times = solution.t_events[event]
+    at = float(times[np.abs(times - one.problem.t - moment).argmin()])
+    return solution, int(np.flatnonzero(solution.t == at)[0])
+
+
+def near_meeting(one: Return, section: int | None) -> Meeting | None:
+    """Return what is about to happen to the order of events of a motion, or None if nothing is near."""
+    if section is not None and (meeting := _onto_section(one, section)):
+        return meeting
+    order, names = acting(one), one.problem.c.events
+    found: list[tuple[float, Meeting]] = []
+    for k in range(len(order) - 1):
+        both = names[order[k]], names[order[k + 1]]
+        words = f"events {both[0]!r} and {both[1]!r} happen at once"
+        found.append((_apart(one, k), Meeting(CORNER, both, words, "", _in_order(order), _gap(k))))
+    for event, acts in enumerate(one.problem.c.acting):
+        if acts:
+            part, distance = _touched(one, event)
+            words = f"grazing: event {names[event]!r} begins to happen"
+            found.append((distance, Meeting(GRAZING, (names[event],), words, _NOT_SMOOTH, _in_order(order),
+                                            _nearest(event, part))))  # fmt: skip
+    nearest = min(found, key=lambda each: each[0], default=None)
+    return nearest[1] if nearest is not None and nearest[0] <= _ABOUT else None
+
+
+def _touched(one: Return, event: int) -> tuple[float, float]:
+    """Return where an event is nearest to happening between those that act, as a part of the period, and how near."""
+    best = (0.5, np.inf)
+    for a, b in pairwise([0.0, *_moments(one), one.period]):
+        edge = 1e-3 * (b - a)
+        times = np.linspace(a + edge, b - edge, _ROWS)
+        rows = np.abs(_along(one, event, times))
+        for k in np.flatnonzero((rows[1:-1] <= rows[:-2]) & (rows[1:-1] <= rows[2:])) + 1:
+            bend = abs(rows[k - 1] - 2.0 * rows[k] + rows[k + 1])
+            if rows[k] - bend < best[1] * np.ptp(rows):
+                part = float(times[k] / one.period)
+                best = part, _nearest(event, part)(one)
+    return best
+
+
+def _gap(k: int) -> Callable[[Return], float]:
+    return lambda one: _apart(one, k)
 
 
 def _in_order(order: tuple[int, ...]) -> Callable[[Return], bool]:
@@ -109,8 +191,7 @@ def _apart(one: Return, k: int) -> float:
 def _values(one: Return, event: int, times: Vector, rows: Vector) -> Vector:
     """Return the values of an event's expression at states (rows, 2 n)."""
     problem, n = one.problem, one.problem.c.n
-    inputs = problem.system.prepare_both(problem.parameters, problem.inputs)[1]
-    u = np.array([problem.system.signals(inputs, t) for t in times]).reshape(len(times), -1)
+    u = np.array([problem.signals(t) for t in times]).reshape(len(times), -1)
     x, v = np.ascontiguousarray(rows[:, :n]), np.ascontiguousarray(rows[:, n:])
     return np.asarray(problem.c.event_rows(times, x, v, u, problem.prepared)[:, event])
 
@@ -145,10 +226,8 @@ def _speed(event: int, k: int) -> Callable[[Return], float]:
 
     def speed(one: Return) -> float:
         problem = one.problem
-        solution = run(problem, one.q, problem.t + one.period)
-        times = solution.t_events[event]
-        at = float(times[np.abs(times - problem.t - _moments(one)[k]).argmin()])
-        row = int(np.flatnonzero(solution.t == at)[0])  # before the event acts
+        solution, row = _at_moment(one, event, _moments(one)[k])
+        at = float(solution.t[row])
         q, small = problem.rows(solution)[row], 1e-6 * one.period
         flow = problem.flow(q, at, problem.in_mode(solution, float(solution.t[row - 1])))
         there = np.array([q - small * flow, q + small * flow])
@@ -181,9 +260,11 @@ def reached(curve: Curve, here: Place, meeting: Meeting) -> tuple[Place, Vector]
         points.append(there.sample.w)
         best = min(best, _extrapolated(values, points, there.sample.unit), key=lambda one: one[0])
         left = -value / slope if slope < 0.0 else 4.0 * h
+        ahead = there.sample.w + left * there.tangent * there.sample.unit
+        best = min(best, (left, ahead), key=lambda one: one[0])
         if left <= _NEAR:
             break
-        h = min(_PART * left, 4.0 * h)
+        h = min(_PART * left, 4.0 * h, _FARTHEST)
     return (last, best[1]) if best[0] <= _SURE else None
 
 

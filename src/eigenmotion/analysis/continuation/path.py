@@ -86,31 +86,30 @@ def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], 
         path.signs = {kind: function(one, path.nodes[-1].spectrum).sign for kind, function in functions.items()}
     here, h = begin[-1], _FIRST
     for _ in range(max_steps):
-        there, h, meeting = _stepped(curve, path, here, h)
-        corner = there.sample.w if there is not None else here.sample.w
-        if meeting is not None and (found := reached(curve, here, meeting)) is not None:
-            there, corner = found
+        there, h, change = _stepped(curve, path, here, h)
         if there is None:
-            path.message = path.message or _stuck(here, f"{meeting.words if meeting else 'events'} near there")
             return path
         there, over = _within(curve, (begin[0], here, there), *ends)
-        _add(curve, path, Node(there, curve.spectrum(there.sample)), functions)
+        try:
+            _add(curve, path, Node(there, curve.spectrum(there.sample)), functions)
+        except NoPointError as error:
+            path.message = _stuck(here, f"what is special there cannot be located: {error}")
+            return path
         if over:
             path.complete, path.message = over == _COMPLETE, over
             return path
-        if meeting is not None:
-            there = _met(curve, path, corner, meeting)
+        if change is not None:
+            there = _met(curve, path, *change)
             if there is None:
                 return path
             path.nodes.append(Node(there, curve.spectrum(there.sample)))
             path.signs = {kind: one(there, path.nodes[-1].spectrum).sign for kind, one in functions.items()}
-            h = _FIRST
         here = there
     path.message = f"{max_steps} steps were not enough, at {here.sample.parameter:.9g}; give max_steps"
     return path
 
 
-def _met(curve: Curve, path: Path, corner: Vector, meeting: Meeting) -> Place | None:
+def _met(curve: Curve, path: Path, meeting: Meeting, corner: Vector) -> Place | None:
     """Return the first point beyond a change of the order of events, after the last point; or None, with why not."""
     last, at = path.nodes[-1].place, float(corner[-1])
     path.nodes[-1] = replace(path.nodes[-1], kind=meeting.kind, events=meeting.names, at=at)
@@ -127,28 +126,35 @@ def _stuck(here: Place, reason: str) -> str:
     return f"no step leads beyond {here.sample.parameter:.9g}: {reason}"
 
 
-def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | None, float, Meeting | None]:
-    """Return the next point and the size of the step after it; or None and a change of the order of events, or None.
+Change = tuple[Meeting, Vector]
+"""A change of the order of events, or of the contact mode, and w where it is."""
 
-    If there is no such change, the reason is in the path.
-    """
-    reason = ""
+
+def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | None, float, Change | None]:
+    """Return the next point, the size of the step after it, and what changes there; or None, the reason in the path."""
+    reason, tried = "", False
     while h > _LEAST:
+        meeting = None
         try:
             w = here.sample.w + h * here.tangent * here.sample.unit
             sample, rounds = corrected(curve, w)
             there = place(sample, here.tangent * here.sample.unit, rounds)
             reason = curve.obstacle(here.sample, sample) or _far(here, there, h)
-            meeting = curve.meeting(here.sample, sample) if h <= _SINGLE else None
-            if meeting is not None:
-                return None, h, meeting
+            meeting = curve.meeting(here.sample, sample) if h <= _SINGLE and not tried else None
         except NoPointError as error:
             reason = str(error)
-        if not reason:
+        if meeting is not None:
+            tried = True
+            if (found := reached(curve, here, meeting)) is not None:
+                return found[0], _FIRST, (meeting, found[1])
+        elif not reason:
             turn = _angle(here, there)
             easy = turn < 0.5 * _TURN and rounds <= 4
             return there, min(1.6 * h, _LARGEST) if easy else h, None
         h *= 0.5
+    meeting = curve.meeting(here.sample, None)
+    if meeting is not None and (found := reached(curve, here, meeting)) is not None:
+        return found[0], _FIRST, (meeting, found[1])
     path.message = _stuck(here, reason)
     return None, h, None
 

@@ -111,8 +111,7 @@ class Problem:
     @property
     def constants(self) -> dict[str, float]:
         """The values of inputs at the start, and of parameters, by name."""
-        u = self.system.signals(self.system.prepare_both(self.parameters, self.inputs)[1], self.t)
-        values = (*self.c.inputs, *self.c.parameters), (*u, *self.prepared.parameters)
+        values = (*self.c.inputs, *self.c.parameters), (*self.signals(self.t), *self.prepared.parameters)
         return dict(zip(*values, strict=True))
 
     def value(self, name: str) -> float:
@@ -161,8 +160,11 @@ class Problem:
 
     def point(self, q: Vector, t: float, prepared: Prepared) -> OperatingPoint:
         """Return the operating point of a state."""
-        u = self.system.signals(self.system.prepare_both(self.parameters, self.inputs)[1], t)
-        return OperatingPoint(self.c, prepared, t, q[: self.c.n], q[self.c.n :], u)
+        return OperatingPoint(self.c, prepared, t, q[: self.c.n], q[self.c.n :], self.signals(t))
+
+    def signals(self, t: float) -> Vector:
+        """Return the values of the inputs."""
+        return np.asarray(self.system.signals(self.system.prepare_both(self.parameters, self.inputs)[1], t))
 
     def flow(self, q: Vector, t: float, prepared: Prepared) -> Vector:
         """Return dq/dt, with integrals zero."""
