@@ -144,6 +144,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "presentation",
         "compiled",
+        "results",
         "analysis.state",
         "analysis.linear",
         "analysis.equilibrium",
