@@ -80,6 +80,7 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
     w->longest = em_take_numbers(at, rows), w->row_rate = em_take_numbers(at, rows), w->row_tolerance = em_take_numbers(at, rows);
     w->rate_shift = em_take_numbers(at, rows);
     w->last_pivots_x = em_take_numbers(at, n), w->last_pivots = em_take_numbers(at, n);
+    w->energy_start = em_take_numbers(at, 4 * n);
     em_lay_out_events(w, at);
     const size_t before = at->used;
     if (w->scheme.at_nodes) em_lay_out_nodes(w, at);

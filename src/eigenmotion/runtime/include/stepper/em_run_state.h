@@ -143,6 +143,8 @@ struct em_run_state {
                                                   length one */
     double farthest, fastest;                  /* the largest position and velocity so far, if nothing is settled */
     double energy, energy_tolerance;           /* at the start; its tolerance, the largest so far */
+    double energy_time;                        /* the time of energy_start */
+    int energy_changes;                        /* how many numbers of energy_start the tolerance counts so far */
     double depth;                               /* depth inside contacts at the start */
     long next_energy_check;                         /* the number of right-hand sides at which energy and drift are
                                                        checked next */
@@ -205,6 +207,8 @@ struct em_run_state {
     double *row_rate, *row_tolerance;          /* (m) as those of the energy, for A v + b, if nothing is settled */
     double *last_pivots_x, *last_pivots;       /* (n) x at the end of a step, and the pivots of M there, where the next
                                                   step begins */
+    double *energy_start;                      /* (4 n) x and v where the monitor of the energy began; the tolerances of
+                                                  both there */
     em_found *found;                           /* sign changes in the current step */
     em_pile *pile;                             /* (n_events) */
     long *piece;                               /* (n_inputs) of each signal, valid within the step */
