@@ -16,9 +16,27 @@ EM_ANY_SIZE void em_tree_pivots(const em_tree *tree, const em_tree_motion *motio
 
 #if EM_HOLDS_ANY_SIZE
 
-/* The map [J H; H^T M] from an acceleration to the force that it takes; J and M symmetric (6), H by rows */
+/* A row of three numbers: one vector of a machine that has such, or three numbers on lanes. */
+#if defined(EM_PACKED) && EM_LANES >= 4
+typedef double em_row __attribute__((vector_size(32)));
+#define EM_ROW(a, b, c) ((em_row){a, b, c, 0.0})
+#define EM_AT(row, k) ((row)[k])
+EM_INLINE em_row em_row_sum(em_row a, real factor, em_row b) { return a + factor * b; }
+#else
+typedef struct em_row {
+    real at[3];
+} em_row;
+#define EM_ROW(a, b, c) ((em_row){{a, b, c}})
+#define EM_AT(row, k) ((row).at[k])
+EM_INLINE em_row em_row_sum(em_row a, real factor, em_row b) {
+    for (int k = 0; k < 3; ++k) a.at[k] += factor * b.at[k];
+    return a;
+}
+#endif
+
+/* The map [J H; H^T M] from an acceleration to the force that it takes; J and M symmetric */
 typedef struct em_articulated {
-    real J[6], H[9], M[6];
+    em_row J[3], H[3], M[3];
 } em_articulated;
 
 /* A joint that gives way, by motions S and forces U = I S: rows of D^-1, and gains D^-1 U^T. */
@@ -26,64 +44,71 @@ typedef struct em_yield {
     real inverse[6], gain[6];
 } em_yield;
 
-/* force (6) <- I a */
-EM_INLINE void em_articulated_force(const em_articulated *I, const real *a, real *force) {
-    real b[3];
-    em_symmetric_times(I->J, a, force);
-    em_axes_up(I->H, a + 3, b);
-    for (int i = 0; i < 3; ++i) force[i] += b[i];
-    em_symmetric_times(I->M, a + 3, force + 3);
-    em_axes_down(I->H, a, b);
-    for (int i = 0; i < 3; ++i) force[3 + i] += b[i];
+/* row + a A, A of three rows */
+EM_INLINE em_row em_add_rows(em_row row, const real *a, const em_row *A) {
+    return em_row_sum(em_row_sum(em_row_sum(row, a[0], A[0]), a[1], A[1]), a[2], A[2]);
 }
 
-static const int em_row_of[6] = {0, 0, 0, 1, 1, 2}, em_column_of[6] = {0, 1, 2, 1, 2, 2};
+EM_INLINE em_row em_no_row(void) {
+    const real none = em_real(0.0);
+    return EM_ROW(none, none, none);
+}
+
+/* force (6) <- I a */
+EM_INLINE void em_articulated_force(const em_articulated *I, const real *a, real *force) {
+    const em_row turn = em_add_rows(em_no_row(), a, I->J);
+    const em_row push = em_add_rows(em_add_rows(em_no_row(), a, I->H), a + 3, I->M);
+    for (int i = 0; i < 3; ++i) {
+        force[i] = EM_AT(turn, i) + EM_AT(I->H[i], 0) * a[3] + EM_AT(I->H[i], 1) * a[4] + EM_AT(I->H[i], 2) * a[5];
+        force[3 + i] = EM_AT(push, i);
+    }
+}
 
 /* I <- I less U gain^T */
 EM_INLINE void em_give_way(const real *U, const real *gain, em_articulated *I) {
-    for (int k = 0; k < 6; ++k) {
-        I->J[k] -= U[em_row_of[k]] * gain[em_column_of[k]];
-        I->M[k] -= U[3 + em_row_of[k]] * gain[3 + em_column_of[k]];
+    const em_row turn = EM_ROW(gain[0], gain[1], gain[2]), push = EM_ROW(gain[3], gain[4], gain[5]);
+    for (int i = 0; i < 3; ++i) {
+        I->J[i] = em_row_sum(I->J[i], -U[i], turn);
+        I->H[i] = em_row_sum(I->H[i], -U[i], push);
+        I->M[i] = em_row_sum(I->M[i], -U[3 + i], push);
     }
-    for (int k = 0; k < 9; ++k) I->H[k] -= U[k / 3] * gain[3 + k % 3];
 }
 
-/* B <- R J R^T, all of it; J symmetric (6) */
-EM_INLINE void em_turned_symmetric(const real *R, const real *J, real *B) {
-    real rows[9];
-    for (int i = 0; i < 9; i += 3) em_symmetric_times(J, R + i, rows + i);
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) B[3 * i + j] = B[3 * j + i] = em_dot_of(3, rows + 3 * i, R + 3 * j);
+/* B <- R A R^T; columns: those of R */
+EM_INLINE void em_turned_map(const real *R, const em_row *columns, const em_row *A, em_row *B) {
+    em_row rows[3];
+    for (int i = 0; i < 3; ++i) {
+        const real a[3] = {EM_AT(A[i], 0), EM_AT(A[i], 1), EM_AT(A[i], 2)};
+        rows[i] = em_add_rows(em_no_row(), a, columns);
+    }
+    for (int i = 0; i < 3; ++i) B[i] = em_add_rows(em_no_row(), R + 3 * i, rows);
 }
 
-/* B <- R A R^T */
-EM_INLINE void em_turned_map(const real *R, const real *A, real *B) {
-    real rows[9];
-    em_axes_product(R, A, rows);
-    for (int i = 0; i < 3; ++i) em_axes_up(R, rows + 3 * i, B + 3 * i);
-}
-
-/* up += I in the parent's frame: H' = H + P M, J' = J + P H'^T - H P, with P = [p x] */
+/* up += I in the parent's frame: H' = H + P M, J' = J - Y - Y^T - P M P, with P = [p x] and Y = H P */
 EM_INLINE void em_add_articulated_up(const em_link *link, const em_articulated *I, em_articulated *up) {
-    real J[9], H[9], M[9], moved[9], column[3], left[9], right[9];
-    em_turned_symmetric(link->R, I->J, J);
-    em_turned_map(link->R, I->H, H);
-    em_turned_symmetric(link->R, I->M, M);
-    for (int j = 0; j < 3; ++j) {
-        em_cross(link->p, M + 3 * j, column); /* M is symmetric: its row is its column */
-        for (int i = 0; i < 3; ++i) moved[3 * i + j] = H[3 * i + j] + column[i];
+    const real *const R = link->R, *const p = link->p, none = em_real(0.0);
+    const em_row P[3] = {EM_ROW(none, -p[2], p[1]), EM_ROW(p[2], none, -p[0]), EM_ROW(-p[1], p[0], none)};
+    em_row columns[3], J[3], H[3], M[3], moved[3], Y[3];
+    for (int k = 0; k < 3; ++k) columns[k] = EM_ROW(R[k], R[3 + k], R[6 + k]);
+    em_turned_map(R, columns, I->J, J);
+    em_turned_map(R, columns, I->H, H);
+    em_turned_map(R, columns, I->M, M);
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        moved[i] = em_row_sum(em_row_sum(H[i], p[j], M[k]), -p[k], M[j]);
     }
-    for (int j = 0; j < 3; ++j) {
-        em_cross(link->p, moved + 3 * j, column);
-        for (int i = 0; i < 3; ++i) left[3 * i + j] = column[i];
-        em_cross(H + 3 * j, link->p, right + 3 * j);
+    for (int i = 0; i < 3; ++i) {
+        const real h[3] = {EM_AT(H[i], 0), EM_AT(H[i], 1), EM_AT(H[i], 2)};
+        const real m[3] = {EM_AT(moved[i], 0), EM_AT(moved[i], 1), EM_AT(moved[i], 2)};
+        J[i] = em_row_sum(J[i], em_real(-1.0), em_add_rows(em_no_row(), h, P));
+        Y[i] = em_add_rows(em_no_row(), m, P);
     }
-    for (int k = 0; k < 6; ++k) {
-        const int at = 3 * em_row_of[k] + em_column_of[k];
-        up->J[k] += J[at] + left[at] - right[at];
-        up->M[k] += M[at];
+    for (int i = 0; i < 3; ++i) {
+        const em_row column = EM_ROW(EM_AT(Y[0], i), EM_AT(Y[1], i), EM_AT(Y[2], i));
+        up->J[i] = em_row_sum(up->J[i], em_real(1.0), em_row_sum(J[i], em_real(-1.0), column));
+        up->H[i] = em_row_sum(up->H[i], em_real(1.0), moved[i]);
+        up->M[i] = em_row_sum(up->M[i], em_real(1.0), M[i]);
     }
-    for (int k = 0; k < 9; ++k) up->H[k] += moved[k];
 }
 
 /* rows[k].inverse <- the inverse of D (count, count), positive definite, by elimination */
@@ -107,11 +132,11 @@ EM_INLINE void em_invert_pivots(int count, real (*D)[6], em_yield *rows) {
 EM_INLINE void em_yield_on_z(const em_body *body, const em_tree_motion *motion, const real *S, em_articulated *I,
                              em_yield *row) {
     const int turns = body->joint == EM_REVOLUTE, k = body->coordinates[0];
-    const real ratio = S[turns ? 2 : 5], *const H = I->H, *const B = turns ? I->J : I->M;
+    const real ratio = S[turns ? 2 : 5];
     real U[6];
     for (int i = 0; i < 3; ++i) {
-        U[turns ? i : 3 + i] = ratio * B[i == 0 ? 2 : i == 1 ? 4 : 5];
-        U[turns ? 3 + i : i] = ratio * (turns ? H[6 + i] : H[3 * i + 2]);
+        U[i] = ratio * (turns ? EM_AT(I->J[2], i) : EM_AT(I->H[i], 2));
+        U[3 + i] = ratio * (turns ? EM_AT(I->H[2], i) : EM_AT(I->M[2], i));
     }
     motion->pivots[k] = ratio * U[turns ? 2 : 5] + motion->armature[k];
     em_clear(6, row->inverse);
@@ -148,42 +173,37 @@ EM_INLINE void em_yield_of(const em_body *body, const em_tree_motion *motion, co
 EM_INLINE void em_own_inertias(const em_tree *tree, const real *table, em_articulated *I) {
     for (int i = 0; i < tree->count; ++i) {
         const real *const inertia = table + EM_LINK * i + EM_LINK_INERTIA, *const h = inertia + 1;
-        const real none = em_real(0.0), m = inertia[0];
-        I[i] = (em_articulated){.H = {none, -h[2], h[1], h[2], none, -h[0], -h[1], h[0], none},
-                                .M = {m, none, none, m, none, m}};
-        memcpy(I[i].J, inertia + 4, sizeof I[i].J);
+        const real none = em_real(0.0), m = inertia[0], *const J = inertia + 4;
+        I[i] = (em_articulated){.J = {EM_ROW(J[0], J[1], J[2]), EM_ROW(J[1], J[3], J[4]), EM_ROW(J[2], J[4], J[5])},
+                                .H = {EM_ROW(none, -h[2], h[1]), EM_ROW(h[2], none, -h[0]), EM_ROW(-h[1], h[0], none)},
+                                .M = {EM_ROW(m, none, none), EM_ROW(none, m, none), EM_ROW(none, none, m)}};
     }
 }
 
-/* bias (count, 6) <- the forces that keep velocities */
-EM_INLINE void em_begin_bias(const em_tree *tree, const real *table, const em_link *links, real (*bias)[6]) {
-    for (int i = 0; i < tree->count; ++i) {
-        const real *const inertia = table + EM_LINK * i + EM_LINK_INERTIA;
-        real momentum[6];
-        em_momentum(inertia, links[i].v, momentum);
-        em_clear(6, bias[i]);
-        em_add_crossed_force(links[i].v, momentum, bias[i]);
-    }
+/* bias (6) += the force that keeps the velocity of a body */
+EM_INLINE void em_add_bias(const real *row, const em_link *link, real *bias) {
+    real momentum[6];
+    em_momentum(row + EM_LINK_INERTIA, link->v, momentum);
+    em_add_crossed_force(link->v, momentum, bias);
 }
 
-/* Inwards: rest (slots) <- the forces to which the joints yield; bias (count, 6) of the bodies becomes that of all that
- * they carry. I: what the joints pass on; NULL: links do not move. */
-EM_INLINE void em_forces_inwards(const em_tree *tree, const em_link *links, const real (*S)[6], const em_yield *yields,
-                                 const em_articulated *I, const real *force, real (*bias)[6], real *rest) {
-    for (int i = tree->count - 1; i >= 0; --i) {
-        const em_body *const body = &tree->bodies[i];
-        const int first = links[i].first;
-        real passed[6];
-        em_clear(6, passed);
-        for (int k = 0; k < body->count; ++k)
-            rest[first + k] = force[body->coordinates[k]] - em_dot_of(6, S[first + k], bias[i]);
-        if (body->parent < 0) continue;
-        if (I != NULL) em_articulated_force(&I[i], links[i].c, passed);
-        for (int j = 0; j < 6; ++j) passed[j] += bias[i][j];
-        for (int k = 0; k < body->count; ++k)
-            for (int j = 0; j < 6; ++j) passed[j] += yields[first + k].gain[j] * rest[first + k];
-        em_add_force_up(&links[i], passed, bias[body->parent]);
-    }
+/* Inwards, of body i: rest (slots) <- the forces to which its joint yields; the bias (count, 6) of the body becomes that
+ * of all that it carries. I: what its joint passes on; NULL: links do not move. */
+EM_INLINE void em_force_inwards(const em_tree *tree, int i, const em_link *links, const real (*S)[6],
+                                const em_yield *yields, const em_articulated *I, const real *force, real (*bias)[6],
+                                real *rest) {
+    const em_body *const body = &tree->bodies[i];
+    const int first = links[i].first;
+    real passed[6];
+    em_clear(6, passed);
+    for (int k = 0; k < body->count; ++k)
+        rest[first + k] = force[body->coordinates[k]] - em_dot_of(6, S[first + k], bias[i]);
+    if (body->parent < 0) return;
+    if (I != NULL) em_articulated_force(I, links[i].c, passed);
+    for (int j = 0; j < 6; ++j) passed[j] += bias[i][j];
+    for (int k = 0; k < body->count; ++k)
+        for (int j = 0; j < 6; ++j) passed[j] += yields[first + k].gain[j] * rest[first + k];
+    em_add_force_up(&links[i], passed, bias[body->parent]);
 }
 
 /* Outwards: result (n) <- the accelerations of the joints */
@@ -207,15 +227,12 @@ EM_INLINE void em_accelerations_outwards(const em_tree *tree, const em_link *lin
     }
 }
 
-/* Inwards: what the joints yield and pass on, from the bodies' own inertias I */
-EM_INLINE void em_yields_inwards(const em_tree *tree, const em_tree_motion *motion, const em_link *links,
-                                 const real (*S)[6], em_articulated *I, em_yield *yields) {
-    em_own_inertias(tree, motion->table, I);
-    for (int i = tree->count - 1; i >= 0; --i) {
-        const em_body *const body = &tree->bodies[i];
-        em_yield_of(body, motion, S + links[i].first, &I[i], yields + links[i].first);
-        if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
-    }
+/* Inwards, of body i: what its joint yields, and passes on to the parent; I (count): first the bodies' own inertias */
+EM_INLINE void em_yield_inwards(const em_tree *tree, int i, const em_tree_motion *motion, const em_link *links,
+                                const real (*S)[6], em_articulated *I, em_yield *yields) {
+    const em_body *const body = &tree->bodies[i];
+    em_yield_of(body, motion, S + links[i].first, &I[i], yields + links[i].first);
+    if (body->parent >= 0) em_add_articulated_up(&links[i], &I[i], &I[body->parent]);
 }
 
 /* Of the coordinates of trees: pivots (n), the inertia that each feels with the joints further out free, and diagonal
@@ -227,10 +244,11 @@ EM_ANY_SIZE void em_tree_pivots(const em_tree *tree, const em_tree_motion *motio
     real moves[tree->slots][6], composite[tree->count][10], force[6];
     const real(*const S)[6] = (const real(*)[6])moves;
     em_place_links(tree, motion->x, motion->table, links, moves);
-    em_yields_inwards(tree, motion, links, S, I, yields);
+    em_own_inertias(tree, motion->table, I);
     em_own_bodies(tree, motion->table, composite);
     for (int i = tree->count - 1; i >= 0; --i) {
         const em_body *const body = &tree->bodies[i];
+        em_yield_inwards(tree, i, motion, links, S, I, yields);
         for (int k = 0; k < body->count; ++k) {
             em_momentum(composite[i], S[links[i].first + k], force);
             diagonal[body->coordinates[k]] =
@@ -248,13 +266,18 @@ EM_ANY_SIZE void em_tree_accelerations(const em_tree *tree, const em_tree_motion
     real moves[tree->slots][6], bias[tree->count][6], rest[tree->slots];
     const real(*const S)[6] = (const real(*)[6])moves;
     em_move_links(tree, motion->x, motion->v, motion->table, links, moves);
-    em_begin_bias(tree, motion->table, links, bias);
-    em_yields_inwards(tree, motion, links, S, I, yields);
-    em_forces_inwards(tree, links, S, yields, I, motion->force, bias, rest);
+    em_own_inertias(tree, motion->table, I);
+    em_clear(6 * tree->count, bias[0]);
+    for (int i = tree->count - 1; i >= 0; --i) { /* side by side: each waits for the results of the body before */
+        em_yield_inwards(tree, i, motion, links, S, I, yields);
+        em_add_bias(motion->table + EM_LINK * i, &links[i], bias[i]);
+        em_force_inwards(tree, i, links, S, yields, &I[i], motion->force, bias, rest);
+    }
     em_accelerations_outwards(tree, links, S, yields, motion->table, rest, motion->a);
     for (int row = 0; row < motion->m; ++row) {
         for (int i = 0; i < tree->count; ++i) em_clear(6, bias[i]);
-        em_forces_inwards(tree, links, S, yields, NULL, motion->P + row * motion->n, bias, rest);
+        for (int i = tree->count - 1; i >= 0; --i)
+            em_force_inwards(tree, i, links, S, yields, NULL, motion->P + row * motion->n, bias, rest);
         em_accelerations_outwards(tree, links, S, yields, NULL, rest, motion->W + row * motion->n);
     }
 }
