@@ -176,3 +176,39 @@ def test_the_damping_for_an_amplitude():
     run = solve_ivp(lambda _, s: [s[1], mu * (1 - s[0] ** 2) * s[1] - s[0]], (0, cycle.period), [2.01, 0.0],
                     method="DOP853", rtol=1e-13, atol=1e-13)  # fmt: skip
     assert run.y[:, -1] == pytest.approx([2.01, 0.0], abs=1e-9)
+
+
+def test_a_doubling_at_a_given_period():
+    """Gravity keeps the period of the walker, and changes nothing else: it doubles at the slopes of a fixed gravity."""
+    walker = system_of("compass_gait", "lagrange")
+    gait = em.find_cycle(walker, section="heel strike", free=["g"], period=4.0)
+    assert gait.free["g"] == pytest.approx((em.find_cycle(walker, section="heel strike").period / 4) ** 2, rel=1e-10)
+    branch = em.follow(gait, "gamma", to=0.018)
+    limping = em.follow(branch.special[0], to=0.018)
+    for one, period, slope in ((branch, 4.0, 0.0149350875), (limping, 8.0, 0.017518265)):
+        assert one.success
+        assert [each.kind for each in one.special] == ["doubling"]
+        assert one.special[0].parameter == pytest.approx(slope, abs=1e-9)
+        assert one.period == pytest.approx(period, rel=1e-8)
+        assert len(one.free["g"]) == len(one.parameter)
+
+
+def test_from_one_event_that_does_not_act_to_the_next():
+    """The time of the largest x is found, from starts at any time; at a fixed time it is the same cycle."""
+    model = Model(name="topped", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2,
+                  potential_energy=x**2 / 2 + x**4 / 4, forces=[A * cos(w * em.t) - c * x.diff()],
+                  parameters={c: 0.2, w: 1.2, A: 0.3}, events={"top": Event(x.diff(), direction=-1)})  # fmt: skip
+    fixed = em.find_cycle(duffing(), x0={"x": 0.3}, period="2*pi/w")
+    for t in (0.0, 3.0):
+        cycle = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.3}, period="2*pi/w", section="top", t=t)
+        assert cycle.success
+        there = fixed.solution.sol(cycle.t % fixed.period)
+        assert [cycle.x0["x"], cycle.v0["x"]] == pytest.approx(there, abs=1e-8)
+        assert cycle.x0["x"] == pytest.approx(
+            fixed.solution.sol(np.linspace(0, fixed.period, 10001))[0].max(), rel=1e-6
+        )
+
+
+def test_one_segment_for_what_is_free():
+    with pytest.raises(ModelError, match="these are for one segment"):
+        em.find_cycle(van_der_pol(), x0={"x": 2.0}, free=["mu"], conditions=["x - 2.01"], section="x'", segments=4)

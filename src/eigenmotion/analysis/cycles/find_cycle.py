@@ -18,7 +18,7 @@ from ..equilibrium.assemble import assemble
 from .cycle import Cycle
 from .judgement import judged
 from .newton import Found, Search, Unknowns, converged, noise
-from .period_guess import at_section, first_motion
+from .period_guess import at_event, at_section, first_motion
 from .periodic_problem import NO_LIMIT, Count, Problem, named_values
 from .quantities import PERIOD, TIME, Quantity, quantity_of, stated_period
 from .returns import NoReturnError, Return, Section, firings, returned, run
@@ -202,6 +202,9 @@ def _searched(problem: Problem, q: Vector, guess: float | None, choices: tuple[S
     candidates = tuple(k for k in advancing(problem, q, size_of_time) if k not in stated and k != where.place)
     problem = replace(problem, free_advance=candidates)
     unknowns = _unknowns(problem, where, free, _conditions(problem, conditions), guess)
+    if segments is not None and segments > 1 and (unknowns.names or unknowns.conditions or where.quantity):
+        raise ModelError(f"{c.name}: segments is {segments}, and parameters are free, or conditions or a section are "
+                         "expressions: these are for one segment. Leave out segments")  # fmt: skip
     problem = replace(problem, by=unknowns.names)
     problem, q, period, where = _begun(problem, where, q, guess)
     try:
@@ -258,6 +261,7 @@ def _later(problem: Problem, where: Section, here: Return) -> Return:
     if where.event is not None:
         for _ in range(_LATER):
             q = problem.symmetry.back(here.end, here.q, problem.free_advance)
+            problem = replace(problem, t=problem.t + here.period) if problem.clock else problem
             here = returned(problem, where, q, here.period)
         return here
     q, period = here.q, here.period
@@ -290,6 +294,9 @@ def _begun(problem: Problem, where: Section, q: Vector, guess: float | None
     if where.quantity is not None:
         q, t, where = at_section(problem, where, q, guess)
         problem = replace(problem, t=t) if problem.clock else problem
+    elif problem.clock and where.event is not None and not problem.c.acting[where.event]:
+        q, t = at_event(problem, where.event, q, guess or 0.0)
+        problem = replace(problem, t=t)
     if guess is None:
         return problem, *first_motion(problem, where, q)
     if where.event is None:

@@ -89,6 +89,18 @@ def at_section(problem: Problem, section: Section, q: Vector, guess: float | Non
                      f"{ahead / 2:.3g} s. Give another section, direction or start")  # fmt: skip
 
 
+def at_event(problem: Problem, event: int, q: Vector, guess: float) -> tuple[Vector, float]:
+    """Return the state and the time where an event that does not act first happens."""
+    name = problem.c.events[event]
+    try:
+        times = firings(problem, run(problem, q, problem.t + 2.0 * guess), event, guess)
+        if len(times):
+            return problem.rows(run(problem, q, float(times[0])))[-1], float(times[0])
+    except NoReturnError as error:
+        raise ModelError(f"{problem.c.name}: the motion from x0, v0 does not reach {name!r}: {error}") from error
+    raise ModelError(f"{problem.c.name}: event {name!r} does not happen within two periods. Begin elsewhere")
+
+
 def _smooth(problem: Problem, solution: Solution) -> Vector:
     """Return 1 for each step between rows, and 0 where an event acts within it."""
     smooth = np.ones(len(solution.t) - 1)
