@@ -11,6 +11,7 @@ import eigenmotion as em
 from eigenmotion import Contact, Event, Friction, Model
 
 from ..support.generation import system_for
+from .test_follow import kinds
 
 x, y, z = dynamicsymbols("x y z")
 a, b, c, d, e, k, w, mu, F = symbols("a b c d e k w mu F")
@@ -233,13 +234,20 @@ def rubbed(start: np.ndarray, t: float, limit: float) -> np.ndarray:
     return state
 
 
+def rubbing(limit: float, t: float) -> em.Cycle:
+    model = Model(name="rubbed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+                  forces=[cos(w * em.t) - 0.05 * x.diff()], contacts={"rub": Friction(x.diff(), limit=mu)},
+                  parameters={w: 0.6, mu: 0.3})  # fmt: skip
+    found = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.0}, v0={"x": -0.5}, period="2*pi/w", t=t,
+                          parameters={"mu": limit})  # fmt: skip
+    assert found.success
+    return found
+
+
 @pytest.mark.parametrize(("first", "last"), [(0.3, 0.56), (0.56, 0.3)])
 def test_a_friction_begins_and_ceases_to_stick(first, last):
     """The branch goes on past the value at which a stop becomes a rest."""
-    model = Model(name="rubbed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
-                  forces=[cos(w * em.t) - 0.05 * x.diff()], contacts={"rub": Friction(x.diff(), limit=mu)},
-                  parameters={w: 0.6, mu: first})  # fmt: skip
-    start = em.find_cycle(system_for(model, "lagrange"), x0={"x": 0.0}, v0={"x": -0.5}, period="2*pi/w", t=3.0)
+    start = rubbing(first, 3.0)
     assert len(start.events) == (2 if first < last else 4)
     branch = em.follow(start, "mu", to=last)
     assert branch.success
@@ -248,3 +256,16 @@ def test_a_friction_begins_and_ceases_to_stick(first, last):
     for row in (0, branch.special[0].row + 1, -1):
         state = np.array([branch.x0["x"][row], branch.v0["x"][row]])
         assert rubbed(state, 3.0, branch.parameter[row]) == pytest.approx(state, abs=1e-8)
+
+
+def test_a_rest_or_a_stop_moves_onto_the_start():
+    """A start in a rest has one multiplier less, of 0, which is no bifurcation; a stop at the start ends the branch."""
+    into_a_rest = em.follow(rubbing(0.3, 4.5), "mu", to=0.95)
+    assert into_a_rest.success
+    assert np.isnan(into_a_rest.values[-1]).sum() == 1
+    assert kinds(into_a_rest) == ["corner"]
+    for t in (0.5, 2.0):
+        branch = em.follow(rubbing(0.3, t), "mu", to=0.95)
+        assert not branch.success
+        assert "event 'rub' moves onto the start of the period" in branch.message
+        assert "call find_cycle at another t" in branch.message

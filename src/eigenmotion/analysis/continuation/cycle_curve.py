@@ -79,7 +79,7 @@ class CycleCurve:
         """
         a, b, problem = before.detail, after.detail, self.search.problem
         self._check_repeats(after)
-        if changed(a, b):
+        if changed(a, b, self.search.section.event):
             if meets := self._meets_event(b.problem, b.q, b.period):
                 return meets
             names = problem.c.events
@@ -99,7 +99,7 @@ class CycleCurve:
         if after is None:
             return None if self._meets_event(a.problem, a.q, a.period) else near_meeting(a, section)
         b = after.detail
-        if not changed(a, b) or self._meets_event(b.problem, b.q, b.period):
+        if not changed(a, b, section) or self._meets_event(b.problem, b.q, b.period):
             return None
         return meeting_of(a, b, section)
 

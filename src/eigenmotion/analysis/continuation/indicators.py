@@ -52,10 +52,14 @@ def _turning(here: Place, _: Spectrum) -> Indicator:
 
 
 def _at(critical: float) -> Callable[[Place, Spectrum], Indicator]:
-    """Return the product of the distances from a real number."""
+    """Return the product of the distances from a real number.
+
+    Those of multipliers that are 0 are positive: there may be others as many on the other side of a rest.
+    """
+    side = -1.0 if critical >= 0.0 else 1.0
 
     def product(_: Place, spectrum: Spectrum) -> Indicator:
-        distances = spectrum.values - critical
+        distances = side * (spectrum.values - critical)
         return _product_of(distances, 1.0 + np.abs(spectrum.values), spectrum.errors)
 
     return product

@@ -22,12 +22,16 @@ _ACCURATE = 1e-11
 _BESIDE = 1e-5
 """Distance in units at which the branch is looked for on the other side."""
 _PROBE = 1e-3
-_ROUNDS, _FARTHEST = 60, 0.02
+_ROUNDS, _FARTHEST, _WALK = 60, 0.02, 0.2
+"""Most steps to such a place, the largest one, and the longest way, in units."""
 _ABOUT = 1e-5
 """Part of the period, or of an expression's changes, below which something is about to happen."""
+_SHORT = 0.1
+"""Longest rest, as a part of the period, that may be one that has just begun."""
 _BESIDE_SECTION = 0.02
 """Part of a period within which an event is near the section."""
 _ELSEWHERE = "so cycles beyond start elsewhere: call find_cycle with another section"
+_ANOTHER = "so cycles beyond start elsewhere: call find_cycle at another t, or from another state of the motion"
 _NOT_SMOOTH = "where derivatives of the motion jump or are not finite"
 _WINDOW, _ROWS = 0.05, 401
 """Part of a period around a moment in which an event is looked at, and at how many times."""
@@ -38,17 +42,17 @@ def acting(one: Return) -> tuple[int, ...]:
     return tuple(k for k in one.order if one.problem.c.acting[k])
 
 
-def changed(before: Return, after: Return) -> bool:
-    """Return whether the order of events is another one, or one has moved from one end of the period to the other."""
+def changed(before: Return, after: Return, section: int | None) -> bool:
+    """Return whether the order of events is another one, or one has moved past the event where motions start."""
     if acting(before) != acting(after):
         return True
     pairs = zip(_phases(before), _phases(after), strict=True)
-    return any(abs(a - b) > 0.5 for a, b in pairs)
+    return section is not None and any(abs(a - b) > 0.5 for a, b in pairs)
 
 
 def meeting_of(before: Return, after: Return, section: int | None) -> Meeting | None:
     """Return the change between two motions if it is a single one, else None; section : the event where they start."""
-    if not changed(before, after):
+    if not changed(before, after, section):
         return None
     if section is not None and (meeting := _onto_section(before, section)):
         return meeting
@@ -82,7 +86,7 @@ def _sticking(before: Return, after: Return, friction: Switch, more: bool) -> Me
     """Return that a friction begins or ceases to stick for a while where its slip is zero, or None."""
     pairs = [(_apart(one, k), k) for one in [after if more else before] for k in range(len(acting(one)) - 1)
              if acting(one)[k] == acting(one)[k + 1] == friction.event]  # fmt: skip
-    if not pairs:
+    if not pairs or min(pairs)[0] > _SHORT:
         return None
     k, name = min(pairs)[1], before.problem.c.events[friction.event]
     phase = _phases(after if more else before)[k]
@@ -113,7 +117,7 @@ def _at_moment(one: Return, event: int, moment: float) -> tuple[Solution, int]:
 
 def near_meeting(one: Return, section: int | None) -> Meeting | None:
     """Return what is about to happen to the order of events of a motion, or None if nothing is near."""
-    if section is not None and (meeting := _onto_section(one, section)):
+    if meeting := _onto_section(one, section):
         return meeting
     order, names = acting(one), one.problem.c.events
     found: list[tuple[float, Meeting]] = []
@@ -154,8 +158,8 @@ def _in_order(order: tuple[int, ...]) -> Callable[[Return], bool]:
     return lambda one: acting(one) == order
 
 
-def _onto_section(one: Return, section: int) -> Meeting | None:
-    """Return that an event moves onto the one where motions start, if one is near, or None."""
+def _onto_section(one: Return, section: int | None) -> Meeting | None:
+    """Return that an event moves onto the start of motions, an event or not, if one is near, or None."""
     phases, order, names = _phases(one), acting(one), one.problem.c.events
     distances = [min(phase, 1.0 - phase) for phase in phases]
     if not distances or min(distances) > _BESIDE_SECTION:
@@ -169,6 +173,9 @@ def _onto_section(one: Return, section: int) -> Meeting | None:
     def value(other: Return) -> float:
         return 1.0 - _phases(other)[k] if late else _phases(other)[k]
 
+    if section is None:
+        words = f"event {names[order[k]]!r} moves onto the start of the period"
+        return Meeting(CORNER, (names[order[k]],), words, _ANOTHER, before, value)
     words = f"event {names[order[k]]!r} moves onto the section, event {names[section]!r},"
     return Meeting(CORNER, (names[order[k]], names[section]), words, _ELSEWHERE, before, value)
 
@@ -245,7 +252,7 @@ def reached(curve: Curve, here: Place, meeting: Meeting) -> tuple[Place, Vector]
     grow without bound, and points nearer to it are less accurate.
     """
     last, value, h = here, meeting.value(here.sample.detail), _PROBE
-    values, points, best = [value], [here.sample.w], (np.inf, here.sample.w)
+    values, points, best, walked = [value], [here.sample.w], (np.inf, here.sample.w), 0.0
     for _ in range(_ROUNDS):
         there = _step(curve, last, h) if h > _NEAR else None
         if there is None or not meeting.before(there.sample.detail):
@@ -259,7 +266,10 @@ def reached(curve: Curve, here: Place, meeting: Meeting) -> tuple[Place, Vector]
         values.append(value)
         points.append(there.sample.w)
         best = min(best, _extrapolated(values, points, there.sample.unit), key=lambda one: one[0])
-        left = -value / slope if slope < 0.0 else 4.0 * h
+        walked += h
+        if walked > _WALK:
+            return None
+        left = -value / slope if slope < 0.0 else np.inf
         ahead = there.sample.w + left * there.tangent * there.sample.unit
         best = min(best, (left, ahead), key=lambda one: one[0])
         if left <= _NEAR:

@@ -93,7 +93,9 @@ def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], 
         try:
             _add(curve, path, Node(there, curve.spectrum(there.sample)), functions)
         except NoPointError as error:
-            path.message = _stuck(here, f"what is special there cannot be located: {error}")
+            near = curve.meeting(there.sample, None)
+            reason = f"{near.words}, {near.why}" if near and near.why else f"a special point is not located: {error}"
+            path.message = _stuck(here, reason)
             return path
         if over:
             path.complete, path.message = over == _COMPLETE, over
@@ -155,7 +157,7 @@ def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | N
     meeting = curve.meeting(here.sample, None)
     if meeting is not None and (found := reached(curve, here, meeting)) is not None:
         return found[0], _FIRST, (meeting, found[1])
-    path.message = _stuck(here, reason)
+    path.message = _stuck(here, f"{meeting.words}, {meeting.why}" if meeting and meeting.why else reason)
     return None, h, None
 
 
