@@ -209,6 +209,13 @@ def test_from_one_event_that_does_not_act_to_the_next():
         )
 
 
+def test_conditions_that_no_motion_meets():
+    """The wheel rolls forwards."""
+    cycle = em.find_cycle(system_of("rimless_wheel", "lagrange"), free=["gamma"], conditions=["theta' + 1"], **WHEEL)
+    assert not cycle.success
+    assert "Conditions are not met: theta' + 1 = " in cycle.message
+
+
 def test_one_segment_for_what_is_free():
     with pytest.raises(ModelError, match="these are for one segment"):
         em.find_cycle(van_der_pol(), x0={"x": 2.0}, free=["mu"], conditions=["x - 2.01"], section="x'", segments=4)

@@ -397,7 +397,8 @@ def _freed(problem: Problem, free: Any) -> tuple[tuple[str, ...], tuple[int, ...
     known = (*places, *(() if problem.clock else (PERIOD,)), *constants)
     given = dict.fromkeys(PERIOD if str(one) == PERIOD else variable_name(one) for one in free)
     if wrong := set(given) - set(known):
-        raise ModelError(f"{c.name}: {unknown('name in free', wrong, known)}")
+        listed = tuple(name for name in known if name != TIME or problem.clock)
+        raise ModelError(f"{c.name}: {unknown('name in free', wrong, listed)}")
     names = tuple(name for name in given if name in constants and name not in places and name != PERIOD)
     refuse_tables(c, names, "free")
     if TIME in names and not problem.clock:

@@ -16,6 +16,8 @@ from .time_dependence import unrepeated
 
 _LATER = 0.31830988
 """Part of a period by which the other run begins later, if equations do not depend on time."""
+_MET = 1e-6
+"""Value of a condition that is not listed where a search fails."""
 _TOUCHES = 1e-3
 """Change of a section's expression in a period, by its rate at the start and relative to sizes, that is none."""
 _UNSTABLE = 1e6
@@ -33,9 +35,8 @@ def _judged(search: Search, found: Found, note: str) -> Cycle:
     failure, last = found.failure or _other_side(search, found.last), found.last
     nothing = Multipliers(np.zeros(0, dtype=complex), np.zeros(0))
     if failure:
-        return _cycle(
-            problem, last, f"not converged: {failure}" if "no cycle" not in failure else failure, nothing, False
-        )
+        failure = failure if "no cycle" in failure else f"not converged: {failure}{_unmet(search, last)}"
+        return _cycle(problem, last, failure, nothing, False)
     problem.count.most += 3 + len(found.nodes)
     later = problem.t if problem.clock else problem.t + _LATER * last.period
     other = replace(problem, by=()).with_tolerance(max(problem.rtol / 10.0, 1e-13), last.scale, later)
@@ -59,6 +60,14 @@ def _judged(search: Search, found: Found, note: str) -> Cycle:
         return _cycle(problem, check, message, nothing, False)
     multipliers = multipliers_of(other, check)
     return _cycle(problem, check, _words(problem, check, multipliers) + note, multipliers, True)
+
+
+def _unmet(search: Search, last: Return) -> str:
+    """Return the values of conditions that are not met, or ""."""
+    numbers = last.problem.numbers(last.q, last.period)
+    values = [(one.text, float(one.value(numbers))) for one in search.unknowns.conditions]
+    texts = [f"{text} = {value:.4g}" for text, value in values if not abs(value) <= _MET]
+    return f". Conditions are not met: {', '.join(texts)}" if texts else ""
 
 
 def _other_side(search: Search, last: Return) -> str:
