@@ -22,6 +22,7 @@ from .transforms import directions_of, width_of
 Values = Sequence[HyperDual]
 _ZERO, _ONE = Rounded(0.0, 0.0), Rounded(1.0, 0.0)
 _UNKNOWN = Rounded(np.nan, np.nan)
+_KEPT = 32  # kinematics with seeds: those of a point that sixteen joints move
 
 
 class _Kinematics:
@@ -79,14 +80,16 @@ class BodyValues:
     def __init__(self, evaluation: Callable[[dict[sympy.Basic, HyperDual]], Any]) -> None:
         self._evaluation = evaluation
         self._shared: dict[bool, _Kinematics] = {}
+        self._seeded: dict[tuple[object, ...], tuple[Values, Values, _Kinematics]] = {}
 
     def __call__(self, call: BodyFunction, arguments: Values) -> HyperDual:
         """Return the value of a call."""
         by = [place for place, order in enumerate(call.orders) for _ in range(order)]
         if not by:
             return self._value(call.quantity, arguments)
-        value = partial(self._value_alone, call.quantity)
-        return _first(value, arguments, by[0]) if len(by) == 1 else _second(value, arguments, by)
+        if len(by) == 1:
+            return _first(partial(self._value_seeded, call.quantity, arguments, by[0]), arguments)
+        return _second(partial(self._value_alone, call.quantity), arguments, by)
 
     def _value(self, quantity: Quantity, at: Values) -> HyperDual:
         known = dict(zip(quantity.variables, at, strict=True))
@@ -98,6 +101,20 @@ class BodyValues:
         self._shared[rates] = _Kinematics(self._evaluation)
         return self._shared[rates](quantity, known)
 
+    def _value_seeded(self, quantity: Quantity, at: Values, place: int, other: str) -> HyperDual:
+        """Return the value with a seed for an argument in c, and the derivatives `other` of all in b.
+
+        Quantities at the same values, such as the coordinates of one point, share their kinematics.
+        """
+        key = (quantity.variables, *map(id, at), place, other)
+        if key not in self._seeded:
+            seeds = [HyperDual(one.a, getattr(one, other), _ONE if k == place else None) for k, one in enumerate(at)]
+            self._seeded[key] = at, seeds, _Kinematics(self._evaluation)
+            if len(self._seeded) > _KEPT:
+                del self._seeded[next(iter(self._seeded))]
+        _, seeds, kinematics = self._seeded[key]
+        return kinematics(quantity, dict(zip(quantity.variables, seeds, strict=True)))
+
     def _value_alone(self, quantity: Quantity, at: Values) -> HyperDual:
         return _Kinematics(self._evaluation)(quantity, dict(zip(quantity.variables, at, strict=True)))
 
@@ -107,19 +124,16 @@ def _unit(entry: HyperDual) -> HyperDual:
     return HyperDual(entry.a.off(EPS), entry.b, entry.c, entry.f)
 
 
-def _first(value: Callable[[Values], HyperDual], at: Values, place: int) -> HyperDual:
-    """Return the derivative by an argument with its first derivatives; its mixed second ones are unknown."""
+def _first(seeded: Callable[[str], HyperDual], at: Values) -> HyperDual:
+    """Return the derivative by an argument with its first derivatives; its mixed second ones are unknown.
 
-    def seeded(other: str) -> HyperDual:
-        """Return the value with a seed for the argument in c, and the derivatives `other` of all in b."""
-        return value([
-            HyperDual(one.a, getattr(one, other), _ONE if k == place else None) for k, one in enumerate(at)
-        ])  # fmt: skip
-
+    `seeded` : part -> the value with a seed for the argument in c, and the derivatives of that part of all in b
+    """
     along, across = (any(getattr(one, part) is not None for one in at) for part in "bc")
+    first = seeded("b")
     return HyperDual(
-        seeded("b").c or _ZERO,
-        seeded("b").f if along else None,
+        first.c or _ZERO,
+        first.f if along else None,
         seeded("c").f if across else None,
         _UNKNOWN if along and across else None,
     )
