@@ -3,10 +3,10 @@
 python benchmarks/robot_times.py [FILE.urdf[:floating] ...]
 
 For each URDF file: seconds to read it, to build it with an empty cache and to run its first second, the same again;
-then, in rounds, the nanoseconds of an acceleration within a run in C, in a run of an ensemble (per trajectory), and as
-a call from Python, each also over the time of Pinocchio's `aba` (C++, called from Python) of the same file; and those
-of a call of `System.inverse_dynamics`, over those of `rnea`. Without arguments: a UR5, a Panda, an ANYmal and a Talos
-of example-robot-data, if that is there.
+then, in rounds, the nanoseconds of an acceleration within a run in C, in a run of an ensemble (per trajectory; runs of
+0.5 s and of 5 s), and as a call from Python, each also over the time of Pinocchio's `aba` (C++, called from Python) of
+the same file; and those of a call of `System.inverse_dynamics`, over those of `rnea`. Without arguments: a UR5, a
+Panda, an ANYmal and a Talos of example-robot-data, if that is there.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from importlib import import_module
+from importlib.metadata import PackageNotFoundError, distribution
 from importlib.util import find_spec
 from pathlib import Path
 from statistics import median
@@ -43,9 +44,16 @@ def seconds(action: Callable[[], Any]) -> tuple[float, Any]:
     return time.perf_counter() - start, result
 
 
+def processor_seconds(action: Callable[[], Any]) -> tuple[float, Any]:
+    """Return the processor time of a call, which other processes do not change much, and its result."""
+    start = time.process_time()
+    result = action()
+    return time.process_time() - start, result
+
+
 def per_call(function: Callable[[], Any]) -> float:
     """Return the nanoseconds of a call from Python."""
-    return seconds(lambda: [function() for _ in range(CALLS)])[0] / CALLS * 1e9
+    return processor_seconds(lambda: [function() for _ in range(CALLS)])[0] / CALLS * 1e9
 
 
 def pendulum() -> em.Model:
@@ -69,16 +77,16 @@ def to_motion(file: Path, base: str) -> tuple[str, em.System]:
 def within_a_run(system: em.System) -> float:
     """Return the nanoseconds of a right-hand side within a run, all of it counted."""
     v0 = np.full(system.n, 0.5)  # so that a floating robot, too, needs many steps
-    time_of_run, run = seconds(lambda: system.simulate((0.0, 5.0), v0=v0, rtol=1e-9, method="dop853"))
+    time_of_run, run = processor_seconds(lambda: system.simulate((0.0, 5.0), v0=v0, rtol=1e-9, method="dop853"))
     return time_of_run / run.nfev * 1e9
 
 
-def in_an_ensemble(system: em.System, members: int = 64) -> float | None:
-    """Return the nanoseconds of a right-hand side of one member, on one thread; None if it has no lanes."""
+def in_an_ensemble(system: em.System, span: float, members: int = 64) -> float:
+    """Return the nanoseconds of a right-hand side of one member of short or long runs, on one thread."""
     q = system.coordinates[-1]
     starts, v0 = {q: np.linspace(0.01, 0.02, members)}, np.full(system.n, 0.5)
-    time_of_all, runs = seconds(
-        lambda: em.simulate_ensemble(system, (0.0, 0.5), x0=starts, v0=v0, rtol=1e-8, method="dop853", workers=1)
+    time_of_all, runs = processor_seconds(
+        lambda: em.simulate_ensemble(system, (0.0, span), x0=starts, v0=v0, rtol=1e-8, method="dop853", workers=1)
     )
     return time_of_all / runs.nfev.sum() * 1e9
 
@@ -104,16 +112,17 @@ class Pinocchio:
 def timed(system: em.System, reference: Pinocchio | None) -> str:
     """Return the medians of all rounds, in words."""
     x, v = np.full(system.n, 0.1), np.full(system.n, 0.1)
-    kinds: dict[str, Callable[[], float | None]] = {
+    kinds: dict[str, Callable[[], float]] = {
         "in C": lambda: within_a_run(system),
-        "in lanes": lambda: in_an_ensemble(system),
+        "in lanes": lambda: in_an_ensemble(system, 0.5),
+        "in lanes, 5 s": lambda: in_an_ensemble(system, 5.0),
         "from Python": lambda: per_call(lambda: system.acceleration(x, v)),
         "inverse": lambda: per_call(lambda: system.inverse_dynamics(x, v, v)),
     }
     if reference:
         kinds |= {"aba": lambda: per_call(reference), "rnea": lambda: per_call(reference.rnea)}
     rounds = [{name: measure() for name, measure in kinds.items()} for _ in range(ROUNDS)]
-    times = {name: median(one[name] for one in rounds) for name in kinds if rounds[0][name] is not None}
+    times = {name: median(one[name] for one in rounds) for name in kinds}
     units = {name: times.get("rnea" if name in ("inverse", "rnea") else "aba") for name in times}
     return ", ".join(f"{name} {ns:.0f} ns" + (f" ({ns / unit:.2f})" if (unit := units[name]) else "")
                      for name, ns in times.items())  # fmt: skip
@@ -131,11 +140,14 @@ def report(file: Path, base: str) -> None:
 
 
 def files() -> list[str]:
-    """Return the files of example-robot-data."""
-    if find_spec("example_robot_data") is None:
+    """Return the files of example-robot-data, wherever its wheel has put them."""
+    try:
+        all_files = {str(file): file.locate() for file in distribution("example-robot-data").files or ()}
+    except PackageNotFoundError:
         return []
-    paths = import_module("example_robot_data.path")
-    return [f"{Path(paths.EXAMPLE_ROBOT_DATA_MODEL_DIR)}/{name}" for name in FILES]
+    ends = [name.partition(":") for name in FILES]
+    return [f"{path}{colon}{base}" for end, colon, base in ends
+            for name, path in all_files.items() if name.endswith(f"/{end}")]  # fmt: skip
 
 
 def main() -> None:

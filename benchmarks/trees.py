@@ -7,8 +7,9 @@ for each formulation. It prints the table of docs/trees.md, with times relative 
 is timed beside, called from Python, where it is installed.
 
 With `--growth`: for planar and spatial arms of 4 to 300 joints, in formulation articulated_body, seconds of all
-processors to build an arm with an empty cache, of these in the proof, nanoseconds of an acceleration, and milliseconds
-to run a second of motion by dop853; each divided by the number of joints, too.
+processors to build an arm with an empty cache, of these in the proof, nanoseconds of an acceleration (a call from
+Python), milliseconds to run a second of motion by dop853, and its right-hand sides; each time divided by the number of
+joints, too, that of the run also by its right-hand sides.
 
 With `--angles`: for chains of 4 to 32 pendulums whose energies are written in the angles between links, seconds of all
 processors and on the clock to build one with an empty cache.
@@ -124,8 +125,8 @@ def processor_seconds() -> float:
     return sum(os.times()[:4])
 
 
-def grown(n: int, axes: str) -> tuple[float, float, float, float]:
-    """Return seconds to build, of these in the proof, seconds of an acceleration, and seconds to run a second."""
+def grown(n: int, axes: str) -> tuple[float, float, float, float, int]:
+    """Return seconds to build, in the proof, of an acceleration, and to run a second; the right-hand sides of that."""
     model, proof, spent = arm(n, axes), verification.prove, [0.0]
 
     def timed(*given: Any) -> None:
@@ -144,24 +145,25 @@ def grown(n: int, axes: str) -> tuple[float, float, float, float]:
             system.acceleration(x, v)
         accelerations.append((time.process_time() - start) / calls)
         start = time.process_time()
-        system.simulate((0.0, 1.0), rtol=1e-8, method="dop853")
+        run = system.simulate((0.0, 1.0), rtol=1e-8, method="dop853")
         runs.append(time.process_time() - start)
-    return building, spent[0], min(accelerations), min(runs)
+    return building, spent[0], min(accelerations), min(runs), run.nfev
 
 
 def growth() -> None:
     """Print the table of long arms."""
-    heads = ("axes", "n", "build, s", "of these proof", "acceleration, us", "a second, ms")
-    per_joint = ("build / n, s", "acceleration / n, ns", "a second / n, us")
+    heads = ("axes", "n", "build, s", "of these proof", "acceleration, us", "a second, ms", "right-hand sides")
+    per_joint = ("build / n, s", "acceleration / n, ns", "a second / n, us", "right-hand side / n, ns")
     print(f"| {' | '.join((*heads, *per_joint))} |\n|{' --- |' * len((*heads, *per_joint))}")
     with tempfile.TemporaryDirectory() as cache:
         os.environ["EIGENMOTION_CACHE"] = cache
         em.build(arm(2), formulation="articulated_body")
         for axes in ("y", "zy"):
             for n in LENGTHS:
-                build, proof, acceleration, second = grown(n, axes)
-                whole = f"{build:.2f} | {proof / build:.2f} | {acceleration * 1e6:.1f} | {second * 1e3:.1f}"
-                each = f"{build / n:.3f} | {acceleration / n * 1e9:.0f} | {second / n * 1e6:.0f}"
+                build, proof, acceleration, second, calls = grown(n, axes)
+                whole = f"{build:.2f} | {proof / build:.2f} | {acceleration * 1e6:.1f} | {second * 1e3:.1f} | {calls}"
+                each = f"{build / n:.3f} | {acceleration / n * 1e9:.0f} | {second / n * 1e6:.0f} | "
+                each += f"{second / calls / n * 1e9:.0f}"
                 print(f"| {'planar' if axes == 'y' else 'spatial'} | {n} | {whole} | {each} |", flush=True)
 
 
