@@ -112,8 +112,8 @@ class BodyValues:
             self._seeded[key] = at, seeds, _Kinematics(self._evaluation)
             if len(self._seeded) > _KEPT:
                 del self._seeded[next(iter(self._seeded))]
-        _, seeds, kinematics = self._seeded[key]
-        return kinematics(quantity, dict(zip(quantity.variables, seeds, strict=True)))
+        _, seeded, kinematics = self._seeded[key]
+        return kinematics(quantity, dict(zip(quantity.variables, seeded, strict=True)))
 
     def _value_alone(self, quantity: Quantity, at: Values) -> HyperDual:
         return _Kinematics(self._evaluation)(quantity, dict(zip(quantity.variables, at, strict=True)))
