@@ -103,7 +103,8 @@ EM_NOINLINE int em_without_free(const em_mixed *s, double *G, double *q) {
 EM_NOINLINE int em_pivot_modes(em_mixed *s, int bars) {
     const int k = s->k;
     int contact[EM_MIXED_ROWS], friction[EM_MIXED_ROWS], nc = 0, nf = 0;
-    double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS], A[EM_PIVOTED * EM_PIVOTED] = {0.0}, b[EM_PIVOTED];
+    double G[EM_MIXED_ROWS * EM_MIXED_ROWS], q[EM_MIXED_ROWS];
+    double A[EM_PIVOTED * EM_PIVOTED] = {0.0}, b[EM_PIVOTED] = {0.0};
     double fixed[EM_MIXED_ROWS]; /* the sign of p / L where it is known */
     for (int i = 0; i < k; ++i)
         if (s->kind[i] == EM_ROW_CONE) return 0; /* the problem is not linear */
