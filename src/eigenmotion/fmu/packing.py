@@ -24,7 +24,7 @@ from .unit import Content, Unit
 VERSIONS = (2, 3)
 """Versions of FMI."""
 
-_HERE = Path(__file__).parent
+_INCLUDE = Path(__file__).parent / "include"
 _HEADERS = ("em_unit_words.h", "em_face.h")
 _OF_VERSION = {
     2: ("em_fmi2.h", "em_fmu2.h", "em_exchange2.h"),
@@ -46,7 +46,8 @@ def packed(requested: Request, content: Content, version: int) -> bytes:
     texts = {file.name: file.text for file in cached_sources(requested).files if not file.name.endswith(".pyx")}
     texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h"))}
     ours = (*_HEADERS, *_OF_VERSION[version], *content.headers)
-    texts |= {name: (_HERE / name).read_text(encoding="utf-8") for name in ours}
+    paths = {path.name: path for path in _INCLUDE.rglob("*.h")}
+    texts |= {name: paths[name].read_text(encoding="utf-8") for name in ours}
     texts = {name: _side_by_side(text) for name, text in texts.items()}
     unit = _unit(system_of(requested).name, texts, content, version)
     texts[f"{unit.name}_fmu.c"] = _template("unit.c.jinja", unit)
@@ -100,7 +101,7 @@ def _check_xml(model: str, name: str) -> None:
 @cache
 def _templates() -> Environment:
     environment = Environment(
-        loader=PackageLoader(__package__, "."), undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
+        loader=PackageLoader(__package__), undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True,
         keep_trailing_newline=True, autoescape=False,
     )  # fmt: skip
     environment.filters["attribute"] = quoteattr
