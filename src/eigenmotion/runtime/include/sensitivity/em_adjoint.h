@@ -64,7 +64,7 @@ EM_INLINE void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by)
     const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
     const em_step_numbers s = em_step_numbers_at(tape, tape->numbers + map->at);
     double kappa[size + n], b[size];
-    memset(kappa + size, 0, n * sizeof *kappa), memset(b, 0, sizeof b);
+    memset(kappa + size, 0, n * sizeof *kappa), memset(b, 0, sizeof b); /* GCC cannot see that all of b is set */
     for (int j = 0; j < NODES; ++j)
         for (int i = 0; i < n; ++i) kappa[j * n + i] = h * (h * A2[j] * by->lambda[i] + A[j] * by->lambda[n + i]);
     for (int i = 0; i < n; ++i) by->lambda[n + i] += h * by->lambda[i];

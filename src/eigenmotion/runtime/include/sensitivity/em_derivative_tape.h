@@ -259,47 +259,35 @@ static void em_sample_forcings(em_pass *p) {
     p->of->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
 }
 
-/* One row of the series of F, from the column `first` on: the last coefficients and the next one, as em_last_terms, and
- * its largest size: all (width). */
-EM_INLINE void em_last_terms_of_forcing(const em_pass *p, int i, int first, double *restrict five, double *restrict six,
-                                        double *restrict seven, double *restrict eight, double *restrict whole) {
-    enum { NODES = EM_VARIATION_NODES };
-    const em_tape *const tape = p->tape;
-    const int n = p->n, width = tape->width;
-    const double *const C = p->of->series, *const start = tape->F + i * width;
-    for (int b = first; b < width; ++b) whole[b] = em_larger(fabs(start[b]), tape->size[i * width + b]);
-    for (int b = first; b < width; ++b) five[b] = six[b] = seven[b] = eight[b] = 0.0;
-    for (int q = 0; q < NODES; ++q) {
-        const double *restrict const F = tape->F + ((q + 1) * n + i) * width;
-        const double c_five = C[5 * NODES + q], c_six = C[6 * NODES + q], c_seven = C[7 * NODES + q], at = p->origin[q];
-        for (int b = first; b < width; ++b) {
-            five[b] += c_five * F[b], six[b] += c_six * F[b], seven[b] += c_seven * F[b], eight[b] += at * F[b];
-            whole[b] = em_larger(whole[b], fabs(F[b]));
-        }
+/* whole (basis) <- the largest |df/dp| of one row, in a step and along the run. */
+EM_INLINE void em_forcing_size(const em_tape *tape, int i, double *restrict whole) {
+    const int n = tape->n, width = tape->width, basis = tape->basis;
+    const double *restrict const along = tape->size + i * width + 2 * n;
+    for (int b = 0; b < basis; ++b) whole[b] = along[b];
+    for (int q = 0; q <= EM_VARIATION_NODES; ++q) {
+        const double *restrict const f = tape->F + (q * n + i) * width + 2 * n;
+        for (int b = 0; b < basis; ++b) whole[b] = em_max(whole[b], fabs(f[b]));
     }
-    for (int b = first; b < width; ++b) eight[b] = 0.5 * (start[b] - eight[b]);
 }
 
 /* The largest errors of df/dp of the basis as a series in a step, relative to its size along the run
  * (em_variation_error.h). What is rounding all along the run is left out. */
 EM_INLINE em_step_errors em_forcing_error(em_pass *p) {
     const em_tape *const tape = p->tape;
-    const int n = p->n, width = tape->width, first = 2 * n;
-    double five[width], six[width], seven[width], eight[width], whole[width];
-    em_series_size sizes[width];
+    const int n = p->n, width = tape->width, basis = tape->basis;
+    double five[basis], six[basis], seven[basis], eight[basis], whole[basis];
+    em_series_size sizes[basis];
     em_step_errors most = {0.0, 0.0};
     memset(sizes, 0, sizeof sizes);
     for (int i = 0; i < n; ++i) {
-        em_last_terms_of_forcing(p, i, first, five, six, seven, eight, whole);
-        for (int b = first; b < width; ++b) {
-            const double per = tape->acts[i * width + b] ? 1.0 / (whole[b] + DBL_MIN) : 0.0;
-            sizes[b].five = em_larger(sizes[b].five, per * fabs(five[b]));
-            sizes[b].six = em_larger(sizes[b].six, per * fabs(six[b]));
-            sizes[b].seven = em_larger(sizes[b].seven, per * fabs(seven[b]));
-            sizes[b].eight = em_larger(sizes[b].eight, per * fabs(eight[b]));
-        }
+        const double *const start = tape->F + i * width + 2 * n;
+        em_last_terms(p, basis, start, start + n * width, (size_t)n * width, five, six, seven, eight);
+        em_forcing_size(tape, i, whole);
+        for (int b = 0; b < basis; ++b)
+            if (tape->acts[i * width + 2 * n + b])
+                em_count_terms(&sizes[b], 1.0 / (whole[b] + DBL_MIN), five[b], six[b], seven[b], eight[b]);
     }
-    for (int b = first; b < width; ++b)
+    for (int b = 0; b < basis; ++b)
         most = em_larger_errors(most, em_direction_errors(&sizes[b], 1.0 / fmax(p->of->tolerance, EM_FORCING_ROUNDING)));
     return most;
 }

@@ -133,10 +133,10 @@ static double em_next_end(const em_pass *p, double from, double last, int *withi
     return em_end_towards(p, from, next < rest ? w->t_rows[row] : last, length);
 }
 
-/* Whether a step resolves more than rounding of df/dp. */
+/* Whether there is a df/dp, of which a step resolves more than rounding. */
 static int em_resolves_forcing(const em_pass *p, double from, double to) {
     const em_run *const run = p->of->run;
-    return fabs(to - from) > EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h);
+    return p->tape->basis > 0 && fabs(to - from) > EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h);
 }
 
 /* The errors of a solved step; if those that count exceed one, without their rounding. */

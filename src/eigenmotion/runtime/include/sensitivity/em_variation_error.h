@@ -15,9 +15,6 @@
 #define EM_STEP_SHARE (1.0 / 32.0)
 #define EM_END_SAFETY 2.0
 
-/* The larger number, or b. Unlike fmax it is one instruction: compilers keep to its rule for NaN. */
-EM_INLINE double em_larger(double a, double b) { return a > b ? a : b; }
-
 /* The sizes of the coefficients of one direction that determine its error, relative to its size. */
 typedef struct em_series_size {
     double five, six, seven, eight;
@@ -43,44 +40,47 @@ EM_INLINE em_step_errors em_direction_errors(const em_series_size *s, double per
 /* The size of S_v[i] in a step: its own, and that of the terms that change it. */
 EM_INLINE double em_rate_size(const em_pass *p, double length, int at) {
     const int v = at + p->n * p->columns;
-    return em_larger(em_larger(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * em_larger(p->T0[at], p->T[at]));
+    return em_max(em_max(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * em_max(p->T0[at], p->T[at]));
 }
 
-/* One row of the series of K: the absolute values of its last coefficients and of the next one. part (4, columns). */
-EM_INLINE void em_last_terms(const em_pass *p, int i, double *part) {
+/* Series in a step, of `count` columns, from their values at the start and at the nodes, which are `apart` numbers apart:
+ * the last coefficients, and the next one. */
+EM_INLINE void em_last_terms(const em_pass *p, int count, const double *restrict start, const double *restrict nodes,
+                             size_t apart, double *restrict five, double *restrict six, double *restrict seven,
+                             double *restrict eight) {
     enum { NODES = EM_VARIATION_NODES };
-    const int n = p->n, k = p->columns;
     const double *const C = p->of->series;
-    memset(part, 0, 4 * (size_t)k * sizeof *part);
+    for (int j = 0; j < count; ++j) five[j] = six[j] = seven[j] = eight[j] = 0.0;
     for (int q = 0; q < NODES; ++q) {
-        const double *const K = p->K + (q * n + i) * k;
-        const double five = C[5 * NODES + q], six = C[6 * NODES + q], seven = C[7 * NODES + q], at = p->origin[q];
-        for (int j = 0; j < k; ++j) {
-            part[j] += five * K[j], part[k + j] += six * K[j], part[2 * k + j] += seven * K[j];
-            part[3 * k + j] += at * K[j];
-        }
+        const double *restrict const f = nodes + q * apart;
+        const double c_five = C[5 * NODES + q], c_six = C[6 * NODES + q], c_seven = C[7 * NODES + q], at = p->origin[q];
+        for (int j = 0; j < count; ++j)
+            five[j] += c_five * f[j], six[j] += c_six * f[j], seven[j] += c_seven * f[j], eight[j] += at * f[j];
     }
-    for (int j = 0; j < k; ++j) part[3 * k + j] = 0.5 * (p->K0[i * k + j] - part[3 * k + j]);
+    for (int j = 0; j < count; ++j) eight[j] = 0.5 * (start[j] - eight[j]);
+}
+
+/* s <- the largest absolute values, of it and of these terms times `per`. */
+EM_INLINE void em_count_terms(em_series_size *s, double per, double five, double six, double seven, double eight) {
+    s->five = em_max(s->five, per * fabs(five)), s->six = em_max(s->six, per * fabs(six));
+    s->seven = em_max(s->seven, per * fabs(seven)), s->eight = em_max(s->eight, per * fabs(eight));
 }
 
 /* The largest errors of a direction. K_rounding (n, columns): the rounding of K; NULL: unknown. */
 EM_INLINE em_step_errors em_step_error(em_pass *p, double h, const double *K_rounding) {
     const int n = p->n, k = p->columns;
     const double tolerance = p->of->tolerance, length = fabs(h);
-    double part[4 * k];
+    double five[k], six[k], seven[k], eight[k];
     em_step_errors most = {0.0, 0.0};
     em_series_size sizes[k];
     memset(sizes, 0, sizeof sizes);
     if (!K_rounding) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
     for (int i = 0; i < n; ++i) {
-        em_last_terms(p, i, part);
+        em_last_terms(p, k, p->K0 + i * k, p->K + i * k, (size_t)n * k, five, six, seven, eight);
         for (int j = 0; j < p->of->columns; ++j) {
             const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
             const double per = length / (em_rate_size(p, length, i * k + j) + rounding + DBL_MIN);
-            sizes[j].five = em_larger(sizes[j].five, per * fabs(part[j]));
-            sizes[j].six = em_larger(sizes[j].six, per * fabs(part[k + j]));
-            sizes[j].seven = em_larger(sizes[j].seven, per * fabs(part[2 * k + j]));
-            sizes[j].eight = em_larger(sizes[j].eight, per * fabs(part[3 * k + j]));
+            em_count_terms(&sizes[j], per, five[j], six[j], seven[j], eight[j]);
         }
     }
     for (int j = 0; j < p->of->columns; ++j) most = em_larger_errors(most, em_direction_errors(&sizes[j], 1.0 / tolerance));
