@@ -85,7 +85,7 @@ def check(seed: int) -> bool:
     if not run.success:
         assert run.stop is StopReason.EVENTS_PILE_UP, run.message
         return False
-    assert abs(run.x[0, 0]) < 1e-6 * run.x[0].max()  # it may land again soon
+    assert abs(run.x[0, 0]) < 1e-12 * np.abs(run.x).max()  # it rests; it may land again before the next row
     return True
 
 
@@ -98,7 +98,7 @@ def test_the_lowest_mass_lets_go(seed: int):
 @pytest.mark.parametrize("block", range(10))
 def test_many_lowest_masses_let_go(block: int):
     """In a hundredth of them errors of the first steps exceed a gap that opens as t^3: the run says that it ends."""
-    assert sum(not check(seed) for seed in range(30 + 97 * block, 127 + 97 * block)) <= 5
+    assert sum(not check(seed) for seed in range(30 + 97 * block, 127 + 97 * block)) <= 4
 
 
 @pytest.mark.parametrize("method", METHODS)
