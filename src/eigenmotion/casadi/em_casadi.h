@@ -24,7 +24,7 @@ typedef enum em_kind { EM_ACCELERATION, EM_RATES, EM_OUTPUTS, EM_INVERSE } em_ki
 
 enum { EM_COLUMNS = N_ARGUMENTS + N + N_ROWS };                                    /* of all derivatives */
 enum { EM_MOTION_ROWS = N + N + N_ROWS };                                          /* v, a, multipliers */
-enum { EM_MOST_ROWS_OF = EM_MOTION_ROWS > N_OUTPUTS ? EM_MOTION_ROWS : N_OUTPUTS };
+enum { EM_MOST_ROWS_OF = (int)EM_MOTION_ROWS > (int)N_OUTPUTS ? EM_MOTION_ROWS : N_OUTPUTS };
 
 /* A function: its kind and inputs; for each output, the first row of its derivatives, and the number of numbers; and
  * for each pair of an output and an input, the sparsity of that block. */

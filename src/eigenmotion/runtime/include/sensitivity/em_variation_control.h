@@ -146,6 +146,7 @@ static em_step_errors em_errors_of(em_pass *p, double from, double to, int withi
     if (p->tape) em_step_along_basis(p);
     if (p->tape && em_resolves_forcing(p, from, to)) forced = (p->wide ? em_forcing_error_wide : em_forcing_error_narrow)(p);
     const em_step_errors found = error(p, to - from, NULL);
+    p->by_rounding = (within ? found.within : found.end) > 1.0;
     if ((within ? found.within : found.end) <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return em_larger_errors(found, forced);
     return em_larger_errors(error(p, to - from, p->K_rounding), forced);
 }
@@ -191,7 +192,7 @@ static double em_advance(em_pass *p, double from, double last) {
         if (p->n_crawling > EM_MOST_CRAWLING) return em_end_pass(w, EM_UNRESOLVED, -1, -1), w->t_reached = to, NAN;
         if (off <= 1.0 || is_least) {
             p->longest = fmax(p->longest, length);
-            if (length > 0.25 * p->longest) p->n_again = 0;
+            if (length > 0.25 * p->longest && !p->by_rounding) p->n_again = 0;
             em_set_next_length(p, length, least, errors);
             return em_keep_step(p, from, to) ? NAN : to;
         }

@@ -34,6 +34,7 @@ EM_INLINE em_step_errors em_direction_errors(const em_series_size *s, double per
     const double before = fmax(s->five, s->six), after = fmax(s->seven, s->eight);
     const double falls = before > after ? after / before : 1.0; /* the decay over two terms */
     const double off = EM_STEP_SHARE * s->eight, end = off * EM_END_SAFETY * (fmax(s->six, s->seven) / 26.0 + falls * falls * falls);
+    if (!isfinite(end)) return (em_step_errors){INFINITY, INFINITY}; /* what is no number is not small */
     return (em_step_errors){per * end, per * fmax(end, off * sqrt(falls))};
 }
 
@@ -79,8 +80,8 @@ EM_INLINE em_step_errors em_step_error(em_pass *p, double h, const double *K_rou
         em_last_terms(p, k, p->K0 + i * k, p->K + i * k, (size_t)n * k, five, six, seven, eight);
         for (int j = 0; j < p->of->columns; ++j) {
             const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
-            const double per = length / (em_rate_size(p, length, i * k + j) + rounding + DBL_MIN);
-            em_count_terms(&sizes[j], per, five[j], six[j], seven[j], eight[j]);
+            const double size = em_rate_size(p, length, i * k + j) + rounding;
+            em_count_terms(&sizes[j], em_min(length / (size + DBL_MIN), 1.0 / DBL_MIN), five[j], six[j], seven[j], eight[j]);
         }
     }
     for (int j = 0; j < p->of->columns; ++j) most = em_larger_errors(most, em_direction_errors(&sizes[j], 1.0 / tolerance));

@@ -114,7 +114,8 @@ static void em_add_parameter_cancellation(em_pass *p, double t, const double *z,
     for (int g = 0; g < model->n_parameters; ++g)
         reactions += em_largest_reaction(m, s, p->dlambda + first + g, width) * fabs(p->c[g]);
     for (int i = 0; i < n; ++i) {
-        double sum = reach[i] * reactions;
+        double sum = reach[i] * reactions + fabs(p->a[(EM_VARIATION_NODES - 1) * n + i]);
+        for (int k = 0; k < n; ++k) sum += fabs(J[i * width + n + k] * z[n + k]);
         for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g]) * fabs(p->c[g]);
         for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
             const int g = (*at)[0] - model->n_inputs, j = (*at)[1];

@@ -1,0 +1,61 @@
+"""Directions that are zero, in any unit of time, and directions that are nothing but rounding."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from eigenmotion.models.polar_particle import model as polar_particle
+from sympy import symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion.runtime.variations import Variations
+from eigenmotion.simulation.sensitivity import sensitivities
+
+from ..support.generation import system_for
+
+
+@cache
+def beside() -> em.System:
+    """Return a system of two oscillators that do not meet; the second one rests."""
+    x, y = dynamicsymbols("x y")
+    w = symbols("w", positive=True)
+    return em.build(
+        em.Model(
+            name="beside", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+            potential_energy=w**2 * (x**2 + y**2) / 2, parameters={w: 1.0},
+        ), formulation="lagrange",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+@pytest.mark.parametrize("unit", [1e-6, 1e-3, 1.0, 1e3, 1e9])
+def test_a_direction_with_zeros_is_as_accurate_in_any_unit_of_time(unit: float, method: str):
+    """At rest: d x(t) / d x(0) = cos(w t) and d y(t) / d x(0) = 0, whose size relative to its own is not a number."""
+    end, w = 20.0 * unit, 1.0 / unit
+    t = np.linspace(0.0, end, 7)
+    given = {"parameters": {"w": w}, "t_eval": t, "rtol": 1e-9, "atol": 1e-9, "method": method}
+    run = beside().simulate((0.0, end), sensitivities=["x"], **given)
+    assert run.sensitivity["x"].dx == pytest.approx(np.array([np.cos(w * t), 0.0 * t]), abs=1e-7)
+    assert run.sensitivity["x"].dv * unit == pytest.approx(np.array([-np.sin(w * t), 0.0 * t]), abs=1e-7)
+    _, pullback = em.vjp(beside(), (0.0, end), by=["x"], **given)
+    weight = np.random.default_rng(0).standard_normal((2, 7))
+    assert pullback(dx=weight)["x"] == pytest.approx(weight[0] @ np.cos(w * t), abs=1e-7 * np.abs(weight).sum())
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-11])
+def test_a_parameter_that_does_not_count_takes_few_steps(rtol: float, formulation: str, monkeypatch: pytest.MonkeyPatch):
+    """The mass of a planet cancels, but for rounding, which no shorter step resolves."""
+    made: list[Variations] = []
+
+    def kept(*arguments):
+        made.append(Variations(*arguments))
+        return made[-1]
+
+    monkeypatch.setattr(sensitivities, "Variations", kept)
+    system = system_for(polar_particle, formulation)
+    run = system.simulate((0.0, 5.0), rtol=rtol, atol=rtol, sensitivities=["m", "mu"])
+    accepted, rejected, _ = made[0].counts
+    assert accepted + rejected <= 150
+    assert np.abs(run.sensitivity["m"].dx).max() < 1e-12
