@@ -145,11 +145,12 @@ static int em_enters(const em_run_state *w, int i, double g) {
     return w->side_new[i] == 0 && em_keeps_apart(w, i) && em_side_of(g, 0.0) == w->run->event_direction[i];
 }
 
-/* Whether the first step of a segment enters the contact that it left: a gap that opens as slowly as t^3 needs a
- * shorter step. */
+/* Whether the first step of a segment enters the contact that it left, by more than rounding: a gap that opens as
+ * slowly as t^3 needs a shorter step. */
 static int em_first_step_too_long(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
-    return w->fresh == EM_NEXT_SEGMENT && em_is_contact_event(w, i) && w->retries < RETRIES && em_enters(w, i, g);
+    return w->fresh == EM_NEXT_SEGMENT && em_is_contact_event(w, i) && w->retries < RETRIES && em_enters(w, i, g) &&
+           em_side_of(g, w->quiet[i]) != 0;
 }
 
 /* Compares two successive signs: if they differ, g_i has passed zero between `before` and `after`. */
