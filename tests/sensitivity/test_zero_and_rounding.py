@@ -45,7 +45,7 @@ def test_a_direction_with_zeros_is_as_accurate_in_any_unit_of_time(unit: float, 
 
 @pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
 @pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-11])
-def test_a_parameter_that_does_not_count_takes_few_steps(rtol: float, formulation: str, monkeypatch: pytest.MonkeyPatch):
+def test_a_parameter_that_cancels_takes_few_steps(rtol: float, formulation: str, monkeypatch: pytest.MonkeyPatch):
     """The mass of a planet cancels, but for rounding, which no shorter step resolves."""
     made: list[Variations] = []
 
