@@ -61,7 +61,7 @@ EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, re
     for (int k = 2 * N; k < em_group_counted(f); ++k) {
         const int scales = (k >= 2 * N + N_C && k < 2 * N + N_C + N_S) || k >= N_STATE - N_SD;
         const real size = scales ? em_max(fabs(w->y[k]), fabs(w->y_new[k])) : em_real(1.0);
-        weight[k] = 1.0 / (f->rtol * size + DBL_MIN);
+        weight[k] = 1.0 / (f->rtol * size + EM_LEAST_SIZE);
     }
 }
 

@@ -56,7 +56,7 @@ static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     }
     for (int k = 0; k < 2 * w->n; ++k)
         if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
-        else if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
+        else if (w->weight[k] >= 1.0 / EM_LEAST_SIZE) w->weight[k] = 0.0;
 }
 
 /* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h if the

@@ -32,7 +32,7 @@ EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const d
     for (int part = 0, k = 2 * w->n, end = k; part < 4; ++part)
         for (end += count[part]; k < end; ++k) {
             const double size = part % 2 == 0 ? 1.0 : em_max(fabs(before[k]), fabs(after[k]));
-            w->weight[k] = 1.0 / (w->rtol * size + DBL_MIN);
+            w->weight[k] = 1.0 / (w->rtol * size + EM_LEAST_SIZE);
         }
 }
 
@@ -57,7 +57,7 @@ static void em_set_weights(em_run_state *w, const double *y, const double *dy, c
 static void em_weigh_start(em_run_state *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     for (int k = 0; k < w->n_state; ++k)
-        if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
+        if (w->weight[k] >= 1.0 / EM_LEAST_SIZE) w->weight[k] = 0.0;
 }
 
 /* The weighted sum of squares of q (n_state): x, v and factors. */

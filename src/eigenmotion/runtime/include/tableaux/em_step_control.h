@@ -46,9 +46,12 @@ EM_INLINE double em_equal_part(double way, double size) {
     return count > 1.0 ? way / count : 2.0 * way;
 }
 
-/* The weight of an error of a number: 1 / (atol + rtol max(|before|, |after|)); finite if both tolerances vanish. */
+#define EM_LEAST_SIZE 1e-140 /* added to tolerances, so that of a number that is 0 without an absolute tolerance the
+                                weight, and its square, are finite */
+
+/* The weight of an error of a number: 1 / (atol + rtol max(|before|, |after|)). */
 EM_INLINE real em_weight(double atol, double rtol, real before, real after) {
-    return 1.0 / (atol + rtol * em_max(fabs(before), fabs(after)) + DBL_MIN);
+    return 1.0 / (atol + rtol * em_max(fabs(before), fabs(after)) + EM_LEAST_SIZE);
 }
 
 /* The error of two estimates e_0, e_1 with these weighted sums of squares over `count` numbers: |h| e_0^2 / sqrt(e_0^2 +
