@@ -27,7 +27,7 @@ SYMBOLS = x, y, z, p, q = symbols("x y z p q", positive=True)
 VALUES = {"x": 0.71, "y": 1.13, "z": 1.62, "p": 0.87, "q": 1.41}
 CALLS = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "pow": math.pow, "max": max, "<": float.__lt__,
          "select": lambda condition, yes, no: yes if condition else no, "log": math.log, "tan": math.tan,
-         "min": min, "abs": abs}  # fmt: skip
+         "min": min, "abs": abs, "tanh": math.tanh}  # fmt: skip
 
 
 def run(plan, values: Mapping[str, float], constants: Mapping[int, float], calls=CALLS) -> dict[int, float]:
