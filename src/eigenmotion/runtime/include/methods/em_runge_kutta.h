@@ -87,14 +87,22 @@ EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_run_state *w) {
     return 0;
 }
 
-/* y <- the interpolant F (., n_state) at theta, by its first terms: 3 give the cubic. */
-static void em_rk_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
-    memset(y, 0, (size_t)n_state * sizeof *y);
+/* y (count) <- `count` numbers from F on of the interpolant at theta; its terms are n_state numbers apart. */
+EM_INLINE void em_rk_evaluate_some(int count, int n_state, const double *restrict F, int terms, double theta, double *restrict y) {
+    double sum[EM_PACK] = {0.0};
     for (int j = terms - 1; j >= 0; --j) {
-        const double factor = j % 2 == 0 ? theta : 1.0 - theta;
-        for (int k = 0; k < n_state; ++k) y[k] = (y[k] + F[(1 + j) * n_state + k]) * factor;
+        const double factor = j % 2 == 0 ? theta : 1.0 - theta, *const term = F + (1 + j) * n_state;
+        for (int k = 0; k < count; ++k) sum[k] = (sum[k] + term[k]) * factor;
     }
-    for (int k = 0; k < n_state; ++k) y[k] += F[k];
+    for (int k = 0; k < count; ++k) y[k] = sum[k] + F[k];
+}
+
+/* y <- the interpolant F (., n_state) at theta, by its first terms: 3 give the cubic. Sums stay in registers. */
+static void em_rk_evaluate(int n_state, const double *F, int terms, double theta, double *y) {
+    int k = 0;
+    for (; k + EM_PACK <= n_state; k += EM_PACK) em_rk_evaluate_some(EM_PACK, n_state, F + k, terms, theta, y + k);
+    for (; k + 2 <= n_state; k += 2) em_rk_evaluate_some(2, n_state, F + k, terms, theta, y + k);
+    for (; k < n_state; ++k) em_rk_evaluate_some(1, n_state, F + k, terms, theta, y + k);
 }
 
 /* The interpolant without further stages: with the rate at the end, and with one within the step if the full one
