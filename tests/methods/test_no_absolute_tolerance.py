@@ -31,3 +31,33 @@ def test_a_number_that_stays_zero_has_no_error(method: str, unit: float):
     ends = em.simulate_ensemble(system, (0.0, end), x0={"x": starts}, **given).x[:, :, -1]
     assert ends[:, 0] == pytest.approx(starts * np.cos(20.0), abs=1e-6)
     assert not ends[:, 1].any()
+
+
+crossed = em.Model(
+    name="crossed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=w**2 * x**2 / 2,
+    parameters={w: 1.0}, events={"place": em.Event(x - 0.5), "rate": em.Event(x.diff() - w / 2)},
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+@pytest.mark.parametrize("method", [*METHODS, "auto"])
+def test_events_of_a_number_that_is_zero_at_the_start_are_found(method: str, unit: float):
+    """From x = 0, sin(w t) passes 1/2 at pi/6; from x' = 0, -sin(w t) does at 7 pi/6."""
+    system, given = system_for(crossed, "lagrange"), {"rtol": 1e-9, "atol": 0.0, "method": method}
+    given["parameters"] = {"w": 1.0 / unit}
+    for x0, v0, event, right in ((0.0, 1.0 / unit, 0, (1, 5, 13)), (1.0, 0.0, 1, (7, 11))):
+        run = system.simulate((0.0, 8.0 * unit), x0={"x": x0}, v0={"x": v0}, **given)
+        assert run.success, run.message
+        assert run.t_events[event] == pytest.approx(np.pi / 6 * np.array(right) * unit, rel=1e-7)
+
+
+def test_a_friction_holds_again_where_a_velocity_has_become_zero():
+    """Under a constant limit mu each swing of x'' = -x - mu sign(x') is shorter by 2 mu, and lasts pi."""
+    model = em.Model(
+        name="rubbed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+        contacts={"pad": em.Friction(x.diff(), limit=0.1)}, initial={x: 1.0},
+    )  # fmt: skip
+    run = system_for(model, "lagrange").simulate((0.0, 20.0), rtol=1e-9, atol=0.0, method="dop853")
+    assert run.success, run.message
+    assert run.x[0, -1] == pytest.approx(0.0, abs=1e-7)
+    assert run.t_events[0] == pytest.approx(np.pi * np.arange(1, 6), rel=1e-7)

@@ -88,7 +88,7 @@ static void em_events_noise(em_run_state *w) {
     if (!em_events_of(w, w->t + w->direction * later, w->argument, g)) em_add_noise(w, g, 1.0);
     for (int k = 0; k < w->n; ++k) z[k] = w->y[k], z[w->n + k] = w->K[0][k];
     for (int k = 0; k < 2 * w->n; ++k) {
-        const double kept = z[k], last = EM_INPUT_ROUNDING * fabs(kept), more = last + EM_START_ZERO / w->weight[k];
+        const double kept = z[k], last = EM_INPUT_ROUNDING * fabs(kept), more = last + EM_START_ZERO * em_tolerance_of(w, k);
         z[k] += more;
         if (more > 0.0 && !em_events_at(w, w->t, z, z + w->n, g)) em_add_noise(w, g, last / more);
         z[k] = kept;

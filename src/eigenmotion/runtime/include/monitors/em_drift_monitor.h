@@ -42,7 +42,7 @@ EM_NOINLINE void em_update_row_tolerance(em_run_state *w, double t, const double
     for (int row = 0; row < w->n_rows; ++row) sum[row] *= DBL_EPSILON;
     for (int k = 0; k < 2 * w->n; ++k) {
         const double kept = z[k];
-        z[k] += 1.0 / w->weight[k];
+        z[k] += em_tolerance_of(w, k);
         em_rates_of_rows(w, t, z, z + w->n, there, NULL);
         for (int row = 0; row < w->n_rows; ++row)
             if (isfinite(there[row])) sum[row] += fabs(there[row] - here[row]);

@@ -35,7 +35,7 @@ EM_NOINLINE double em_energy_tolerance(const em_run_state *w, double t, const do
     const double here = em_jacobi_integral(w, t, z, z + w->n);
     for (int k = 0; k < 2 * w->n; ++k) {
         const double kept = z[k];
-        z[k] += 1.0 / w->weight[k];
+        z[k] += em_tolerance_of(w, k);
         const double change = fabs(em_jacobi_integral(w, t, z, z + w->n) - here);
         if (isfinite(change)) sum += change;
         z[k] = kept;
@@ -55,7 +55,7 @@ static int em_begin_energy_monitor(em_run_state *w) {
     w->energy_time = w->t, w->energy_changes = 0;
     for (int k = 0; k < 2 * w->n; ++k) {
         w->energy_start[k] = k < w->n ? w->y[k] : w->K[0][k - w->n];
-        w->energy_start[2 * w->n + k] = 1.0 / w->weight[k];
+        w->energy_start[2 * w->n + k] = em_tolerance_of(w, k);
     }
     return isfinite(w->energy) ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, w->energy);
 }

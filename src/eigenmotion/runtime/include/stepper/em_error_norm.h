@@ -60,6 +60,9 @@ static void em_weigh_start(em_run_state *w) {
         if (w->weight[k] >= 1.0 / EM_LEAST_SIZE) w->weight[k] = 0.0;
 }
 
+/* The tolerance of number k of x and v at these weights; 0 where nothing gives a scale. */
+EM_INLINE double em_tolerance_of(const em_run_state *w, int k) { return w->weight[k] > 0.0 ? 1.0 / w->weight[k] : 0.0; }
+
 /* The weighted sum of squares of q (n_state): x, v and factors. */
 EM_INLINE double em_squares(const em_run_state *w, const double *q) {
     double sum = em_weighted_squares(2 * w->n, q, w->weight);
