@@ -145,7 +145,7 @@ def _is_steady(at: OperatingPoint, basis: Tangent) -> bool:
     numbers = [basis.free[k] for k in kept]
     unit = at.units[numbers]
     rates = (np.concatenate([at.v, at.motion[0]]) * at.units * at.time)[numbers]
-    size = np.linalg.norm(at.inertia * at.v) + np.linalg.norm(at.inertia * at.x) / at.time
+    size = np.linalg.norm(at.comparable * at.v) + np.linalg.norm(at.comparable * at.x) / at.time
     if not np.linalg.norm(rates) <= _STILL * size or (rates.any() and at.unresolved):
         return False
     scale = np.linalg.norm(unit[:, None] * here.core / unit)

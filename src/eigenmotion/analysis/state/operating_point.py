@@ -16,6 +16,8 @@ from ...runtime import CompiledModel, Prepared, variations
 
 _ROUNDED = 256 * np.finfo(float).eps
 """Rounding error of a sum, relative to terms that cancel."""
+_ROUNDS = 60
+"""Most rounds in which units of states are balanced: within a factor of e is enough."""
 
 
 @dataclass(frozen=True)
@@ -106,11 +108,23 @@ class OperatingPoint:
         return np.where(np.abs(da) > _ROUNDED * self.slope_terms, da, 0.0)
 
     @cached_property
+    def comparable(self) -> Vector:
+        """(n,) units in which coordinates and states can be compared: of coordinates their inertia."""
+        own = slice(None, self.coordinates)
+        rate = self._rate(self.inertia, own) or self._rate(np.ones(self.model.n), slice(self.coordinates, None)) or 1.0
+        by_x, by_v = np.abs(np.split(self.motion[2][:, : 2 * self.model.n], 2, axis=1))
+        return _balanced(by_v + by_x / rate, self.inertia, self.coordinates, rate)
+
+    def _rate(self, unit: Vector, own: slice) -> float:
+        """Return the largest rate of deviations of some numbers in these units."""
+        parts = np.split(self.motion[2][:, : 2 * self.model.n], 2, axis=1)
+        by_x, by_v = (np.linalg.norm((unit[:, None] * part / unit)[own, own]) for part in parts)
+        return max(float(np.sqrt(by_x)), float(by_v))
+
+    @cached_property
     def time(self) -> float:
         """The shortest time constant of deviations [s]; 1 if no force acts on them."""
-        n, unit = self.model.n, self.inertia
-        by_x, by_v = (unit[:, None] * part / unit for part in np.split(self.motion[2][:, : 2 * n], 2, axis=1))
-        rate = max(float(np.sqrt(np.linalg.norm(by_x))), float(np.linalg.norm(by_v)))
+        rate = self._rate(self.comparable, slice(None))
         return 1.0 / rate if rate > 0.0 else 1.0
 
     @cached_property
@@ -130,8 +144,26 @@ class OperatingPoint:
 
     @cached_property
     def units(self) -> Vector:
-        """(2 n,) factors that make x and v comparable: inertia, and the time constant of deviations."""
-        return np.concatenate([self.inertia / self.time, self.inertia])
+        """(2 n,) factors that make x and v comparable: those of `comparable`, and the time constant of deviations."""
+        return np.concatenate([self.comparable / self.time, self.comparable])
+
+
+def _balanced(sizes: Vector, unit: Vector, first: int, rate: float) -> Vector:
+    """Return units of n numbers; from `first` on those in which a number depends on others as much as they on it.
+
+    sizes : (n, n) |derivatives| of rates. Where there is no dependence either way, `rate` takes its place. The method
+    is E. E. Osborne's, J. ACM 7 (1960) 338.
+    """
+    unit, sizes = unit.copy(), sizes * (1.0 - np.eye(len(unit)))
+    for _ in range(_ROUNDS if first < len(unit) else 0):
+        before = unit.copy()
+        for k in range(first, len(unit)):
+            on, by = (sizes[k] / unit).max() * unit[k], (sizes[:, k] * unit).max() / unit[k]
+            if on > 0.0 or by > 0.0:
+                unit[k] *= np.sqrt((by or rate) / (on or rate))
+        if (np.abs(np.log(unit / before)) < 1.0).all():
+            break
+    return unit
 
 
 def operating_point(
