@@ -1,4 +1,4 @@
-"""Directions that are zero, in any unit of time, and directions that are nothing but rounding."""
+"""Directions that are zero, in any unit of time, directions that are nothing but rounding, and units of coordinates."""
 
 from functools import cache
 
@@ -59,3 +59,47 @@ def test_a_parameter_that_cancels_takes_few_steps(rtol: float, formulation: str,
     accepted, rejected, _ = made[0].counts
     assert accepted + rejected <= 150
     assert np.abs(run.sensitivity["m"].dx).max() < 1e-12
+
+
+@cache
+def chain_in_units() -> em.System:
+    """Return three masses between springs; coordinate k in a unit of its own, s_k."""
+    q, s = dynamicsymbols("q1:4"), symbols("s1:4", positive=True)
+    x = [a * b for a, b in zip(s, q, strict=True)]
+    stretch = [x[0], x[1] - x[0], x[2] - x[1]]
+    return em.build(
+        em.Model(
+            name="chain_in_units", coordinates=q, kinetic_energy=sum(one.diff(em.t) ** 2 for one in x) / 2,
+            potential_energy=sum(k * one**2 for k, one in zip((1, 2, 3), stretch, strict=True)) / 2,
+            parameters=dict.fromkeys(s, 1.0),
+        ), formulation="lagrange",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("s", [(1.0, 1.0, 1.0), (1e3, 1e-8, 1e-2), (1e-8, 1e8, 1e-8), (1e12, 1.0, 1e-12)])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+def test_units_of_coordinates_take_no_steps(method: str, s: tuple[float, ...], monkeypatch: pytest.MonkeyPatch):
+    """Pivots are compared in balanced units: else small numbers have the rounding of large ones, and steps crawl."""
+    K = np.array([[3.0, -2.0, 0.0], [-2.0, 5.0, -3.0], [0.0, -3.0, 3.0]])
+    w2, modes = np.linalg.eigh(K)
+    right = modes @ np.diag(np.cos(np.sqrt(w2) * 10.0)) @ modes.T
+    made: list[Variations] = []
+
+    def kept(*arguments):
+        made.append(Variations(*arguments))
+        return made[-1]
+
+    monkeypatch.setattr(sensitivities, "Variations", kept)
+    unit, names = np.array(s), ["q1", "q2", "q3"]
+    given = {
+        "parameters": dict(zip(["s1", "s2", "s3"], s, strict=True)), "x0": dict(zip(names, 1.0 / unit, strict=True)),
+        "atol": dict(zip(names, 1e-9 / unit, strict=True)), "rtol": 1e-9, "method": method,
+    }  # fmt: skip
+    for k, name in enumerate(names):
+        run = chain_in_units().simulate((0.0, 10.0), sensitivities=[name], **given)
+        found = run.sensitivity[name].dx[:, -1] * unit / unit[k]
+        assert found == pytest.approx(right[:, k], abs=1e-7)
+        assert sum(made[-1].counts[:2]) < 60
+    _, pullback = em.vjp(chain_in_units(), (0.0, 10.0), by=names, t_eval=[10.0], **given)
+    found = pullback(dx=np.array([[0.0], [unit[1]], [0.0]]))
+    assert [found[name] / one for name, one in zip(names, unit, strict=True)] == pytest.approx(right[1], abs=1e-7)

@@ -69,9 +69,9 @@ EM_INLINE void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by)
         for (int i = 0; i < n; ++i) kappa[j * n + i] = h * (h * A2[j] * by->lambda[i] + A[j] * by->lambda[n + i]);
     for (int i = 0; i < n; ++i) by->lambda[n + i] += h * by->lambda[i];
     for (size_t row = map->first; row < map->last; ++row) em_add_row_within(p, map, row, by, kappa);
-    for (int i = 0; i < size; ++i) b[i] = kappa[i % NODES * n + i / NODES];
+    for (int i = 0; i < size; ++i) b[i] = kappa[i % NODES * n + i / NODES] * s.units[i / NODES];
     em_solve_transposed(size, size + tape->columns, s.L, s.order, b);
-    for (int i = 0; i < size; ++i) kappa[i % NODES * n + i / NODES] = b[i];
+    for (int i = 0; i < size; ++i) kappa[i % NODES * n + i / NODES] = b[i] / s.units[i / NODES];
     for (int j = 0; j < NODES; ++j)
         em_add_transposed(tape, s.F + (size_t)(j + 1) * n * tape->width, kappa + j * n, p->of->place[j] * h, by);
     em_add_transposed(tape, s.F, kappa + size, 0.0, by);

@@ -148,20 +148,20 @@ static int em_keep_at_stop(em_pass *p, size_t stop) {
 /* --- steps --- */
 
 /* The numbers of a step on the tape: its linear system as it is factored, rows of (size + columns) numbers; the place of
- * the row of each pivot; F (nodes + 1, n, width): J at the start of the step and at its nodes, with respect to the state
+ * the row of each pivot; the units of coordinates in it; F (nodes + 1, n, width): J at the start of the step and at its nodes, with respect to the state
  * and the basis. */
 typedef struct em_step_numbers {
-    double *L, *order, *F;
+    double *L, *order, *units, *F;
 } em_step_numbers;
 
 static em_step_numbers em_step_numbers_at(const em_tape *tape, double *numbers) {
     const size_t size = (size_t)EM_VARIATION_NODES * tape->n, system = size * (size + tape->columns);
-    return (em_step_numbers){numbers, numbers + system, numbers + system + size};
+    return (em_step_numbers){numbers, numbers + system, numbers + system + size, numbers + system + size + tape->n};
 }
 
 static size_t em_step_count(const em_tape *tape) {
     const size_t size = (size_t)EM_VARIATION_NODES * tape->n;
-    return size * (size + tape->columns) + size + (EM_VARIATION_NODES + 1) * (size_t)tape->n * tape->width;
+    return size * (size + tape->columns) + size + tape->n + (EM_VARIATION_NODES + 1) * (size_t)tape->n * tape->width;
 }
 
 /* The next step is solved where its numbers are kept if it is accepted. 0, or -1. */
@@ -323,6 +323,7 @@ static int em_append_step(em_pass *p, double from, double to, size_t first, size
     if (!numbers) return -1;
     const em_step_numbers s = em_step_numbers_at(tape, numbers);
     for (int i = 0; i < size; ++i) s.order[i] = (double)((p->rows[i] - p->L) / apart);
+    memcpy(s.units, p->units, p->n * sizeof *s.units);
     return 0;
 }
 

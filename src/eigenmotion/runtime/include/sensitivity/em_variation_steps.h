@@ -10,6 +10,8 @@
 
 #include "sensitivity/em_variation_motion.h"
 
+#define EM_BALANCED 8.0 /* logarithm of the ratio of two dependences that are left as they are */
+
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
 EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
     for (int i = 0; i < rows; ++i) {
@@ -55,10 +57,47 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
     }
 }
 
+/* B (n, n) <- the size of the terms of the linear system of a step that couple coordinates. */
+EM_INLINE void em_couplings(const em_pass *p, double h, double *B) {
+    const int n = p->n, width = p->of->model->n_arguments;
+    memset(B, 0, (size_t)n * n * sizeof *B);
+    for (int j = 0; j < EM_VARIATION_NODES; ++j)
+        for (int i = 0; i < n; ++i) {
+            const double *const J = p->J + (j * n + i) * width;
+            for (int q = 0; q < n; ++q) B[i * n + q] = em_max(B[i * n + q], h * h * fabs(J[q]) + fabs(h * J[n + q]));
+        }
+}
+
+/* units (n) <- powers of two, in which each coordinate depends on others about as much as others on it (Osborne, J. ACM
+ * 7 (1960) 338): pivots are compared in these, so that the user's units do not matter. */
+EM_INLINE void em_balance_step(const em_pass *p, double h, double *units) {
+    enum { MOST = 20 };
+    const int n = p->n;
+    double B[n * n];
+    em_couplings(p, h, B);
+    for (int i = 0; i < n; ++i) units[i] = 1.0;
+    for (int round = 0, changes = 1; changes && round < MOST; ++round) {
+        changes = 0;
+        for (int i = 0; i < n; ++i) {
+            double on = 0.0, by = 0.0;
+            for (int q = 0; q < n; ++q) {
+                if (q == i) continue;
+                on = em_max(on, B[i * n + q] * units[q]), by = em_max(by, B[q * n + i] / units[q]);
+            }
+            if (on == 0.0 && by == 0.0) continue;
+            const double ratio = (on > 0.0 ? on / units[i] : 1.0) / (by > 0.0 ? by * units[i] : 1.0);
+            if (!(ratio > 0.0 && ratio < INFINITY) || fabs(log(ratio)) < EM_BALANCED) continue;
+            units[i] = ldexp(units[i], (int)lrint(0.5 * log2(ratio))), ++changes;
+        }
+    }
+}
+
 /* K <- by elimination, with unknowns and equations ordered by coordinates, and then nodes. 0, or -1: singular. */
 EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;
+    double *const d = p->units;
+    em_balance_step(p, h, d);
     for (int row = 0; row < n; ++row)
         for (int i = 0; i < NODES; ++i) {
             const double *const J = p->J + (i * n + row) * width;
@@ -66,15 +105,15 @@ EM_INLINE int em_solve_nodes(em_pass *p, double h) {
             memcpy(A, p->of->A + i * NODES, sizeof A), memcpy(A2, p->of->A2 + i * NODES, sizeof A2);
             double *restrict const at = p->rows[row * NODES + i] = p->L + (row * NODES + i) * (size + k);
             for (int q = 0; q < n; ++q) {
-                const double by_x = -h * h * J[q], by_v = -h * J[n + q];
+                const double by = d[q] / d[row], by_x = -h * h * J[q] * by, by_v = -h * J[n + q] * by;
                 for (int j = 0; j < NODES; ++j) at[q * NODES + j] = by_x * A2[j] + by_v * A[j];
             }
             at[row * NODES + i] += 1.0;
-            memcpy(at + size, p->G + (i * n + row) * k, k * sizeof *at);
+            for (int j = 0; j < k; ++j) at[size + j] = p->G[(i * n + row) * k + j] / d[row];
         }
     if (em_eliminate(size, k, p->rows)) return -1;
     for (int i = 0; i < size; ++i)
-        memcpy(p->K + (i % NODES * n + i / NODES) * k, p->rows[i] + size, k * sizeof *p->K);
+        for (int j = 0; j < k; ++j) p->K[(i % NODES * n + i / NODES) * k + j] = p->rows[i][size + j] * d[i / NODES];
     return 0;
 }
 
