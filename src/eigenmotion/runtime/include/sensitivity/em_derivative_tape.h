@@ -202,15 +202,13 @@ static void em_step_along_basis(const em_pass *p) {
 /* --- the error of a step, of directions that the pass does not follow --- */
 
 /* D (n, n_arguments) <- the rounding of all terms that cancel in an acceleration, as far as they depend on a parameter
- * (em_add_parameter_cancellation); masses times accelerations, too. */
-static void em_cancellation_by_parameters(const em_pass *p, double *D) {
+ * (em_add_parameter_cancellation). */
+static void em_cancellation_by_parameters(const em_pass *p, const double *z, double *D) {
     const em_model *const model = p->of->model;
     const int n = p->n, width = model->n_arguments, first = 2 * n + model->n_inputs;
-    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
     memset(D, 0, (size_t)n * width * sizeof *D);
     for (int i = 0; i < n; ++i) {
-        double sum = fabs(p->a[(EM_VARIATION_NODES - 1) * n + i]);
-        for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g] * p->c[g]);
+        const double sum = em_terms_of_acceleration(p, z, i);
         for (int g = 0; g < model->n_parameters; ++g)
             if (p->c[g] != 0.0) D[i * width + first + g] = EM_ROUNDINGS * EM_CANCELLATION * sum / fabs(p->c[g]);
     }
@@ -239,7 +237,7 @@ static void em_sample_forcing(em_pass *p, double t, const double *z) {
     if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, p->a + LAST * n, p->lambda,
                                      p->J + LAST * n * arguments, p->dlambda, &none)) return;
     em_along_basis(p, p->J + LAST * n * arguments, tape->F);
-    em_cancellation_by_parameters(p, D);
+    em_cancellation_by_parameters(p, z, D);
     em_rounding_along_basis(p, t, z, D, tape->F + entries);
     for (int i = 0; i < entries; ++i) {
         const double size = fabs(tape->F[i]);

@@ -71,8 +71,8 @@ typedef struct em_pass {
     double inside[2], h, h_within;     /* the length of the next step that follows from the last one; with rows in it */
     size_t row;
     double longest;                         /* of the accepted steps */
-    int n_least, n_crawling, n_again, by_rounding, own_motion; /* n_again: rejected since a step of about the longest length;
-                                                     own_motion: the step has its own motion */
+    int n_least, n_crawling, n_again; /* n_again: rejected since a step of about the longest length */
+    int by_rounding, own_motion;      /* of the step: only rounding explains its error; it has its own motion */
     em_pile *pile;
     long *piece;
     struct em_tape *tape;                   /* stores the maps of the pass, or NULL (em_derivative_tape.h) */

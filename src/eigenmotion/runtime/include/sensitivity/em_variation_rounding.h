@@ -101,22 +101,31 @@ static void em_add_cancellation(em_pass *p, double t, const double *z, double *K
     }
 }
 
+/* The sizes of the terms of acceleration i at the end of a step, at z: of what balances it, what follows from
+ * velocities, and what is proportional to parameters. */
+static double em_terms_of_acceleration(const em_pass *p, const double *z, int i) {
+    const em_model *const model = p->of->model;
+    const int n = p->n, first = 2 * n + model->n_inputs;
+    const double *const J = p->J + ((EM_VARIATION_NODES - 1) * n + i) * model->n_arguments;
+    double sum = fabs(p->a[(EM_VARIATION_NODES - 1) * n + i]);
+    for (int k = 0; k < n; ++k) sum += fabs(J[n + k] * z[n + k]);
+    for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[first + g] * p->c[g]);
+    return sum;
+}
+
 /* K_rounding (n, columns) += the rounding of all terms that cancel in an acceleration, as far as they depend on a
  * parameter. Terms are assumed proportional to parameters, so that their sizes are |da/dp| |p|, and likewise
  * |dlambda/dp| |p|. */
 static void em_add_parameter_cancellation(em_pass *p, double t, const double *z, double *K_rounding) {
     const em_model *const model = p->of->model;
     const int n = p->n, m = p->m, width = model->n_arguments, first = 2 * n + model->n_inputs;
-    const double *const J = p->J + (EM_VARIATION_NODES - 1) * n * width;
     double w[n], s[m + 1], reach[n];
     if (m == 0 || em_reaction_sizes(p, t, z, w, s, reach)) memset(s, 0, sizeof s), memset(reach, 0, sizeof reach);
     double reactions = em_largest_reaction(m, s, p->lambda, 1);
     for (int g = 0; g < model->n_parameters; ++g)
         reactions += em_largest_reaction(m, s, p->dlambda + first + g, width) * fabs(p->c[g]);
     for (int i = 0; i < n; ++i) {
-        double sum = reach[i] * reactions + fabs(p->a[(EM_VARIATION_NODES - 1) * n + i]);
-        for (int k = 0; k < n; ++k) sum += fabs(J[i * width + n + k] * z[n + k]);
-        for (int g = 0; g < model->n_parameters; ++g) sum += fabs(J[i * width + first + g]) * fabs(p->c[g]);
+        const double sum = reach[i] * reactions + em_terms_of_acceleration(p, z, i);
         for (const int(*at)[2] = p->nonzeros; at < p->nonzeros + p->n_nonzeros; ++at) {
             const int g = (*at)[0] - model->n_inputs, j = (*at)[1];
             if (g < 0 || g >= model->n_parameters || p->c[g] == 0.0) continue;

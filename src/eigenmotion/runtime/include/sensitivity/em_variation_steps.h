@@ -10,7 +10,7 @@
 
 #include "sensitivity/em_variation_motion.h"
 
-#define EM_BALANCED 8.0 /* logarithm of the ratio of two dependences that are left as they are */
+#define EM_BALANCED 4096.0 /* the ratio of two dependences up to which they are left as they are */
 
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
 EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
@@ -86,7 +86,7 @@ EM_INLINE void em_balance_step(const em_pass *p, double h, double *units) {
             }
             if (on == 0.0 && by == 0.0) continue;
             const double ratio = (on > 0.0 ? on / units[i] : 1.0) / (by > 0.0 ? by * units[i] : 1.0);
-            if (!(ratio > 0.0 && ratio < INFINITY) || fabs(log(ratio)) < EM_BALANCED) continue;
+            if (!(ratio > 0.0 && ratio < INFINITY) || (ratio < EM_BALANCED && ratio * EM_BALANCED > 1.0)) continue;
             units[i] = ldexp(units[i], (int)lrint(0.5 * log2(ratio))), ++changes;
         }
     }
