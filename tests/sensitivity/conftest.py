@@ -1,4 +1,4 @@
-"""What tests of sensitivities share."""
+"""A fixture of the tests of sensitivities: the integrations of variational equations that a test makes."""
 
 import pytest
 
