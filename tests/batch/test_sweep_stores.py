@@ -34,6 +34,10 @@ def content(store: Path) -> dict[str, bytes]:
     return {str(path.relative_to(store)): path.read_bytes() for path in sorted(store.rglob("*")) if path.is_file()}
 
 
+def begun_in(store: Path) -> bool:
+    return Path(f".{store.name}.parts", "sweep.json").exists()
+
+
 class Trial:
     """A sweep that is killed, what follows, and what there must be then."""
 
@@ -57,6 +61,10 @@ class Trial:
     def follow(self, by_another: bool) -> str:
         """Go on with the sweep that was killed, or have another one begin, which is refused or has it all."""
         if not by_another:
+            if self.store.exists() and content(self.store) == self.whole["other"] and not begun_in(self.store):
+                assert main([*ONE, "-o", str(self.store), "--resume"]) == 2
+                self.is_all("other")
+                return "kept"
             self.ends(ONE, "one")
             return "resumed"
         code = main([*OTHER, "-o", str(self.store)])
@@ -101,7 +109,7 @@ def at_changes(ending: str, chosen: Callable[[int, int], bool]) -> None:
             assert main([*OTHER, "-o", str(trial.store)]) == 0
         killed_at(change, [*ONE, "-o", str(trial.store)])
         found.append(trial.follow(by_another))
-    assert {"resumed", "replaced", "refused"} == set(found)
+    assert {"resumed", "replaced", "refused"} == set(found) - {"kept"}
 
 
 def test_a_few_sweeps_killed_at_random_end_with_the_same_bytes(scene):
@@ -198,9 +206,82 @@ def test_a_store_that_is_damaged_is_not_complete(scene, capsys):
     whole = content(Path("runs.npz"))
     Path("runs.npz").write_bytes(whole[""][:500])
     capsys.readouterr()
-    assert main([*ONE, "-o", "runs.npz", "--resume"]) == 0
-    assert "is complete" not in capsys.readouterr().out
+    assert main([*ONE, "-o", "runs.npz", "--resume"]) == 2
+    assert "runs.npz is no store of a sweep, or damaged. It was left as it is" in capsys.readouterr().err
+    assert content(Path("runs.npz")) == {"": whole[""][:500]}
+    assert main([*ONE, "-o", "runs.npz"]) == 0
     assert content(Path("runs.npz")) == whole
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_store_of_another_sweep_is_not_resumed(scene, capsys, ending):
+    """It was replaced, and its results were lost; exit code 0."""
+    needs(ending)
+    store = f"runs.{ending}"
+    assert main([*OTHER, "-o", store]) == 0
+    whole = content(Path(store))
+    capsys.readouterr()
+    assert main([*ONE, "-o", store, "--resume"]) == 2
+    said = capsys.readouterr().err
+    assert "name another file with -o" in said
+    assert ending == "csv" or "--sweep g is [2.0" in said
+    assert content(Path(store)) == whole
+    assert not list(Path().glob(".runs.*"))
+    assert main([*OTHER, "-o", store, "--resume"]) == 0
+    assert "is complete" in capsys.readouterr().out
+    assert main([*ONE, "-o", store]) == 0
+    assert ending == "csv" or "This sweep replaces it when it ends" in capsys.readouterr().err
+    assert content(Path(store)) != whole
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_file_that_is_no_store_is_not_replaced_by_resume(scene, capsys, ending):
+    needs(ending)
+    store = Path(f"runs.{ending}")
+    if ending == "npz":
+        np.savez(store, mine=np.arange(3))
+    else:
+        store.write_text("mine\n")
+    mine = store.read_bytes()
+    assert main([*ONE, "-o", str(store), "--resume"]) == 2
+    assert "It was left as it is" in capsys.readouterr().err
+    assert store.read_bytes() == mine
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (["--t-end", "2"], "--t-end is 1.0 there, and 2.0 here"),
+        (["--rtol", "1e-7"], "--rtol is 1e-06 there, and 1e-07 here"),
+        (["--set", "m=2"], "--set is not given there, and ['m=2'] here"),
+        (["--formulation", "eigenfactor"], "the model is 'swing1, lagrange' there, and 'swing1, eigenfactor' here"),
+        (["--sweep", "m=1,2"], "--sweep m is not given there, and [1.0, 2.0] here"),
+    ],
+)
+def test_the_refusal_says_what_differs(scene, capsys, change, words):
+    """Of stores and of sweeps that were not finished."""
+    assert main([*ONE, "-o", "runs.npz"]) == 0
+    assert main([*ONE, *change, "-o", "runs.npz", "--resume"]) == 2
+    assert f"another sweep: {words}. " in capsys.readouterr().err
+    Path("runs.npz").unlink()
+    begun()
+    assert main([*ONE, *change, "-o", "runs.npz", "--resume"]) == 2
+    assert f"another sweep: {words}. " in capsys.readouterr().err
+
+
+def test_a_model_that_was_edited_is_another_sweep(scene, capsys):
+    assert main([*ONE, "-o", "runs.npz"]) == 0
+    text = Path("scene.py").read_text()
+    Path("scene.py").write_text(text.replace("m: 1.0", "m: 1.5"))
+    assert Path("scene.py").read_text() != text
+    assert main([*ONE, "-o", "runs.npz", "--resume"]) == 2
+    assert "another sweep: the model, its default values or how it is compiled differ. " in capsys.readouterr().err
+
+
+def test_an_order_that_cannot_be_read_is_refused(scene, capsys):
+    (begun() / "sweep.json").write_bytes(b"\xff{")
+    assert main([*ONE, "-o", "runs.npz", "--resume"]) == 2
+    assert "its description cannot be read. Resume that one" in capsys.readouterr().err
 
 
 NAMES = """\

@@ -6,7 +6,7 @@ store depend only on the parts.
 
 import tempfile
 import warnings
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from ...codegen.model.normalise import ModelError
 from ...presentation.tables import as_csv
 from ...results.columns import columns, moving
 from ...results.ensemble import Ensemble
+from .order import differences
 from .unfinished_store import Arrays, Parts, remove
 
 _ALONG = {"x": ("run", "coordinate", "time"), "v": ("run", "coordinate", "time"), "multipliers": ("run", "row", "time"),
@@ -83,16 +84,39 @@ def finish(parts: Parts) -> None:
     parts.move_into_place(finished)
 
 
-def is_done(parts: Parts) -> bool:
-    """Return whether the store exists and is not known to be of another sweep."""
+def is_done(parts: Parts, computed: Callable[[], Iterable[Arrays]]) -> bool:
+    """Return whether the store of this sweep is in place. `computed` makes its parts anew, for .csv, which names none.
+
+    Raises
+    ------
+    ModelError
+        There is a file, but no store of this sweep, and none has begun to take its place; says what differs.
+    """
     if parts.is_stored:
         return True
     if parts.is_begun or not parts.store.exists():
         return False
+    if difference := _csv_difference(parts, computed()) if parts.store.suffix == ".csv" else store_difference(parts):
+        raise ModelError(
+            f"{parts.store} {difference}. It was left as it is: name another file with -o, or leave --resume out, and "
+            "this sweep replaces it"
+        )
+    return True
+
+
+def store_difference(parts: Parts) -> str:
+    """Return in which way a store that exists is not of this sweep, as words after its name; "" if it is."""
     try:
-        return _ORDERS[parts.store.suffix](parts.store) == parts.order_text
-    except Exception:  # the store is damaged
-        return False
+        order = _ORDERS[parts.store.suffix](parts.store)
+    except Exception:  # NumPy, SciPy, zarr and zipfile raise all kinds of exceptions for damaged and for strange files
+        return "is no store of a sweep, or damaged"
+    return f"holds another sweep: {differences(order, parts.order)}" if order != parts.order_text else ""
+
+
+def _csv_difference(parts: Parts, every: Iterable[Arrays]) -> str:
+    with parts.store.open("rb") as file:
+        same = all(file.read(len(text)) == text for text in _texts(parts, every)) and not file.read(1)
+    return "" if same else "holds other lines than this sweep"
 
 
 def _joined(parts: Parts) -> Arrays:
@@ -164,13 +188,18 @@ def _opened(path: Path) -> Any:
 
 
 def _save_csv(parts: Parts, path: Path) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        first = 0
-        for arrays in parts.arrays():
-            head, rows = _lines(parts, arrays, first)
-            text = as_csv(head, rows)
-            file.write(text if not first else text[len(as_csv(head, ())) :])
-            first += len(arrays["t_end"])
+    with path.open("wb") as file:
+        file.writelines(_texts(parts, parts.arrays()))
+
+
+def _texts(parts: Parts, every: Iterable[Arrays]) -> Iterator[bytes]:
+    """Yield the text of each part; the first begins with the names of the columns."""
+    first = 0
+    for arrays in every:
+        head, rows = _lines(parts, arrays, first)
+        text = as_csv(head, rows)
+        yield (text if not first else text[len(as_csv(head, ())) :]).encode()
+        first += len(arrays["t_end"])
 
 
 def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterator[list[Any]]]:
@@ -207,7 +236,7 @@ _DATASETS: dict[str, dict[str, Any]] = {
     ".nc": {"engine": "scipy"}, ".zarr": {"engine": "zarr", "consolidated": False},
 }  # fmt: skip
 _ORDERS: dict[str, Callable[[Path], str]] = {
-    ".zarr": _order_of_dataset, ".nc": _order_of_dataset, ".npz": _order_of_npz, ".csv": lambda _store: "",
+    ".zarr": _order_of_dataset, ".nc": _order_of_dataset, ".npz": _order_of_npz,
 }  # fmt: skip
 STORES: dict[str, Callable[[Parts, Path], None]] = {
     ".zarr": _save_zarr, ".nc": _save_netcdf, ".npz": _save_npz, ".csv": _save_csv,

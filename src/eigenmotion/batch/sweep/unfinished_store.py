@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 
 from ...codegen.model.normalise import ModelError
 from ...files import write
+from .order import differences
 
 Arrays = dict[str, NDArray[Any]]
 _LOCK, _OF = "lock", "of"
@@ -102,7 +103,11 @@ class Parts:
                 "begin anew"
             )
         elif _content(self._order) != self._text:
-            raise ModelError(f"{self.store}: what was begun there is another sweep; {self._order} says which")
+            begun = differences((_content(self._order) or b"").decode(errors="replace"), self.order)
+            raise ModelError(
+                f"{self.store}: what was begun there is another sweep: {begun}. Resume that one by its own command, "
+                f"name another file with -o, or remove {self.folder}"
+            )
         write(self._order, self._text)
 
     def clear_if_empty(self) -> None:

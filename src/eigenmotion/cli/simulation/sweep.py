@@ -10,12 +10,14 @@ from typing import Any
 
 import click
 import numpy as np
+from numpy.typing import NDArray
 
 from eigenmotion.arguments.methods import AUTO, METHODS
-from eigenmotion.arguments.named_values import spelled
+from eigenmotion.arguments.named_values import Vector, spelled
 from eigenmotion.batch.simulate_ensemble import chosen_method, simulate_ensemble
 from eigenmotion.batch.sweep.design import KINDS, Design
-from eigenmotion.batch.sweep.stores import STORES, arrays_of, check_names, finish, is_done, require
+from eigenmotion.batch.sweep.order import order_of
+from eigenmotion.batch.sweep.stores import STORES, arrays_of, check_names, finish, is_done, require, store_difference
 from eigenmotion.batch.sweep.unfinished_store import Parts
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import Model, ModelError
@@ -23,6 +25,7 @@ from eigenmotion.presentation.figures import FORMATS, require_matplotlib
 from eigenmotion.presentation.figures import save as save_figure
 from eigenmotion.progress import clock, counted, duration
 from eigenmotion.results.columns import reactions
+from eigenmotion.results.ensemble import Ensemble
 from eigenmotion.results.output import ensemble_plot
 from eigenmotion.runtime import EvaluationError
 from eigenmotion.system.system import System
@@ -53,7 +56,11 @@ _AT_ONCE = 64  # number of parts that are sent to a cluster together
               help=f"The store to write: {', '.join(f'FILE{ending}' for ending in STORES)}.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(1), metavar="N", help="Number of threads. Default: the number of cores.")
 @click.option("--scheduler", metavar="ADDRESS", help="Run on the workers of this Dask cluster; needs dask.distributed.")
-@click.option("--resume", is_flag=True, help="Continue a sweep that was interrupted; the result is the same.")
+@click.option(
+    "--resume",
+    is_flag=True,
+    help="Continue a sweep that was interrupted; the result is the same. Refused for another sweep's store.",
+)
 @click.option("--chunk", type=click.IntRange(1), default=1000, show_default=True, metavar="K",
               help="Runs that are saved together; an interrupted sweep loses unsaved ones.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
@@ -96,17 +103,26 @@ def command(
         system = system_of(request)
     named = chosen_method(system, method, rtol).name  # "auto" depends on the machine; a resumed sweep keeps the choice
     arguments = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
-    order = _order_of(
-        design, arguments, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk
+    order = order_of(
+        design,
+        arguments,
+        model=f"{system.name}, {system.formulation}",
+        sources=request.input_hash,
+        set=sorted(settings),
+        t_end=t_end,
+        rows=rows,
+        chunk=chunk,
     )
     parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates, reactions(system.compiled))
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), arguments)
     with parts.locked():
-        if resume and is_done(parts):
+        if resume and is_done(parts, lambda: work.computed(workers)):
             parts.clear()
             click.echo(f"{store} is complete")
             return 0
         parts.begin(resume=resume)
+        if store.exists() and store.suffix != ".csv" and (difference := store_difference(parts)):
+            click.echo(f"{store} {difference}. This sweep replaces it when it ends", err=True)
         return _done(work, workers, scheduler, plot)
 
 
@@ -129,14 +145,6 @@ def _done(work: "_Sweep", workers: int | None, scheduler: str | None, plot: Path
     finish(work.parts)
     click.echo(f"stored in {work.parts.store}")
     return 0
-
-
-def _order_of(design: Design, arguments: dict[str, Any], **rest: Any) -> dict[str, Any]:
-    """Return the order of a sweep as JSON data: all that determines the bytes of its store."""
-    drawn = {name: str(one) for name, one in design.samples.items()}
-    grid = {name: list(numbers) for name, numbers in design.grid.items()}
-    options = {name: arguments[name] for name in ("rtol", "atol", "method")}
-    return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
 
 
 @dataclass(frozen=True)
@@ -169,6 +177,22 @@ class _Sweep:
                 count(sum(map(self._size, some)))
         return True
 
+    def computed(self, workers: int | None) -> Iterator[dict[str, NDArray[Any]]]:
+        """Yield the arrays of each part, which are not stored.
+
+        Raises
+        ------
+        KeyboardInterrupt
+            Ctrl-C.
+        """
+        with counted(self.design.count) as count:
+            for number in range(self.parts.count):
+                runs, swept = self._runs([number], workers, None)
+                if "interrupted" in runs.stop:
+                    raise KeyboardInterrupt
+                count(self._size(number))
+                yield arrays_of(runs, swept)
+
     def _span(self, number: int) -> tuple[int, int]:
         return number * self.chunk, min((number + 1) * self.chunk, self.design.count)
 
@@ -178,10 +202,7 @@ class _Sweep:
 
     def _do(self, numbers: list[int], workers: int | None, executor: Any) -> bool:
         """Run parts and store them, unless they were interrupted; return whether they were stored."""
-        each = [self.design.values(*self._span(number)) for number in numbers]
-        swept = {name: np.concatenate([one[name] for one in each]) for name in each[0]}
-        options = self.options | self._given(swept) | {"workers": workers, "executor": executor}
-        runs = simulate_ensemble(self.system, (0.0, self.t_end), **options)
+        runs, swept = self._runs(numbers, workers, executor)
         if "interrupted" in runs.stop:
             return False
         for k in np.flatnonzero(~runs.success).tolist():
@@ -192,6 +213,13 @@ class _Sweep:
             self.parts.write_part(number, {name: array[start:stop] for name, array in arrays.items()})
             start = stop
         return True
+
+    def _runs(self, numbers: list[int], workers: int | None, executor: Any) -> tuple[Ensemble, dict[str, Vector]]:
+        """Return the runs of parts, and name -> swept values."""
+        each = [self.design.values(*self._span(number)) for number in numbers]
+        swept = {name: np.concatenate([one[name] for one in each]) for name in each[0]}
+        options = self.options | self._given(swept) | {"workers": workers, "executor": executor}
+        return simulate_ensemble(self.system, (0.0, self.t_end), **options), swept
 
     def _given(self, swept: dict[str, Any]) -> dict[str, Any]:
         """Return the arguments of `simulate_ensemble` from --set and from swept values."""
