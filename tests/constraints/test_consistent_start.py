@@ -87,12 +87,12 @@ PLANTED = {  # what is wrong at the start given, and what is said of it
     "undefined_position": (
         plane("undefined_position", holonomic_constraints=[log(X) - Y], initial={X: 1.0}),
         {"x0": {"x": -1.0}},
-        "x0 is off holonomic constraint row 0 by nan. em.assemble",
+        "holonomic constraint row 0 is not finite at x0. Look in it for",
     ),
     "undefined_row": (
         plane("undefined_row", nonholonomic_constraints=[log(X) * X.diff() - Y.diff()], initial={X: 1.0}),
         {"x0": {"x": -1.0}},
-        "v0 does not satisfy A v + b = 0 in constraint row 0 by nan",
+        "A v + b of constraint row 0 is not finite at x0, v0. Look in it for",
     ),
 }
 

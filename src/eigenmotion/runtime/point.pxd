@@ -54,6 +54,7 @@ cdef class PointModel:
     cdef read_names(self)
     cdef read_defaults(self)
     cdef failure(self, em_fault *fault)
+    cdef failure_at(self, double t, Numbers x, Prepared c, em_fault *fault)
 
 
 cdef class Prepared:

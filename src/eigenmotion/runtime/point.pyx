@@ -11,7 +11,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, EM_RADAU5, EM_RADAU9, EM_REFUSED, EM_SHARED, EM_SHARED_FROM_START, em_fault, em_model, em_shape
 from .arrays cimport Numbers, constants, floats, is_float_output, texts, zeros
-from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start
+from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_time_event, em_outside_tables, em_start, em_undefined
 
 import numpy as np
 
@@ -191,6 +191,11 @@ cdef class PointModel:
         stop = _REASONS[<int> fault.status]
         return EvaluationError(f"{self.name}: {refusal(self, stop, fault.first, fault.second, fault.size)}", stop)
 
+    cdef failure_at(self, double t, Numbers x, Prepared c, em_fault *fault):
+        """As `failure`, at x, or a state that begins with it: what is not finite is not the fault of a pivot."""
+        em_undefined(self.model, t, x.data, c.c, fault)
+        return self.failure(fault)
+
     # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 
     cdef int check_tables(self, const double *parameters) except -1:
@@ -247,7 +252,7 @@ cdef class PointModel:
 
     def prepare(self, values):
         """Return the `Prepared` constants of parameter values (n_parameters)."""
-        cdef em_fault fault
+        cdef em_fault fault, undefined
         cdef Prepared prepared = Prepared.__new__(Prepared)
         cdef Numbers p = floats(values, (self.model.n_parameters,), "parameters")
         self.check_tables(p.data)
@@ -257,6 +262,9 @@ cdef class PointModel:
         if prepared.c == NULL:
             raise MemoryError
         if self.model.prepare(p.data, prepared.c, &fault) != 0:
+            # a block that is constant: its masses are the same at any state
+            if em_undefined(self.model, 0.0, self.model.initial_x, prepared.c, &undefined) and undefined.first == fault.first:
+                fault = undefined
             raise self.failure(&fault)
         return prepared
 
@@ -276,7 +284,7 @@ cdef class PointModel:
             dy = zeros(shape)
         if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
             self.check_arguments_at(t, state, c, signals)
-            raise self.failure(&fault)
+            raise self.failure_at(t, state, c, &fault)
         if self.model.n_tables > 0 and not np.isfinite(dy.array).all():
             self.check_arguments_at(t, state, c, signals)
         if out is None or out is dy.array:
@@ -290,7 +298,7 @@ cdef class PointModel:
         cdef Numbers q = floats(x, (self.n,), "x"), w = floats(v, (self.n,), "v"), y = zeros((self.n_state,))
         if self.model.state(t, q.data, w.data, c.c, y.data, &fault) != 0:
             self.check_arguments(t, q, w, c, self.model.input_defaults)
-            raise self.failure(&fault)
+            raise self.failure_at(t, q, c, &fault)
         return y.array
 
     cdef bint starts(self, double t, Numbers x, Numbers v, Prepared c, double rtol, Numbers atol, Numbers y) noexcept:
@@ -391,7 +399,7 @@ cdef class PointModel:
         cdef Numbers a = zeros(self.vector), multipliers = zeros((self.m,))
         if self.model.acceleration(t, x.data, v.data, c.c, u, least_norm, a.data, multipliers.data, &fault) != 0:
             self.check_arguments(t, x, v, c, u)
-            raise self.failure(&fault)
+            raise self.failure_at(t, x, c, &fault)
         if self.model.n_tables > 0 and not np.isfinite(a.array).all():
             self.check_arguments(t, x, v, c, u)
         return a, multipliers
@@ -446,11 +454,11 @@ cdef class PointModel:
     def project(self, double t, x, v, Prepared c not None, int least_norm):
         """x, v: the nearest consistent state in the mass metric."""
         cdef em_fault fault
-        cdef Numbers q = floats(np.array(x, dtype=np.float64), (self.n,), "x")
+        cdef Numbers q = floats(np.array(x, dtype=np.float64), (self.n,), "x"), first = floats(x, (self.n,), "x")
         cdef Numbers w = floats(np.array(v, dtype=np.float64), (self.n,), "v")
         if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
             self.check_table_arguments(t, x, v, c)
-            raise self.failure(&fault)
+            raise self.failure_at(t, first, c, &fault)
         return q.array, w.array
 
 

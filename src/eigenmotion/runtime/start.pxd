@@ -9,6 +9,7 @@ cdef extern from "loop/em_start_check.h" nogil:
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
     int em_outside_tables(const em_model *, const double *, const double *, em_fault *)
+    int em_undefined(const em_model *, double, const double *, const double *, em_fault *)
     int em_inside_contact(const em_model *, double, const double *, const double *, const double *, double,
                           const double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,

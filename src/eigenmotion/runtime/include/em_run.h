@@ -56,7 +56,9 @@ typedef enum em_detail {
     EM_JAMMED = -12,              /* of EM_CONTACTS_CLASH: no acceleration satisfies the constraints with friction */
     EM_TOO_MANY_MODES = -13,      /* the search has too many modes */
     EM_NORMALS_NOT_FOUND = -14,   /* Newton's method for the normal forces of frictions did not converge */
-    EM_INSIDE_CONTACT = -15       /* of EM_START_REFUSED: event fault.first */
+    EM_INSIDE_CONTACT = -15,      /* of EM_START_REFUSED: event fault.first */
+    EM_MASS_NOT_FINITE = -16,     /* of EM_NON_FINITE_STATE: the mass matrix, at coordinate fault.first */
+    EM_ROW_NOT_FINITE = -17       /* constraint row fault.first */
 } em_detail;
 
 /* The location of a failure: indices of coordinates, constraint rows or events, -1 where there is none. */

@@ -63,6 +63,8 @@ class Detail(IntEnum):
     TOO_MANY_MODES = -13
     NORMALS_NOT_FOUND = -14
     INSIDE_CONTACT = -15
+    MASS_NOT_FINITE = -16
+    ROW_NOT_FINITE = -17
 
 
 class EvaluationError(ArithmeticError, ValueError):
@@ -244,6 +246,16 @@ _SINGULAR_START = (
     "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
 )
 
+_MASS_NOT_FINITE = (
+    "The mass matrix is not finite at coordinate {first}. Look in the kinetic energy for a division by zero, or a root "
+    "or logarithm of a negative number, at this time, these parameters and coordinates."
+)
+
+_ROW_NOT_FINITE = (
+    "Constraint {row} is not finite. Look in it for a division by zero, or a root or logarithm of a negative number, "
+    "at this time, these parameters and coordinates."
+)
+
 _DETAILS = {
     Detail.NEARLY_SINGULAR: _NEAR_SINGULAR,
     Detail.SINGULAR_START: _SINGULAR_START,
@@ -259,6 +271,8 @@ _DETAILS = {
     Detail.TOO_MANY_MODES: _TOO_MANY_MODES,
     Detail.NORMALS_NOT_FOUND: _NORMALS_NOT_FOUND,
     Detail.INSIDE_CONTACT: _INSIDE_CONTACT,
+    Detail.MASS_NOT_FINITE: _MASS_NOT_FINITE,
+    Detail.ROW_NOT_FINITE: _ROW_NOT_FINITE,
 }
 
 

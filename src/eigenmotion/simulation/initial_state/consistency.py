@@ -114,6 +114,9 @@ def _refused(
         words = _of_contact(model, *(model.inside(*place, prepared, *tolerances) or ("", np.nan)))
     elif refusal == _Refusal.WITHOUT_STATE:
         words = _of_state(model, prepared, *place)
+    elif not np.isfinite(off).all():
+        row = model.row_names[np.flatnonzero(~np.isfinite(off))[0]]
+        words = f"{_NAN[_Refusal(refusal)].format(row)}. {_UNDEFINED.format('it')}"
     else:
         words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, *place)}"
     return ModelError(f"{model.name}: {words}")
@@ -130,6 +133,13 @@ _OFF = {
     _Refusal.OFF_POSITION: "x0 is off holonomic constraint",
     _Refusal.OFF_VELOCITY: "v0 does not satisfy A v + b = 0 in constraint",
 }
+_NAN = {
+    _Refusal.OFF_POSITION: "holonomic constraint {} is not finite at x0",
+    _Refusal.OFF_VELOCITY: "A v + b of constraint {} is not finite at x0, v0",
+}
+_UNDEFINED = (
+    "Look in {} for a division by zero, or a root or logarithm of a negative number, at these parameters and this start"
+)
 _OF_CONSTRAINTS = (
     ", not even along the constraints",
     " The weights of the constraints are those of the model's own initial values: give it others where x0 is far away.",
@@ -139,7 +149,8 @@ _OF_CONSTRAINTS = (
 def _of_masses(model: CompiledModel, M: Vector, coordinate: int) -> str:
     if not np.isfinite(M).all():
         i, j = (model.coordinates[k] for k in np.argwhere(~np.isfinite(M))[0])
-        return f"the mass matrix at x0 is not finite in row {i!r}, column {j!r}"
+        remedy = _UNDEFINED.format("the kinetic energy")
+        return f"the mass matrix at x0 is not finite in row {i!r}, column {j!r}. {remedy}"
     alone, weights = _OF_CONSTRAINTS if model.augmented else ("", "")
     return (
         f"the mass matrix at x0 is not positive definite at coordinate {model.coordinates[coordinate]!r}{alone}. "

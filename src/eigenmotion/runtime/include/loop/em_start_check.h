@@ -7,6 +7,7 @@
 #include "loop/em_assumptions.h"
 #include "tables/em_table_ranges.h"
 #include "stepper/em_time_events.h"
+#include "dynamics/em_undefined.h"
 #include "numeric/em_linear.h"
 #include "constraints/em_start_tolerance.h"
 

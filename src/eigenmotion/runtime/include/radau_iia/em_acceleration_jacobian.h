@@ -44,7 +44,9 @@ static int em_slopes_at(em_run_state *w, double t, const double *z, double *J) {
     const em_run *const run = w->run;
     const em_model *const model = run->model ? run->model : w->model;
     if (w->bare) return em_bare_slopes(w, t, z, J);
-    return model->motion_jacobian(em_clock(w, t), z, run->prepared, w->u, em_constraint_flags(run), J, &w->reason);
+    t = em_clock(w, t);
+    return model->motion_jacobian(t, z, run->prepared, w->u, em_constraint_flags(run), J, &w->reason)
+               ? em_locate_failure(w, t, z) : 0;
 }
 
 /* K (n, n) = da/dx and D (n, n) = da/dv at z = (x, v), signals in w->u. 0, or -1 and w->reason */

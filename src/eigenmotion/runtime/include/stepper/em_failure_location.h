@@ -4,6 +4,7 @@
 
 #include "stepper/em_error_norm.h"
 #include "stepper/em_table_lookups.h"
+#include "dynamics/em_undefined.h"
 
 /* The first coordinate of which x, v or their rates are not finite, -1 where all are. */
 static int em_non_finite_coordinate(int n, const double *y) {
@@ -21,19 +22,18 @@ EM_COLD_PATH EM_NOINLINE int em_not_finite(em_run_state *w, const double *y, con
 }
 
 /* Corrects w->reason after a failed evaluation at y: a state outside of a table; or an overflow of y or M, which is not
- * the fault of pivots or rows; or a coordinate that has lost the inertia it had at the start, which makes a row that
+ * the fault of pivots or rows (em_undefined.h); or a coordinate that has lost the inertia it had at the start, which makes a row that
  * contains it infinitely long in the mass metric. Returns -1. */
 EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const double *y) {
     if (em_outside_table(w, w->t, w->y)) return -1;
     const int first = em_non_finite_coordinate(w->n, y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
     if (w->bare) return -1;
+    if (em_undefined(w->model, t, y, w->run->prepared, &w->reason)) return -1;
     const int n = w->n;
     double M[n * n], before[n * n];
     w->of->factored(t, y, w->run->prepared, M);
     w->of->factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
-    for (int k = 0; k < n * n; ++k)
-        if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % n, -1, NAN);
     if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
     for (int k = 0; k < n * n; k += n + 1)
         if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))
