@@ -45,7 +45,7 @@ typedef struct em_switch {
     int event, holds, slides, over, row, idles, poisson, shift;
 } em_switch;
 
-/* Limits of a run that event actions use: its tolerances rtol and atol (n); the rounding of gaps and slips
+/* Limits of a run that event actions use: its tolerances rtol and atol (n); the rounding of gaps, slips and forces
  * (n_events); the depth inside contacts at the start of the run; the change of rates along rows (m) caused by moving
  * the start outside. All but the tolerances are written when a mode begins. */
 typedef struct em_act_limits {

@@ -160,13 +160,15 @@ EM_NOINLINE int em_stop_at_rest(em_acting *a, em_all_rows *r) {
     return 0;
 }
 
-/* rounding <- of a gap or a slip; for a slip at rest plus its remaining value; for a cone also its shift. */
+/* rounding <- of what the event of a switch watches in the mode decided: of the force of a row that holds; of a gap or a
+ * slip; for a slip at rest plus its remaining value; for a cone also its shift. */
 EM_NOINLINE void em_set_rounding(const em_acting *a, const em_all_rows *r, int k, int at_rest) {
     const int row = switches[k].row, contact = em_is_contact(&switches[k]);
-    a->rounding[switches[k].event] = EM_GAP_ROUNDING * (contact ? r->gap_terms : r->rate_terms)[row];
-    if (em_is_cone(&switches[k]))
-        a->rounding[switches[k].event] = 2.0 * EM_CONE_SHIFT * em_cone_stop_slip(a, r, &switches[k]);
-    else if (!contact && at_rest) a->rounding[switches[k].event] += 2.0 * fabs(r->rate[row]);
+    double *const rounding = &a->rounding[switches[k].event];
+    *rounding = EM_GAP_ROUNDING * (contact ? r->gap_terms : r->rate_terms)[row];
+    if (em_holds(&switches[k], a->c)) *rounding = EM_GAP_ROUNDING * em_along_switch(&switches[k], a->force_terms);
+    else if (em_is_cone(&switches[k])) *rounding = 2.0 * EM_CONE_SHIFT * em_cone_stop_slip(a, r, &switches[k]);
+    else if (!contact && at_rest) *rounding += 2.0 * fabs(r->rate[row]);
 }
 
 /* Finds the mode that follows from the state, and projects the state onto its rows. 0, or -1 and *fault. */

@@ -52,7 +52,8 @@ typedef struct em_acting {
     int starts;
     double depth;                       /* depth inside contacts at the start, rows at length one */
     double rate_shift[EM_SOME_ROWS];   /* change of rates caused by moving the start outside */
-    double *rounding;                  /* (n_events) <- rounding of gaps and slips, or NULL */
+    double *rounding;                  /* (n_events) <- rounding of gaps, slips and forces, or NULL */
+    double force_terms[EM_SOME_ROWS];  /* sums of the magnitudes of the terms of forces along rows, in the mode decided */
     int moved;                         /* whether velocities, or positions, have jumped */
     int closed[EM_SOME_SWITCHES];      /* contacts whose gap is zero */
     int released[EM_SOME_SWITCHES];    /* switches that held and have fired */
@@ -418,6 +419,16 @@ EM_NOINLINE int em_event_of_row(int row) {
     return -1;
 }
 
+/* force_terms <- the forces that each term of the acceleration along a row would need alone. */
+EM_NOINLINE void em_find_force_terms(em_acting *a, const em_mixed *s) {
+    for (int row = 0; row < N_ROWS; ++row) {
+        const double inverse = s->G[row * s->k + row];
+        double terms = s->size[row];
+        for (int j = 0; j < s->k; ++j) terms += fabs(s->G[row * s->k + j] * s->p[j]);
+        a->force_terms[row] = inverse > 0.0 ? terms / inverse : 0.0;
+    }
+}
+
 /* c <- the mode that follows from the state. 0, or -1 and *fault: there is none. */
 EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
     em_state_of_switch mode[EM_SOME_SWITCHES];
@@ -431,6 +442,7 @@ EM_NOINLINE int em_decide_mode(em_acting *a, const em_all_rows *r) {
         return em_fail(a->fault, EM_CONTACTS_CLASH, first, first < 0 && second == -1 ? EM_JAMMED : second, NAN);
     }
     em_relieve_frictions(a, r, &s);
+    em_find_force_terms(a, &s);
     for (int k = 0; k < N_SWITCHES; ++k) mode[k] = em_switch_after(a, r, &s, k);
     return em_set_mode(a->c, mode, a->fault);
 }

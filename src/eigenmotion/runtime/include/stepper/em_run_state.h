@@ -198,7 +198,7 @@ struct em_run_state {
     double *g, *g_new;                         /* (n_events) */
     double *noise, *zero;                      /* of g at the start of the run; the size below which g counts as 0
                                                   there */
-    double *rounding;                          /* of gaps and slips at the start of the segment */
+    double *rounding;                          /* of gaps, slips and forces at the start of the segment */
     double *rate_shift;                        /* (m) change of rates along rows, caused by moving a start outside
                                                   contacts */
     double *quiet;                             /* the size above which a g that was zero at the start counts as
