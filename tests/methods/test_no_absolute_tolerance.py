@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from sympy import symbols
+from sympy import sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -61,3 +61,23 @@ def test_a_friction_holds_again_where_a_velocity_has_become_zero():
     assert run.success, run.message
     assert run.x[0, -1] == pytest.approx(0.0, abs=1e-7)
     assert run.t_events[0] == pytest.approx(np.pi * np.arange(1, 6), rel=1e-7)
+
+
+@pytest.mark.parametrize("formulation", ["lagrange", "eigenfactor"])
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_ra15_takes_no_more_steps_where_numbers_start_from_zero(formulation: str, unit: float):
+    """Three masses in a row, the first pushed by sin(w t): it starts as t^3, the next ones as t^5 and t^7."""
+    q = dynamicsymbols("q1:4")
+    row = em.Model(
+        name="pushed_row", coordinates=q, kinetic_energy=sum(one.diff() ** 2 for one in q) / 2,
+        potential_energy=w**2 * (q[0] ** 2 + (q[0] - q[1]) ** 2 + (q[1] - q[2]) ** 2) / 2,
+        forces=[w**2 * sin(w * em.t), 0, 0], parameters={w: 1.0},
+    )  # fmt: skip
+    system, end = system_for(row, formulation), 20.0 * unit
+    given = {"rtol": 1e-9, "parameters": {"w": 1.0 / unit}}
+    run = system.simulate((0.0, end), method="ra15", atol=0.0, **given)
+    usual = system.simulate((0.0, end), method="ra15", atol=1e-9 * min(1.0, 1.0 / unit), **given)
+    assert run.success, run.message
+    assert run.nsteps <= usual.nsteps + 5
+    right = system.simulate((0.0, end), rtol=1e-13, atol=1e-14 * min(1.0, 1.0 / unit), parameters=given["parameters"])
+    assert run.x[:, -1] == pytest.approx(right.x[:, -1], abs=1e-7)

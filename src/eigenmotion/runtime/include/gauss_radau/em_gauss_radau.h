@@ -37,14 +37,13 @@ EM_INLINE double em_iteration_tolerance(const em_run_state *w) { return w->secon
 
 /* --- the iteration --- */
 
-/* The weights of the rates of the state: x by its tolerance, eta by the v and, within the step, the x that follow
- * from it. */
-static void em_weigh_rates(em_run_state *w) {
-    const double *const y = w->y;
+/* The weights of the rates of the state between its start and y_new, with velocities v_new: x by its tolerance, eta by
+ * the v and, within the step, the x that follow from it. */
+static void em_weigh_rates(em_run_state *w, const double *y_new, const double *v_new) {
     double *const weight = w->nodes.weight;
     const double h = w->h, *const restrict in_x = w->weight, *const restrict in_v = in_x + w->n;
     double *const restrict of_v = weight + w->n;
-    em_set_weights_of(w, y, w->K[0], y, w->K[0]);
+    em_set_weights_of(w, w->y, w->K[0], y_new, v_new);
     em_copy_packs(w->n, weight, w->weight);
     for (int k = 0; w->second_order && k < w->n; k += EM_PACK)
         for (int place = k; place < k + EM_PACK; ++place) {
@@ -64,6 +63,23 @@ static void em_weigh_rates(em_run_state *w) {
     }
     const int counts = em_counts_factors(w);
     for (int k = 2 * w->n; k < w->n_state; ++k) weight[k] = counts ? w->weight[k] : 0.0;
+}
+
+/* The same without an absolute tolerance, to where the rates at the nodes lead: a number that starts from zero has a size
+ * there. One that has none there either is weighed at the end of the step. */
+static void em_weigh_rates_ahead(em_run_state *w) {
+    em_nodes *const q = &w->nodes;
+    const int n = w->n, end = em_rates_end(w);
+    double y[w->width], v[w->width];
+    memcpy(y, w->y, (size_t)w->n_state * sizeof *y);
+    for (int k = w->first_rate; k < end; ++k) y[k] += w->h * em_integral_to_end(q->F, k);
+    for (int k = 0; k < n; ++k) {
+        if (w->second_order) y[k] += w->h * (w->K[0][k] + w->h * em_second_integral_to_end(q->F, n + k));
+        v[k] = w->second_order ? y[n + k] : em_number_at(q->F, k, EM_NODE_COUNT - 1);
+    }
+    em_weigh_rates(w, y, v);
+    for (int k = 0; k < end; ++k)
+        if (q->weight[k] >= 1.0 / EM_LEAST_SIZE) q->weight[k] = 0.0, q->without_size = 1;
 }
 
 /* Y, F, a, series <- of the numbers of the state that are constant within the step. */
@@ -140,15 +156,18 @@ EM_COLD_PATH EM_NOINLINE int em_fail_nodes(em_run_state *w) {
     return em_not_finite(w, w->y, w->K[0]); /* all are finite, but their squares overflow */
 }
 
-/* One iteration. Returns its change in tolerances, or NaN if it failed, and w->reason. */
-static double em_iterate(em_run_state *w) {
+/* One iteration; `weighs`: weights follow from its rates. Returns its change in tolerances, or NaN if it failed, and
+ * w->reason. */
+static double em_iterate(em_run_state *w, int weighs) {
     em_node_states(w);
     em_velocities_at_nodes(w);
     if (em_rates_at_nodes(w)) return NAN;
+    if (weighs) em_weigh_rates_ahead(w);
     double change = em_take_rates(w);
     if (isfinite(change)) return change;
     if (w->nodes.on_lanes) { /* a lane failed: the scalar code finds out why */
         if (em_rates_one_by_one(w)) return NAN;
+        if (weighs) em_weigh_rates_ahead(w);
         change = em_take_rates(w);
     }
     if (!isfinite(change)) em_fail_nodes(w);
@@ -167,11 +186,11 @@ static double em_remaining_error(double change, double before) {
  * one. */
 static double em_solve_nodes(em_run_state *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
-    const int target = em_target_iterations(w);
+    const int target = em_target_iterations(w), relative = em_is_relative(w);
     *aimed = EM_DIVERGES;
     w->nodes.slow = 0;
     for (int k = 1; k <= most; ++k) {
-        const double change = em_iterate(w);
+        const double change = em_iterate(w, k == 1 && relative);
         if (!isfinite(change)) return NAN;
         if (k == 1) first = change;
         else left = em_remaining_error(change, before);
@@ -229,8 +248,8 @@ static int em_nodes_step(em_run_state *w) {
     em_nodes *q = &w->nodes;
     const int most = em_predict(w);
     q->unpredicted = most == EM_MOST_AT_START; /* the number of iterations says nothing about the next step */
-    q->converged = 0;
-    em_weigh_rates(w);
+    q->converged = q->without_size = 0;
+    em_weigh_rates(w, w->y, w->K[0]);
     em_fill_constant_states(w);
     em_begin_nodes(w);
     q->drifted = 0;
@@ -252,6 +271,7 @@ static int em_nodes_judge(em_run_state *w) {
         if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
         f = w->K[1];
     }
+    if (w->nodes.without_size) em_weigh_rates(w, w->y_new, w->f_new), em_find_series(w);
     const double missed = em_end_difference(w, f), truncation = em_error_of_series(w, missed);
     w->error_norm = em_max(w->error_norm, truncation);
     w->stiff = w->nodes.slow && truncation < 1.0;

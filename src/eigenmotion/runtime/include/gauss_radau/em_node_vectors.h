@@ -30,6 +30,22 @@ EM_INLINE double em_sum_of(em_node_vector a) {
 #endif
 }
 
+/* The integral over the step, as a part of its duration, of row k; and the integral of its integrals from the start. */
+EM_INLINE double em_integral_to_end(em_node_vector *const *at, int k) {
+    em_node_vector sum = {0.0};
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) sum += em_node_vector_at(em_end_weight + b * EM_LANES) * at[b][k];
+    return em_sum_of(sum);
+}
+
+EM_INLINE double em_second_integral_to_end(em_node_vector *const *at, int k) {
+    em_node_vector sum = {0.0};
+    for (int b = 0; b < EM_NODE_VECTORS; ++b) {
+        const em_node_vector left = 1.0 - em_node_vector_at(em_node_place + b * EM_LANES);
+        sum += left * em_node_vector_at(em_end_weight + b * EM_LANES) * at[b][k];
+    }
+    return em_sum_of(sum);
+}
+
 enum { EM_SUMS = 4 }; /* independent partial sums */
 
 /* The tables of a collocation step, as locals: the compiler then knows that a store to one does not change the

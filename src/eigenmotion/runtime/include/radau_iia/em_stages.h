@@ -42,12 +42,10 @@ static double em_square_of_motion(int n, const double *M, const double *v) {
  * coordinate that does not move. */
 static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     const em_implicit *q = &w->stages;
-    const double *const v = q->V + (rk->stages - 1) * w->stride, *const atol = w->run->atol;
+    const double *const v = q->V + (rk->stages - 1) * w->stride;
     double M[w->n * w->n], least[2 * w->n];
-    int relative = 0;
     em_set_weights(w, w->y, w->K[0], q->X + (rk->stages - 1) * w->stride, v);
-    for (int k = 0; k < w->n; ++k) relative |= !(atol[k] > 0.0);
-    if (!relative) return;
+    if (!em_is_relative(w)) return;
     em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
     const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v)));
     for (int k = 0; k < w->n; ++k) {

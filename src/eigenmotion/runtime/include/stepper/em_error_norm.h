@@ -36,6 +36,13 @@ EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const d
         }
 }
 
+/* Whether some number has no absolute tolerance. */
+EM_INLINE int em_is_relative(const em_run_state *w) {
+    int relative = 0;
+    for (int k = 0; k < w->n; ++k) relative |= !(w->run->atol[k] > 0.0);
+    return relative;
+}
+
 /* Whether errors of eigenfactors contribute: where they are integrated and nothing settles them. */
 EM_INLINE int em_counts_factors(const em_run_state *w) {
     return w->n_state > 2 * w->n && (w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise));

@@ -74,6 +74,7 @@ typedef struct em_nodes {
                                                                  valid */
     int drifted;                             /* whether the positions at the nodes no longer agree with the integrals
                                                 of the rates */
+    int without_size;                        /* whether some number has no size within the step, so far, and no weight */
     int slow;                                /* whether the iteration converges slowly despite a good start */
     em_node_vector *Y[EM_NODE_VECTORS], *F[EM_NODE_VECTORS]; /* (n_state) the states at the nodes and their rates */
     em_node_vector *a[EM_NODE_VECTORS];                /* the rates from which the states were computed */
