@@ -226,6 +226,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building.errors",
     ),
     "building": (
+        "codegen.model.normalise",
         "codegen.model",
         "codegen.choices",
         "codegen.render",

@@ -17,6 +17,7 @@ from .lazy_units import ALL_AT_FIRST, PARTS, WORDS, at_first
 from .request import Request, request
 from .shared_library import compile_in, load, stepper_meanwhile
 from .toolchain import EXTENSION_SUFFIX, Toolchain, headers, toolchain
+from .undefined_terms import undefined_terms
 
 if TYPE_CHECKING:
     from ..runtime import CompiledModel
@@ -89,6 +90,7 @@ def system_of(requested: Request, compiler: str | None = None, flags: str | None
     with clock():
         system = load(make(requested, tools, output), requested.model.units)
     system.compiled.recipe = partial(system_of, requested, compiler, flags)
+    system.compiled.undefined_terms = partial(undefined_terms, requested.model)
     system.compiled.load_part = partial(load_part, requested, tools)
     return system
 

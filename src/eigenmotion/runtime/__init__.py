@@ -11,6 +11,7 @@ from .record import modes_of as modes_of
 from .record import record as record
 from .run import Run as Run
 from .status.stiffness import stiffness as stiffness
+from .status.stop_reasons import MAYBE_UNDEFINED as MAYBE_UNDEFINED
 from .status.stop_reasons import EvaluationError as EvaluationError
 from .status.stop_reasons import StopReason as StopReason
 from .status.stop_reasons import explain as explain

@@ -105,6 +105,7 @@ cdef extern from "eigenmotion.h" nogil:
         em_rows *events
         em_rows *after
         em_rows charts
+        em_rows last
         em_rows segments
         em_rows methods
         int waits

@@ -34,6 +34,9 @@ cdef class PointModel:
     # function that compiles a part by name and returns a CompiledModel with its functions (building/lazy_units.py);
     # None: no parts can be loaded
     cdef public object load_part
+    # function that returns words on the terms that have no finite value at values by name (building/undefined_terms.py);
+    # None for a model whose expressions are not at hand
+    cdef public object undefined_terms
     # name -> unit, the user's words; None for a model without
     cdef public object units
 

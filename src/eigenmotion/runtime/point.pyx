@@ -16,7 +16,7 @@ from .start cimport em_time_event_sides, em_factored_gradient, em_factored_matri
 import numpy as np
 
 from .status.stop_reasons import EvaluationError, StopReason, named_rows
-from .status.refusals import refusal
+from .status.refusals import refusal, values_by_name
 from .tables import arguments_at, is_table_address, packed, unpacked
 
 _REASONS = tuple(StopReason)
@@ -194,7 +194,14 @@ cdef class PointModel:
     cdef failure_at(self, double t, Numbers x, Prepared c, em_fault *fault):
         """As `failure`, at x, or a state that begins with it: what is not finite is not the fault of a pivot."""
         em_undefined(self.model, t, x.data, c.c, fault)
-        return self.failure(fault)
+        error = self.failure(fault)
+        if error.stop is StopReason.NON_FINITE_STATE:
+            error = EvaluationError(f"{error}{self.undefined(t, x.array[:self.n], None, c)}", error.stop)
+        return error
+
+    def undefined(self, double t, x, v, Prepared c not None, u=None):
+        """Words on terms without a finite value at x, v (n) and u (n_inputs), for a message; None: v, u are not known."""
+        return self.undefined_terms(values_by_name(self, t, x, v, c.parameters, u)) if self.undefined_terms else ""
 
     # --- at one state; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
 

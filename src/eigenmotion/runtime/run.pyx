@@ -208,6 +208,14 @@ cdef class Run:
         return t[::2], y[::2], y[1::2]
 
     @property
+    def last(self):
+        """(t, y (n_state)) of the last accepted state before a failure; None if the run did not fail, or not on its way."""
+        if self.run.last.count == 0:
+            return None
+        t, y = self.table(&self.run.last)
+        return t[0], y[0]
+
+    @property
     def n_dense(self):
         """The number of steps stored for dense output."""
         return self.run.n_dense

@@ -15,7 +15,7 @@ from .control cimport em_stepper, em_stepper_advance, em_stepper_close, em_stepp
 from .control cimport em_stepper_save, em_stepper_size
 from .point cimport PointModel, Prepared
 
-from .status.stop_reasons import EvaluationError, StopReason, explain
+from .status.stop_reasons import MAYBE_UNDEFINED, EvaluationError, StopReason, explain
 
 _REASONS = tuple(StopReason)
 
@@ -101,6 +101,9 @@ cdef class Steps:
         stop = _REASONS[<int> fault.status]
         words = explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events,
                         self.model.row_names, tuple(self.model.tables))
+        if stop in MAYBE_UNDEFINED:
+            x, v = self.copy(self.steps.x, self.model.n), self.copy(self.steps.v, self.model.n)
+            words += self.model.undefined(self.steps.t, x, v, self.prepared, self.copy(self.steps.u, self.model.n_inputs))
         return EvaluationError(f"{self.model.name}: at t = {self.steps.t:.9g}: {words}", stop)
 
     cdef int set_inputs(self, inputs) except -1:

@@ -4,10 +4,13 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import Any
 
+import numpy as np
+
 from ..arguments.methods import METHODS, Method
 from ..arguments.tasks import Task
 from ..results.solution import DenseOutput, Solution
-from ..runtime import Run, StopReason
+from ..results.trajectory import Trajectory
+from ..runtime import MAYBE_UNDEFINED, Run, StopReason
 from .sampled_inputs import ControlledRun
 
 _MOST_LISTED = 4
@@ -49,6 +52,10 @@ def solution_of(task: Task, method: Method, run: Run) -> Solution:
         )
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
+    if fields["stop"] in MAYBE_UNDEFINED and run.last is not None:
+        t, y = run.last
+        last = Trajectory(task, np.array([t]), y[None], run.segments[-1:])
+        fields["message"] += task.model.undefined(t, last.x[0], last.v[0], last.modes[-1][1], last.u[0])
     return Solution((task, run.segments), fields)
 
 

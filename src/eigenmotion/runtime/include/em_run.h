@@ -145,6 +145,7 @@ typedef struct em_run {
     em_rows *after;              /* (n_events) the states after event actions */
     em_rows charts;              /* width n_state: the state before a change of rotation parameters, and that after it
                                     (em_chart_change.h); of runs with dense output only */
+    em_rows last;                /* width n_state, one row: the last accepted state, if the run has failed */
     em_rows segments;                /* width n_prepared + 1: segments between events that change the mode, of models
                                         that have modes: the time of its start, its constants (`prepared` is the
                                         last), its first row of `rows` */

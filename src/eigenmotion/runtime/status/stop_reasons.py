@@ -94,6 +94,9 @@ class EvaluationError(ArithmeticError, ValueError):
         return type(self), (str(self), self.stop)
 
 
+MAYBE_UNDEFINED = (StopReason.NON_FINITE_STATE, StopReason.STEP_SIZE_UNDERFLOW, StopReason.ENERGY_DRIFTED)
+"""Reasons of which a term without a finite value may be the cause."""
+
 _SIGN = " Where a force holds back by the sign of a speed, no step is short enough: that is a Friction."
 _REMEDY = {
     StopReason.FINISHED: "The end of t_span was reached.",

@@ -109,14 +109,14 @@ def _refused(
     model.check_start(place[1])  # raises if a value contradicts its declaration
     _check_tables(model, prepared, *place)
     if refusal == _Refusal.WITHOUT_INERTIA:
-        words = _of_masses(model, model.factored_matrix(*place[:2], prepared), at)
+        words = _of_masses(model, prepared, place, at)
     elif refusal == _Refusal.WITHIN_CONTACT:
         words = _of_contact(model, *(model.inside(*place, prepared, *tolerances) or ("", np.nan)))
     elif refusal == _Refusal.WITHOUT_STATE:
         words = _of_state(model, prepared, *place)
     elif not np.isfinite(off).all():
         row = model.row_names[np.flatnonzero(~np.isfinite(off))[0]]
-        words = f"{_NAN[_Refusal(refusal)].format(row)}. {_UNDEFINED.format('it')}"
+        words = f"{_NAN[_Refusal(refusal)].format(row)}. {_undefined(model, prepared, place, 'it')}"
     else:
         words = f"{_OFF[_Refusal(refusal)]} {_rows(model, off)}. {_offer(model, prepared, *place)}"
     return ModelError(f"{model.name}: {words}")
@@ -137,19 +137,24 @@ _NAN = {
     _Refusal.OFF_POSITION: "holonomic constraint {} is not finite at x0",
     _Refusal.OFF_VELOCITY: "A v + b of constraint {} is not finite at x0, v0",
 }
-_UNDEFINED = (
-    "Look in {} for a division by zero, or a root or logarithm of a negative number, at these parameters and this start"
-)
 _OF_CONSTRAINTS = (
     ", not even along the constraints",
     " The weights of the constraints are those of the model's own initial values: give it others where x0 is far away.",
 )
 
 
-def _of_masses(model: CompiledModel, M: Vector, coordinate: int) -> str:
+def _undefined(model: CompiledModel, prepared: Prepared, place: tuple[float, Vector, Vector], what: str) -> str:
+    return (
+        f"Look in {what} for a division by zero, or a root or logarithm of a negative number, at these parameters and "
+        f"this start.{model.undefined(*place, prepared)}"
+    )
+
+
+def _of_masses(model: CompiledModel, prepared: Prepared, place: tuple[float, Vector, Vector], coordinate: int) -> str:
+    M = model.factored_matrix(*place[:2], prepared)
     if not np.isfinite(M).all():
         i, j = (model.coordinates[k] for k in np.argwhere(~np.isfinite(M))[0])
-        remedy = _UNDEFINED.format("the kinetic energy")
+        remedy = _undefined(model, prepared, place, "the kinetic energy")
         return f"the mass matrix at x0 is not finite in row {i!r}, column {j!r}. {remedy}"
     alone, weights = _OF_CONSTRAINTS if model.augmented else ("", "")
     return (
@@ -191,7 +196,7 @@ def _of_state(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: 
         model.state(t, x, v, prepared)
     except EvaluationError as error:
         raise ModelError(str(error)) from error
-    return "the state at x0, v0 is not finite; look for a division by zero there"
+    return f"the state at x0, v0 is not finite. {_undefined(model, prepared, (t, x, v), 'the energies')}"
 
 
 def _listed(values: Vector) -> str:

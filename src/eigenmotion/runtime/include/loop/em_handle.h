@@ -31,7 +31,7 @@ EM_EXPORT int em_handle_again(void *run_state) {
     em_run_state_prepare(w);
     run->kept = 0;
     run->n_rhs = run->n_steps = run->n_rejected = run->n_bounded = run->n_jacobians = run->n_factors = run->n_stiff = 0;
-    run->rows.count = run->charts.count = run->segments.count = 0;
+    run->rows.count = run->charts.count = run->last.count = run->segments.count = 0;
     for (int i = 0; i < w->n_events; ++i) run->events[i].count = run->after[i].count = 0;
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     w->refused = w->ended = em_enter(w);

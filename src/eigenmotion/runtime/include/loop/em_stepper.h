@@ -146,6 +146,14 @@ static em_run_state *em_open(const em_model *model, em_run *run) {
     return w;
 }
 
+/* Keeps the last accepted state of a run that has failed. */
+EM_COLD_PATH EM_NOINLINE void em_keep_last(em_run_state *w) {
+    const em_fault fault = w->run->fault;
+    w->run->last.count = 0;
+    em_append(w, &w->run->last, w->mode, w->t, w->y, w->memory);
+    w->run->fault = fault;
+}
+
 /* Steps to t_goal exactly. Returns `ended`: whether the run is over. */
 static int em_advance(em_run_state *w, double t_goal) {
     const uint64_t subnormals = em_flush_subnormals();
@@ -153,6 +161,7 @@ static int em_advance(em_run_state *w, double t_goal) {
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
     if (w->run->waits) w->run->waits = 0, w->ended = em_change_method(w);
     while (!w->ended && w->t != w->t_goal && !w->run->waits) w->ended = em_accepted_step(w);
+    if (w->ended && w->run->fault.status > EM_TERMINAL_EVENT) em_keep_last(w);
     em_restore_subnormals(subnormals);
     return w->ended;
 }

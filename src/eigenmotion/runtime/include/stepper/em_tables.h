@@ -55,7 +55,7 @@ static int em_dense_keep(em_run *run, size_t n_state, em_dense_step step, const 
 /* Empty tables of the run's width. */
 static int em_rows_prepare(const em_model *model, em_run *run) {
     const size_t events = (size_t)model->n_events, width = (size_t)model->n_state;
-    run->rows.width = run->charts.width = width;
+    run->rows.width = run->charts.width = run->last.width = width;
     if (events == 0) return 0;
     run->events = calloc(events, sizeof *run->events);
     if (run->events == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)events);
@@ -77,6 +77,7 @@ EM_COLD_PATH EM_EXPORT void em_release(const em_model *model, em_run *run) {
     for (int i = 0; run->events != NULL && i < model->n_events; ++i) em_rows_free(&run->events[i]);
     for (int i = 0; run->after != NULL && i < model->n_events; ++i) em_rows_free(&run->after[i]);
     em_rows_free(&run->charts);
+    em_rows_free(&run->last);
     em_rows_free(&run->segments);
     em_rows_free(&run->methods);
     free(run->events);
