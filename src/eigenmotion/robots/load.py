@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -77,11 +78,12 @@ def read_urdf(
     """
     if base not in ("fixed", "floating"):
         raise ModelError(f"base is {shown(base)}. Give 'fixed' or 'floating'.")
-    described = urdf.read(_file(path), base, meshes)
-    made = robot_of(
-        described, locked=locked, close=close or {}, gravity=gravity, name=name, symbolic=inertial_parameters
-    )
-    return replace(made, fields={**made.fields, "units": _si(made)})
+    with _naming(file := _file(path)):
+        described = urdf.read(file, base, meshes)
+        made = robot_of(
+            described, locked=locked, close=close or {}, gravity=gravity, name=name, symbolic=inertial_parameters
+        )
+        return replace(made, fields={**made.fields, "units": _si(made)})
 
 
 def _si(robot: Robot) -> dict[str, str]:
@@ -131,9 +133,21 @@ def read_mjcf(
     >>> em.read_mjcf("pendulum.xml").notes
     ('not used: contacts of geoms',)
     """
-    described = mjcf.read(_file(path))
-    given = described.gravity if gravity is None else gravity
-    return robot_of(described, locked=locked, close=close or {}, gravity=given, name=name)
+    with _naming(file := _file(path)):
+        described = mjcf.read(file)
+        given = described.gravity if gravity is None else gravity
+        return robot_of(described, locked=locked, close=close or {}, gravity=given, name=name)
+
+
+@contextmanager
+def _naming(file: Path) -> Iterator[None]:
+    """Add the name of the file to an error that does not have it."""
+    try:
+        yield
+    except ModelError as error:
+        if str(error).startswith(str(file)):
+            raise
+        raise ModelError(f"{file}: {error}") from error
 
 
 def load_urdf(

@@ -16,6 +16,9 @@ from .description import Array, Closure, Description, Driven, Joint, Mass, Part
 from .drawing.geoms import solids
 from .mjcf_tables import BALL, BODY, CONNECT, FREE, HINGE, JOINT, SLIDE, Names, notes
 
+_OF_BODIES = {"mass": "body_mass", "inertia": "body_inertia", "place": "body_pos", "rotation": "body_quat",
+              "mass centre": "body_ipos"}  # fmt: skip
+_OF_JOINTS = {"axis": "jnt_axis", "place": "jnt_pos", "stiffness": "jnt_stiffness", "range": "jnt_range"}
 _KINDS = {FREE: "free", BALL: "spherical", SLIDE: "prismatic", HINGE: "revolute"}
 
 
@@ -28,7 +31,11 @@ def read(file: Path) -> Description:
         MuJoCo is missing, refuses the file, or has no body that moves.
     """
     m = _compiled(file)
-    names = Names(m)
+    try:
+        names = Names(m)
+    except UnicodeDecodeError as error:
+        raise ModelError(f"{file}: a name is not in UTF-8 ({error}). Save the file as UTF-8.") from error
+    _check_finite(file, m, names)
     parts = tuple(part for body in range(1, m.nbody) for part in _parts(m, names, body))
     drives, polynomials = _driven(m, names)
     parts = tuple(replace(part, joint=replace(part.joint, driven=drives.get(part.joint.name))) for part in parts)
@@ -49,7 +56,16 @@ def _compiled(file: Path) -> Any:
     try:
         return mujoco.MjModel.from_xml_path(str(file))
     except Exception as error:
-        raise ModelError(f"{file}: MuJoCo cannot read it: {error}") from error
+        raise ModelError(f"{file}: MuJoCo cannot read it: {' '.join(str(error).split())}") from error
+
+
+def _check_finite(file: Path, m: Any, names: Names) -> None:
+    """Raise ModelError for a number of a body or joint that is not finite; MuJoCo takes it, with a warning."""
+    for what, owners, tables in (("body", names.bodies, _OF_BODIES), ("joint", names.joints, _OF_JOINTS)):
+        for word, table in tables.items():
+            for name, numbers in zip(owners, getattr(m, table), strict=True):
+                if not np.isfinite(numbers).all():
+                    raise ModelError(f"{file}: {what} {name!r}: its {word} is not finite: {numbers.tolist()}.")
 
 
 def _rotation(quaternion: Array) -> Array:

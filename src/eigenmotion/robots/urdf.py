@@ -17,6 +17,7 @@ import numpy as np
 from ..codegen.model.normalise import ModelError, nearest, shown
 from .description import Array, Description, Driven, Joint, Mass, Part, listed
 from .drawing.visuals import Visuals, place
+from .urdf_words import check_words
 
 _KINDS = {"fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic",
           "planar": "planar", "floating": "free"}  # fmt: skip
@@ -51,6 +52,7 @@ def _parsed(file: Path) -> Any:
     """Return yourdfpy's record of a robot."""
     if find_spec("yourdfpy") is None:
         raise ModelError(f"{file}: reading URDF needs yourdfpy: pip install 'eigenmotion[robots]'")
+    check_words(file)
     from yourdfpy import URDF  # noqa: PLC0415, loads trimesh
 
     try:
