@@ -142,20 +142,37 @@ EM_NOINLINE void em_find_separation_rates(em_acting *a) {
         a->separation_rate[k] = em_is_contact(&switches[k]) ? level[EM_LEVELS * k] : 0.0;
 }
 
-/* rest_rate <- with the rates of contacts that have landed: a contact that closes no faster than `rest`, and whose gap
- * has stayed within rounding since it last fired, is at rest. This ends a sequence of ever faster bounces. The height
- * of a flight that ends with this rate is a quarter of the rate times its duration. */
+/* pressing (m) <- the accelerations with which rows would close in the present motion. */
+EM_NOINLINE void em_find_pressing(const em_acting *a, const em_all_rows *r, double *pressing) {
+    double free_a[N], gamma[EM_SOME_ROWS], acceleration[N], lambda[EM_SOME_ROWS];
+    em_fault none;
+    for (int row = 0; row < N_ROWS; ++row) pressing[row] = 0.0;
+    if (em_acceleration(a->t, a->x, a->v, a->c, a->u, EM_LEAST_NORM, acceleration, lambda, &none)) return;
+    motion_bias(a->t, a->x, a->v, r->c, a->u, free_a, gamma);
+    for (int row = 0; row < N_ROWS; ++row) {
+        pressing[row] = -gamma[row];
+        for (int k = 0; k < N; ++k) pressing[row] -= r->A[row * N + k] * acceleration[k];
+    }
+}
+
+/* rest_rate <- with the rates of contacts that have landed. This ends a sequence of ever faster bounces: a flight whose
+ * height is rounding of the gap, or whose duration is rounding of the time, cannot be told from rest. The height of a
+ * flight that begins or ends with a rate is rate^2 / 2 over the acceleration that presses; if the rate is at most
+ * `rest`, also that of the flight that has ended, a quarter of the rate times its duration. */
 EM_NOINLINE void em_find_landed(em_acting *a, const em_all_rows *r, const em_pile *before) {
-    double level[EM_LEVELS * EM_SOME_SWITCHES];
+    double level[EM_LEVELS * EM_SOME_SWITCHES], pressing[EM_SOME_ROWS];
+    const double soon = EM_SIMULTANEOUS_SPACINGS * DBL_EPSILON * fabs(a->t);
     if (a->starts) return;
     levels(a->t, a->x, a->v, a->c, a->u, level);
+    em_find_pressing(a, r, pressing);
     for (int k = 0; k < N_SWITCHES; ++k) {
         const int row = switches[k].row;
         const em_pile last = before[switches[k].event];
-        if (!em_is_contact(&switches[k]) || !a->closed[k] || last.count == 0.0) continue;
-        const double high = 0.25 * fabs(r->rate[row]) * fabs(a->t - last.t);
-        if (-r->rate[row] <= level[EM_LEVELS * k] && high <= EM_CLOSED_GAP * r->gap_terms[row])
-            a->rest_rate[row] = fmax(a->rest_rate[row], -r->rate[row]);
+        const double closes = -r->rate[row], least = EM_CLOSED_GAP * r->gap_terms[row];
+        if (!em_is_contact(&switches[k]) || !a->closed[k] || !(closes > 0.0)) continue;
+        const int flew = last.count > 0.0 && closes <= level[EM_LEVELS * k] && 0.25 * closes * fabs(a->t - last.t) <= least;
+        if (flew || closes * closes <= 2.0 * pressing[row] * (least + soon * closes))
+            a->rest_rate[row] = fmax(a->rest_rate[row], closes);
     }
 }
 
