@@ -1,9 +1,15 @@
 """Gradients by the adjoint: against closed forms, and the sensitivities of runs, which are tested on their own."""
 
+import copy
+import pickle
+from concurrent.futures import ProcessPoolExecutor
+from importlib import import_module
+from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
 import pytest
+from eigenmotion.models.pendulum import model as pendulum
 from sympy import cos, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -177,3 +183,29 @@ def test_what_simulate_refuses_or_says():
         with pytest.raises(ModelError, match="megabytes"):
             em.vjp(ball(), (0.0, 1.0), by=["z"], memory=memory)
     assert em.vjp(ball(), (0.0, 0.1), by=["z"], memory=np.inf)[0].success
+
+
+@pytest.mark.parametrize("name", ["pendulum_with_stop", "block_on_incline", "cam_follower", "servo_pendulums"])
+@pytest.mark.parametrize("memory", [256.0, 0.0])
+def test_a_pullback_pickles(name: str, memory: float):
+    """It was a function within a function, which does not; it makes the run again, with the same bits."""
+    system, rows = (
+        em.build(import_module(f"eigenmotion.models.{name}").model, formulation="lagrange"),
+        np.linspace(0.0, 1.5, 12),
+    )
+    options = {"by": all_names(system), "t_eval": rows, "method": "auto", "memory": memory}
+    solution, pullback = em.vjp(system, (0.0, 1.5), **options)
+    again, other = pickle.loads(pickle.dumps((solution, pullback)))
+    dx = np.random.default_rng(1).standard_normal(solution.x.shape)
+    outputs = {one: np.cos(rows) for one in solution.outputs}
+    np.testing.assert_array_equal(again.y, solution.y)
+    assert other(dx=dx, outputs=outputs) == pullback(dx=dx, outputs=outputs)
+    assert copy.deepcopy(pullback) is pullback
+
+
+def test_a_pullback_works_in_another_process():
+    """Of a system that em.build returned, which other processes can make, too."""
+    solution, pullback = em.vjp(em.build(pendulum, formulation="lagrange"), (0.0, 1.0), by=["l", "theta"])
+    dx = np.ones_like(solution.x)
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        assert pool.submit(pullback, dx=dx).result() == pullback(dx=dx)

@@ -5,7 +5,7 @@ from inspect import signature
 from typing import Any, NamedTuple
 
 from ..arguments.differentiation import differentiated
-from ..arguments.methods import AUTO, METHODS, method_of
+from ..arguments.methods import AUTO, METHODS, Method, method_of
 from ..arguments.tasks import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError, shown
 from ..compiled.compiled_system import CompiledSystem
@@ -18,7 +18,7 @@ from .initial_state.consistency import check_direction
 from .method_selection import automatic_of_run, longest_of
 from .sensitivity.adjoint import Adjoint, steps_within
 from .sensitivity.run_path import path_of
-from .sensitivity.sensitivities import directions
+from .sensitivity.sensitivities import Directions, directions
 from .simulate import NAMES, refused, run_changing, simulate
 from .task_of_run import task_of_run
 
@@ -28,11 +28,19 @@ _ORDER = tuple(name for name in signature(simulate).parameters if name in _DEFAU
 
 
 class DerivableRun(NamedTuple):
-    """A run, and its derivative."""
+    """A run, and its derivative, which needs `steps` steps between two saved states.
+
+    It is pickled as its task, and made again with the same bits.
+    """
 
     task: Task
     solution: Solution
     adjoint: Adjoint
+    steps: int
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        shared = self.solution.get("not_unique", ())
+        return _derived, (self.task, self.adjoint.method, self.adjoint.varied, self.steps, shared)
 
 
 def derivable_run(
@@ -59,14 +67,18 @@ def derivable_run(
     if task.t_end < task.t_start:
         check_direction(compiled, task.t_start, task.t_end)
     varied = directions(differentiated(compiled, by, given["v0"], "by"), task)
-    task = task._replace(dense=TO_DERIVE)
-    run = CheckpointedRun(task, chosen.number, steps_within(task, varied, memory))
+    return _derived(task._replace(dense=TO_DERIVE), chosen, varied, steps_within(task, varied, memory), shared)
+
+
+def _derived(task: Task, chosen: Method, varied: Directions, steps: int, shared: tuple[int, ...]) -> DerivableRun:
+    """Run a checked task by a method; shared: the constraint rows whose multipliers are not unique."""
+    run = CheckpointedRun(task, chosen.number, steps)
     solution = solution_of(task, chosen, run)
     if not solution.success:
-        raise ModelError(f"{compiled.name}: the run has no gradient, because it failed. {solution.message}")
+        raise ModelError(f"{task.model.name}: the run has no gradient, because it failed. {solution.message}")
     solution["sol"] = None
     if shared:
         solution["not_unique"] = shared
-        solution["message"] = with_shared(solution["message"], compiled, shared)
+        solution["message"] = with_shared(solution["message"], task.model, shared)
     path = path_of(task, solution, run)
-    return DerivableRun(task, solution, Adjoint(task, chosen, varied, run, path, run.checkpoints))
+    return DerivableRun(task, solution, Adjoint(task, chosen, varied, run, path, run.checkpoints), steps)

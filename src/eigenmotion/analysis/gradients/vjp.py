@@ -1,6 +1,7 @@
 """Vector-Jacobian product of a run: the gradient of any function of a motion, by the adjoint."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,33 @@ from ...simulation.derivable_run import DerivableRun, derivable_run
 from ..state.operating_point import OperatingPoint
 from ..state.output_derivatives import output_derivatives
 
-Pullback = Callable[..., dict[str, float]]
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pullback:
+    """Function from cotangents of the rows of a run to gradients, which `vjp` returns.
+
+    It is pickled as what it was asked for: where it is unpickled, the run is made again, with the same bits if the
+    model is compiled alike there. Copies are the same object.
+    """
+
+    _run: DerivableRun
+
+    def __call__(
+        self,
+        dx: ArrayLike | None = None,
+        dv: ArrayLike | None = None,
+        states: Mapping[str, ArrayLike] | None = None,
+        outputs: Mapping[str, ArrayLike] | None = None,
+    ) -> dict[str, float]:
+        """Return name -> gradient; see `vjp`."""
+        gradient = pulled(self._run, dx, dv, states, outputs)
+        return dict(zip(self._run.adjoint.varied.names, gradient.tolist(), strict=True))
+
+    def __copy__(self) -> "Pullback":
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "Pullback":
+        return self
 
 
 def vjp(
@@ -47,10 +74,11 @@ def vjp(
     -------
     solution : Solution
         The motion.
-    pullback : function
+    pullback : Pullback
         `pullback(dx=None, dv=None, states=None, outputs=None)` returns name -> derivative of a number L, given dL/dx
         and dL/dv (n, k) at the rows of the solution, and the derivatives by its states and outputs (name -> (k,)). It
-        can be called again. A constrained start moves along the constraints.
+        can be called again. A constrained start moves along the constraints. It pickles: other
+        processes make the run again.
 
     Raises
     ------
@@ -70,17 +98,7 @@ def vjp(
     {'theta': 1.776532, 'l': -0.560406}
     """
     run = derivable_run("vjp", system, t_span, by, memory, t_eval=t_eval, **options)
-    varied = run.adjoint.varied
-
-    def pullback(
-        dx: ArrayLike | None = None,
-        dv: ArrayLike | None = None,
-        states: Mapping[str, ArrayLike] | None = None,
-        outputs: Mapping[str, ArrayLike] | None = None,
-    ) -> dict[str, float]:
-        return dict(zip(varied.names, pulled(run, dx, dv, states, outputs).tolist(), strict=True))
-
-    return run.solution, pullback
+    return run.solution, Pullback(run)
 
 
 def pulled(
