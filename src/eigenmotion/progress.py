@@ -11,7 +11,8 @@ from threading import Event, Thread
 Progress = Callable[[float, str], None]
 """Called with the finished part of the task, 0 ... 1, and the name of the current or last stage."""
 
-_PATIENCE = 1.0  # [s] shorter tasks show nothing
+PATIENCE = 1.0
+"""[s] Shorter tasks show nothing."""
 _POLL, _SELDOM = 0.2, 30.0  # [s] between two readings of the clock; between two lines if not on a terminal
 _CLEAR = "\r\x1b[K"
 
@@ -66,7 +67,7 @@ def part(progress: Progress, start: float, end: float) -> Progress:
 def counted(total: int, before: int = 0) -> Iterator[Callable[[int], None]]:
     """Show the number of finished runs, `before` of them earlier; yield the counter, which any thread may call."""
     done, start = before, time.monotonic()
-    with bar(every=_PATIENCE) as progress:
+    with bar(every=PATIENCE) as progress:
 
         def add(count: int) -> None:
             nonlocal done
@@ -168,7 +169,7 @@ def _shown(stages: Stages, patience: float) -> Iterator[None]:
 
 
 @contextmanager
-def clock(patience: float = _PATIENCE) -> Iterator[Stages]:
+def clock(patience: float = PATIENCE) -> Iterator[Stages]:
     """Show the last log message on a terminal or in a notebook, `patience` [s] after the first.
 
     Yields the stages. Within another clock, which shows them already, it yields those of that one.

@@ -14,6 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import draw
 from eigenmotion.cli import main
+from eigenmotion.results.pictures.animation import save_animation
 from eigenmotion.results.pictures.moving_shapes import Drawing
 from eigenmotion.results.pictures.outlines import nodes, outlines
 
@@ -144,6 +145,21 @@ def test_a_solid_names_what_it_needs():
         solid(rotation=Matrix([[1, 0], [0, 1]]))
     with pytest.raises(em.ModelError, match=r"positions of 3 and of 2 numbers|positions of 2 and of 3"):
         solid(((0, 1), (1, 0), (1, 1)))
+
+
+@pytest.mark.parametrize("ending", ["gif", "html"])
+def test_saving_an_animation_says_how_far_it_is(tmp_path, capsys, monkeypatch, ending):
+    """Hundreds of frames take half a minute, in which nothing was seen. What is done at once says nothing."""
+    pytest.importorskip("matplotlib")
+    run = system_of("pendulum", "lagrange").simulate((0.0, 1.0), dense_output=True)
+    moving = run.animate(fps=10)
+    first = save_animation(moving, tmp_path / f"a.{ending}").read_bytes()
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr("eigenmotion.progress._SELDOM", 0.0)
+    assert len(save_animation(moving, tmp_path / f"b.{ending}").read_bytes()) == len(first)
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 11
+    assert lines[5].startswith("drawing 45 %, frame 5 of 11, ")
 
 
 def test_animations_show_the_motion_frame_by_frame():

@@ -64,7 +64,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "presentation",
     ),
-    "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "arguments", "presentation"),
+    "results.pictures": ("codegen.model.normalise", "codegen.model", "files", "progress", "arguments", "presentation"),
     "results": ("codegen.model.normalise", "files", "runtime", "arguments", "presentation", "results.pictures"),
     "results.output": ("arguments", "presentation", "compiled", "results"),
     "simulation.initial_state": (

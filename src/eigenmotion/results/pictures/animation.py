@@ -1,6 +1,5 @@
 """Animation of a run; needs the extra `plot` (matplotlib), for .mp4 also ffmpeg."""
 
-import io
 import shutil
 import tempfile
 from collections.abc import Callable
@@ -13,6 +12,7 @@ from ...codegen.model import ModelError
 from ...codegen.model.normalise import number
 from ...files import write
 from ...presentation.figures import blank, require_matplotlib
+from ...progress import PATIENCE, bar
 from .moving_shapes import Drawing
 from .sketch import Sketch
 
@@ -77,28 +77,34 @@ def save_animation(moving: Any, path: Path, fps: float = FRAMES_A_SECOND) -> Pat
 
 
 def _gif(moving: Any, fps: float) -> bytes:
-    return _through_a_file(moving, "pillow", fps, ".gif")
+    return _through_a_file(moving, "pillow", ".gif", 100, fps=fps)
 
 
 def _mp4(moving: Any, fps: float) -> bytes:
     require_ffmpeg()
-    return _through_a_file(moving, "ffmpeg", fps, ".mp4")
+    return _through_a_file(moving, "ffmpeg", ".mp4", 100, fps=fps)
 
 
 def _html(moving: Any, fps: float) -> bytes:
     """Return a self-contained page with the frames embedded."""
     import matplotlib as mpl  # noqa: PLC0415, an optional package
 
-    page = io.StringIO()
     with mpl.rc_context({"animation.embed_limit": 200}):
-        page.write("<!doctype html><meta charset='utf-8'><title>motion</title>" + moving.to_jshtml(fps=fps))
-    return page.getvalue().encode()
+        player = _through_a_file(moving, "html", ".html", None, fps=fps, embed_frames=True, default_mode="loop")
+    return b"<!doctype html><meta charset='utf-8'><title>motion</title>" + player
 
 
-def _through_a_file(moving: Any, writer: str, fps: float, ending: str) -> bytes:
-    with tempfile.TemporaryDirectory() as folder:
+def _through_a_file(moving: Any, writer: str, ending: str, dpi: int | None, **options: Any) -> bytes:
+    """Return what a writer of matplotlib makes; shows the progress."""
+    from matplotlib.animation import writers  # noqa: PLC0415, an optional package
+
+    with tempfile.TemporaryDirectory() as folder, bar("drawing", every=PATIENCE) as progress:
         file = Path(folder) / f"motion{ending}"
-        moving.save(file, writer=writer, fps=fps, dpi=100)
+
+        def drawn(frame: int, count: int) -> None:
+            progress(frame / count, f"frame {frame} of {count}")
+
+        moving.save(file, writer=writers[writer](**options), dpi=dpi, progress_callback=drawn)
         return file.read_bytes()
 
 
