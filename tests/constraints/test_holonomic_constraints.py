@@ -157,3 +157,16 @@ def test_without_stabilisation_they_drift_by_the_tolerance():
         found = system_of("four_bar").simulate((0, 2), rtol=rtol, atol=rtol, stabilisation="none")
         drifts.append(np.abs(found.position_residual).max())
     assert 1e-12 < drifts[2] < drifts[1] / 10 < drifts[0] / 100
+
+
+@pytest.mark.parametrize("tiny", [10.0**-p for p in range(270, 306, 3)])
+def test_a_residual_whose_correction_has_no_digits_is_zero(tiny: float):
+    """Rows of length 1e15: a multiplier is 1e-30 of a residual, and rounded to zero before the residual is."""
+    (x, y), u = dynamicsymbols("x y"), symbols("u", positive=True)
+    beside = Model(
+        name="beside_a_wall", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+        potential_energy=y**2 / 2, holonomic_constraints=[u * x], parameters={u: 1.0}, initial={y: 1.0},
+    )  # fmt: skip
+    run = system_for(beside, "lagrange").simulate((0.0, 3.0), x0={"x": tiny}, parameters={"u": 1e15}, rtol=1e-9)
+    assert run.success, run.message
+    assert run.x[:, -1] == pytest.approx([0.0, np.cos(3.0)], abs=1e-7)

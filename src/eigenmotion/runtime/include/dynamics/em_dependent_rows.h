@@ -64,7 +64,7 @@ EM_NOINLINE int em_satisfy_kept_rows(double t, double *x, const double *c, int k
             terms[row] = fmax(terms[row], here[row]);
             if (!(kept & EM_FIRST_KEPT << row)) residual[row] = 0.0;
         }
-        if (em_largest_residual(residual, terms, &worst) <= ROUNDINGS) return 1;
+        if (em_largest_residual(residual, terms, NULL, &worst) <= ROUNDINGS) return 1;
         if (em_root_at(t, x, c, &root, &fault)) return 0;
         if (em_correct(&root, x, residual, NULL, EM_LEAST_NORM | kept, &fault)) return 0;
     }

@@ -4,10 +4,11 @@
 
 #include "dynamics/em_mechanics.h"
 
-/* |phi| in units of its rounding, infinite if that is unknown. A number below DBL_MIN has no digits to round. */
-static double em_in_roundings(double phi, double terms) {
+/* |phi| in units of its rounding, infinite if that is unknown. A number below DBL_MIN has no digits to round, and
+ * `least` is the one whose correction has none. */
+static double em_in_roundings(double phi, double terms, double least) {
     if (phi == 0.0) return 0.0;
-    return isfinite(phi) && isfinite(terms) ? fabs(phi) / fmax(terms * DBL_EPSILON, DBL_MIN) : INFINITY;
+    return isfinite(phi) && isfinite(terms) ? fabs(phi) / fmax(terms * DBL_EPSILON, least) : INFINITY;
 }
 
 /* residual (m) <- phi, 0 in the rows of velocities; terms (h): the magnitudes of the terms of phi. */
@@ -18,12 +19,13 @@ EM_NOINLINE void em_position_residual(double t, const double *x, const double *c
     for (int row = 0; row < N_POSITIONS; ++row) residual[row] = phi[row];
 }
 
-/* The largest residual in units of its rounding, and *worst, its row. */
-EM_NOINLINE double em_largest_residual(const double *residual, const double *terms, int *worst) {
+/* The largest residual in units of its rounding, and *worst, its row. root: if known, else NULL */
+EM_NOINLINE double em_largest_residual(const double *residual, const double *terms, const em_root *root, int *worst) {
     double largest = 0.0;
     *worst = 0;
     for (int row = 0; row < N_POSITIONS; ++row) {
-        const double size = em_in_roundings(residual[row], terms[row]);
+        const double least = root ? fmax(DBL_MIN, DBL_MIN * root->Delta[row * N_ROWS + row]) : DBL_MIN;
+        const double size = em_in_roundings(residual[row], terms[row], least);
         if (size > largest) largest = size, *worst = row;
     }
     return largest;
@@ -79,12 +81,15 @@ EM_NOINLINE int em_newton_of(double t, double *x, const double *c, int steps, in
             rows |= EM_LEAST_NORM;
             em_share_rounding(&root, rows, terms);
         }
-        const double size = em_largest_residual(residual, terms, &worst);
+        double size = em_largest_residual(residual, terms, NULL, &worst);
+        if (size > 1.0 && isfinite(size)) {
+            if (!least_norm && em_root_at(t, x, c, &root, fault)) return -1;
+            size = em_largest_residual(residual, terms, &root, &worst);
+        }
         if (size <= 1.0) return step > 0;
         if (isinf(size) || (step == steps && size > 1e3))
             return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
         if (step == steps) return 1;
-        if (!least_norm && em_root_at(t, x, c, &root, fault)) return -1;
         em_row_lengths(&root, lengths);
         if (em_correct(&root, x, residual, NULL, rows, fault)) return -1;
         em_add_correction(lengths, residual, before);
