@@ -119,3 +119,20 @@ def test_an_output_of_a_reaction_while_a_friction_slides():
     """The tension of the rod is g cos theta + l theta'^2, and the sliding friction is no row that shares it."""
     linear = rubbing(False).linearize({"theta": 0.4}, {"theta": 2.0})
     np.testing.assert_allclose(linear.full.C[0, [0, 2]], [-9.81 * np.sin(0.4), 2 * 0.5 * 2.0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
+def test_a_gap_is_inside_by_more_than_the_rounding_of_the_whole_state(unit):
+    """Of a body at x = 0.3 that rests on z = 0, runs leave z = 1e-34 or -1e-34."""
+    x, z = dynamicsymbols("x z")
+    g, k = symbols("g k", positive=True)
+    resting = em.Model(
+        name="resting", coordinates=[x, z], kinetic_energy=(x.diff() ** 2 + z.diff() ** 2) / 2,
+        potential_energy=g * z + k * x**2 / 2, contacts={"floor": em.Contact(z)}, parameters={g: 1.0, k: 4.0},
+    )  # fmt: skip
+    system = system_for(resting, "lagrange")
+    for gap in (-1e-34, -1e-17, 0.0, 1e-34):
+        found = system.linearize([0.3 * unit, gap * unit], [0.0, 0.0], parameters={"g": unit})
+        same(found.eigenvalues(), [2j, -2j])
+    with pytest.raises(ModelError, match="inside 'floor'"):
+        system.linearize([0.3 * unit, -1e-14 * unit], [0.0, 0.0], parameters={"g": unit})

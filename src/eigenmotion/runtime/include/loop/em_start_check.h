@@ -132,18 +132,17 @@ static int em_leaves_contact(const em_model *model, int event, double t, const d
     return model->event_actions[event].keeps_apart * rate > 0.0;
 }
 
-/* The event of the contact or impact that x is inside of; -1: none. A gap may be negative by the effect of the allowed
- * changes of x, as for constraints. With rtol 0 the state is not an initial state, and this is not checked. */
-static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
-                             double rtol, const double *atol) {
-    if (!em_has_contacts(model) || rtol == 0.0) return -1;
+/* The event of the contact or impact that x is inside of, by more than the effect of a change of x by `step` (n); -1:
+ * none. */
+static int em_inside_by_more(const em_model *model, double t, const double *x, const double *v, const double *c,
+                             const double *step) {
     const int n = model->n, events = model->n_events;
     double gap[events], elsewhere[events], reach[events], near[n];
     model->event(t, x, v, c, model->input_defaults, gap);
     for (int i = 0; i < events; ++i) reach[i] = 0.0;
     for (int k = 0; k < n; ++k) {
         for (int j = 0; j < n; ++j) near[j] = x[j];
-        near[k] += EM_START_STEPS * atol[k] + em_start_tolerance(rtol) * fabs(x[k]);
+        near[k] += step[k];
         model->event(t, near, v, c, model->input_defaults, elsewhere);
         for (int i = 0; i < events; ++i) reach[i] += fabs(elsewhere[i] - gap[i]);
     }
@@ -155,6 +154,22 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
         if (em_impact_is_alone(&model->event_actions[i]) && model->event_actions[i].keeps_apart * gap[i] < 0.0 &&
             (fabs(gap[i]) > reach[i] || !em_leaves_contact(model, i, t, x, v, c))) return i;
     return -1;
+}
+
+/* The same with the changes that are allowed for constraints: by tolerances, and in the last digits of x as a whole. With
+ * rtol 0 the state is not an initial state, and this is not checked. */
+static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
+                             double rtol, const double *atol) {
+    if (!em_has_contacts(model) || rtol == 0.0) return -1;
+    const int n = model->n;
+    double step[n], M[n * n], L[n * n], r[n];
+    for (int k = 0; k < n; ++k) step[k] = EM_START_STEPS * atol[k] + em_start_tolerance(rtol) * fabs(x[k]);
+    const int inside = em_inside_by_more(model, t, x, v, c, step);
+    if (inside < 0 || em_lacks_inertia(model, t, x, c, L, r) >= 0) return inside;
+    em_factored_matrix(model, t, x, c, M);
+    const double whole = EM_STATE_ROUNDING * DBL_EPSILON * em_mass_length(n, L, x);
+    for (int k = 0; k < n; ++k) step[k] += whole / sqrt(M[k * n + k]);
+    return em_inside_by_more(model, t, x, v, c, step);
 }
 
 /* y (n_state, in: 0) <- the state at x, v (n). Returns em_refusal. `at` and off (m), unless NULL <- the coordinate
