@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import logging
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, astuple, dataclass, replace
 
 from .anatomy import Anatomy, anatomy_of
@@ -149,6 +149,7 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
     return "\n".join([
         f"{made.name}: {made.n} coordinates, {made.m} constraint rows ({made.h} holonomic), {made.n_state} states",
         "", f"State ({made.formulation})", *layout,
+        *(("", "Units", *_units(model)) if model.units else ()),
         "", "Blocks of the mass matrix", *blocks,
         "", "Operations of the model-specific straight-line part", *(f"  {line}" for line in made.costs),
         "", "Lanes: right-hand sides of several states in one vector", *(f"  {line}" for line in _lanes(made)),
@@ -177,6 +178,12 @@ def _time_events(made: Program) -> tuple[str, ...]:
         lines += ["", "Conditions on time alone that steps may pass over, because they cannot be solved for time",
                   *(f"  {condition}" for condition in time_events.unsolved)]  # fmt: skip
     return tuple(lines)
+
+
+def _units(model: Model) -> Iterator[str]:
+    """Give a line for each unit, with the names that have it."""
+    for unit in dict.fromkeys(unit for _, unit in model.units):
+        yield f"  {unit}: {', '.join(name for name, one in model.units if one == unit)}"
 
 
 def _kind(turning: bool, fixed: bool) -> str:

@@ -340,6 +340,45 @@ def test_a_name_that_a_store_cannot_hold_is_refused_before_the_runs(scene, capsy
     assert main([*swept, "-o", "runs.csv"]) == 0
 
 
+UNITS = """\
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model, t
+x, z = dynamicsymbols("x z")
+m, k = Symbol("m"), Symbol("k")
+model = Model(name="stamp", coordinates=[x], kinetic_energy=m * x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
+    parameters={m: 0.002, k: 8.0}, initial={x: 5.0}, outputs={"force": -k * x, "late": t}, states={z: -z},
+    units={x: "mm", m: "t", "force": "N", "late": "seconds", "energy": "mJ", z: "V"})
+"""
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_units_are_in_stores(scene, capsys, ending):
+    """Times that are called seconds remain numbers where xarray opens them."""
+    needs(ending)
+    Path("stamp.py").write_text(UNITS)
+    command = ["sweep", "stamp.py", "--t-end", "0.1", "--sweep", "m=0.002,0.004", "--sweep", "x'=0,1", "--rows", "2"]
+    assert main([*command, "-o", f"runs.{ending}"]) == 0
+    if ending == "csv":
+        head = Path("runs.csv").read_text().partition("\n")[0]
+        assert head == ("run,m [t],swept_x' [mm/s],t [s],x [mm],x' [mm/s],energy [mJ],z [V],force [N],late [seconds],"
+                        "t_end [s],stop")  # fmt: skip
+    elif ending != "npz":
+        xarray = pytest.importorskip("xarray")
+        how = {"consolidated": False} if ending == "zarr" else {}
+        with xarray.open_dataset(f"runs.{ending}", **how) as found:
+            units = {str(name): found[name].attrs.get("units") for name in found.variables}
+            assert {name: unit for name, unit in units.items() if unit} == {
+                "m": "t", "x'": "mm/s", "time": "s", "energy": "mJ", "force": "N", "z": "V", "t_end": "s"}  # fmt: skip
+            assert (found.unit.item(), found.rate_unit.item()) == ("mm", "mm/s")
+            assert found.late.dtype == np.float64
+            assert found.late.attrs == {"unit": "seconds"}
+    Path("stamp.py").write_text(UNITS.replace('"mm"', '"m"'))
+    capsys.readouterr()
+    assert main([*command, "-o", f"runs.{ending}", "--resume"]) == 2
+    assert ending == "csv" or "another sweep: the unit of x is 'mm' there, and 'm' here. " in capsys.readouterr().err
+
+
 def test_columns_are_all_different():
     users = [("swept", "a"), ("output", "a"), ("swept", "run"), ("output", "swept_run"), ("swept", "swept_swept_run")]
     found = columns({"run", "t"}, users)

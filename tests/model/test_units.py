@@ -134,6 +134,11 @@ def test_the_summary_names_them(run):
     assert [row.split()[1] for row in rows] == ["[rad]", "[mm]", "[°C]"]
 
 
+def test_explanations_list_them():
+    assert "\nUnits\n  rad: q\n  mm: x, reach, length\n" in request(model()).explanation()
+    assert "Units" not in request(model(units={})).explanation()
+
+
 def test_pages_have_them_behind_sliders():
     told = about(model(), Run(), True)
     assert [(one["unit"], one["rateUnit"]) for one in told["coordinates"]] == [

@@ -192,7 +192,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "analysis.fitting",
         "batch",
     ),
-    "batch.sweep": ("codegen.model.normalise", "files", "arguments", "presentation", "results"),
+    "batch.sweep": ("codegen.model.normalise", "files", "runtime", "arguments", "presentation", "results"),
     "batch.stepper": (
         "codegen.model.normalise",
         "cores",

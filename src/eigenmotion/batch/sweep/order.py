@@ -4,23 +4,26 @@ import json
 from reprlib import Repr
 from typing import Any
 
+from ...runtime import CompiledModel
 from .design import Design
 
 _OPTIONS = {
     "model": "the model", "sources": "the model, its default values or how it is compiled", "grid": "--sweep",
-    "samples": "--sample", "n": "-n", "t_end": "--t-end",
+    "samples": "--sample", "n": "-n", "t_end": "--t-end", "units": "the unit of",
 }  # fmt: skip
 _NOT_GIVEN = "not given"
 _SHORT = Repr()
 _SHORT.maxlist, _SHORT.maxstring = 4, 80
 
 
-def order_of(design: Design, arguments: dict[str, Any], **rest: Any) -> dict[str, Any]:
+def order_of(model: CompiledModel, design: Design, arguments: dict[str, Any], **rest: Any) -> dict[str, Any]:
     """Return the order of a sweep."""
     drawn = {name: str(one) for name, one in design.samples.items()}
     grid = {name: list(numbers) for name, numbers in design.grid.items()}
     options = {name: arguments[name] for name in ("rtol", "atol", "method")}
-    return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
+    units = {} if model.units is None else {"units": dict(sorted(model.units.items()))}
+    described = {"model": f"{model.name}, {model.formulation}"} | units
+    return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | described | rest
 
 
 def differences(text: str, order: dict[str, Any]) -> str:

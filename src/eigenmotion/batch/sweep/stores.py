@@ -15,6 +15,7 @@ import numpy as np
 
 from ...codegen.model.normalise import ModelError
 from ...presentation.tables import as_csv
+from ...presentation.units import time_unit, unit_of, unit_of_marked, with_unit
 from ...results.columns import columns, moving
 from ...results.ensemble import Ensemble
 from .order import differences
@@ -22,7 +23,9 @@ from .unfinished_store import Arrays, Parts, remove
 
 _ALONG = {"x": ("run", "coordinate", "time"), "v": ("run", "coordinate", "time"), "multipliers": ("run", "row", "time"),
           "energy": ("run", "time")}  # fmt: skip
-_OURS = frozenset({*_ALONG, "time", "coordinate", "run", "row", "t_end", "success", "stop", "nfev"})
+_WORDS = ("unit", "rate_unit")
+_OURS = frozenset({*_ALONG, "time", "coordinate", "run", "row", "t_end", "success", "stop", "nfev", *_WORDS})
+_DURATIONS = ("days", "hours", "minutes", "seconds", "milliseconds", "microseconds", "nanoseconds")
 _SWEPT, _OUTPUT = "swept ", "output "
 
 
@@ -148,14 +151,43 @@ def _dataset(parts: Parts, arrays: Arrays, first: int) -> Any:
     import xarray  # noqa: PLC0415, an optional package
 
     named = _named(arrays, _OURS)
-    data = {name: (_ALONG.get(name, ("run",)), array) for name, array in arrays.items() if name not in named}
-    data |= {column: (("run", "time"), arrays[key]) for key, column in named.items() if key.startswith(_OUTPUT)}
-    places = {column: ("run", arrays[key]) for key, column in named.items() if key.startswith(_SWEPT)}
+    units = parts.units
+    of_ours = {"energy": unit_of(units, "energy"), "t_end": time_unit(units)}
+    data = {
+        name: (_ALONG.get(name, ("run",)), array, _attribute(of_ours.get(name, "")))
+        for name, array in arrays.items()
+        if name not in named
+    }
+    data |= {
+        column: (("run", "time"), arrays[key], _attribute(unit_of(units, _users(key))))
+        for key, column in named.items()
+        if key.startswith(_OUTPUT)
+    }
+    places: dict[str, Any] = {
+        column: ("run", arrays[key], _attribute(unit_of_marked(units, _users(key))))
+        for key, column in named.items()
+        if key.startswith(_SWEPT)
+    }
+    if units:  # x and v mix them, as in Ensemble.to_xarray
+        places |= {
+            word: ("coordinate", np.array([unit_of(units, name, order) for name in parts.coordinates]))
+            for order, word in enumerate(_WORDS)
+        }
     runs = np.arange(first, first + len(arrays["t_end"]))
     if not arrays["multipliers"].shape[1]:
         del data["multipliers"]
-    shared = {"run": runs, "time": parts.time, "coordinate": np.array(parts.coordinates)}
+    time = ("time", parts.time, _attribute(time_unit(units)))
+    shared = {"run": runs, "time": time, "coordinate": np.array(parts.coordinates)}
     return xarray.Dataset(data, shared | places, {"sweep": parts.order_text})
+
+
+def _attribute(unit: str) -> dict[str, str]:
+    """Return the attributes of a variable with a unit. xarray would read numbers of "seconds" as durations."""
+    return {"unit" if unit in _DURATIONS or " since " in unit else "units": unit} if unit else {}
+
+
+def _users(key: str) -> str:
+    return key.partition(" ")[2]
 
 
 def _save_netcdf(parts: Parts, path: Path) -> None:
@@ -209,7 +241,13 @@ def _lines(parts: Parts, arrays: Arrays, first: int) -> tuple[list[str], Iterato
     named = _named(arrays, {*ours, *motion, *parts.coordinates})
     swept, outputs = ({column: arrays[key] for key, column in named.items() if key.startswith(kind)}
                       for kind in (_SWEPT, _OUTPUT))  # fmt: skip
-    head = ["run", *swept, "t", *motion, *parts.reactions, "energy", *outputs, "t_end", "stop"]
+    units, rates = parts.units, [unit_of(parts.units, name, 1) for name in parts.coordinates]
+    words = ["", *(unit_of_marked(units, _users(key)) for key in named if key.startswith(_SWEPT)), time_unit(units),
+             *(unit_of(units, name) for name in parts.coordinates), *rates, *("" for _ in parts.reactions),
+             unit_of(units, "energy"), *(unit_of(units, _users(key)) for key in named if key.startswith(_OUTPUT)),
+             time_unit(units), ""]  # fmt: skip
+    names = ["run", *swept, "t", *motion, *parts.reactions, "energy", *outputs, "t_end", "stop"]
+    head = [with_unit(name, unit) for name, unit in zip(names, words, strict=True)]
 
     def rows() -> Iterator[list[Any]]:
         for k in range(len(arrays["t_end"])):

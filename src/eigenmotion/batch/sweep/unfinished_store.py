@@ -17,7 +17,7 @@ import io
 import json
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,7 +39,7 @@ class Parts:
     """The parts of one sweep.
 
     order : the description of the sweep, as JSON data; time (nt,), coordinates (n,), reactions (m,), the columns of
-    multipliers : common to all runs
+    multipliers, units of names : common to all runs
     """
 
     store: Path
@@ -48,6 +48,7 @@ class Parts:
     time: NDArray[np.float64]
     coordinates: tuple[str, ...]
     reactions: tuple[str, ...]
+    units: Mapping[str, str] | None = None
 
     @property
     def folder(self) -> Path:

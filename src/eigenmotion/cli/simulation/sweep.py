@@ -104,16 +104,11 @@ def command(
     named = chosen_method(system, method, rtol).name  # "auto" depends on the machine; a resumed sweep keeps the choice
     arguments = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
     order = order_of(
-        design,
-        arguments,
-        model=f"{system.name}, {system.formulation}",
-        sources=request.input_hash,
-        set=sorted(settings),
-        t_end=t_end,
-        rows=rows,
+        system.compiled, design, arguments, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows,
         chunk=chunk,
-    )
-    parts = Parts(store, order, -(-design.count // chunk), times, system.coordinates, reactions(system.compiled))
+    )  # fmt: skip
+    names = system.coordinates, reactions(system.compiled)
+    parts = Parts(store, order, -(-design.count // chunk), times, *names, system.units)
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), arguments)
     with parts.locked():
         if resume and is_done(parts, lambda: work.computed(workers)):
