@@ -296,3 +296,16 @@ def test_what_is_solved_is_said_and_others_pay_nothing():
     assert "t0 + d" in compiler.explain(PULSED) or "d + t0" in compiler.explain(PULSED)
     plain = compiler.generate(driven("plain", sin(t))).files
     assert not any("time_event" in part.text.lower() for part in plain)
+
+
+def test_the_refusal_names_the_event_and_the_remedy():
+    """An impact at the time at which a force is switched on."""
+    hit = Event(X, direction=-1, impact=(X, 0.5))
+    force = Piecewise((0, t < START), (1, True))
+    model = driven("meeting", force, {START: 1.0}, potential_energy=2 * X, initial={X: 1.0}, events={"hit": hit})
+    system = system_for(model, "lagrange")
+    words = r"changes at once with 'hit'.* about t = 0\.99.*start where one of them is clearly first, or vary only"
+    with pytest.raises(ModelError, match=words):
+        system.simulate((0.0, 2.0), sensitivities=["t0"])
+    with pytest.raises(ModelError, match=words):
+        em.vjp(system, (0.0, 2.0), by=["t0"])

@@ -90,12 +90,12 @@ _END_MESSAGES = (
     "", "{} and {} act at once, and which of them is first depends on what is varied",
     "{} only touches zero, so that whether it happens depends on what is varied",
     "the directions went through other events than the run",
-    "a condition in the time changes at the start, or at once with another or with an event, and their times change apart "
-    "with what is varied",
+    "a condition in the time changes at the start, or at once with another, and their times change apart with what is varied",
     "constraint rows jump",
     "a force jumps where {} and {} happen at once, whose times change apart: with which of them it does not show",
     "a force jumps",
     "forces change faster than steps can follow",
+    "a condition in the time changes at once with {}, and their times change apart with what is varied",
 )  # of em_variation_pass.h
 
 

@@ -128,7 +128,12 @@ def _together(solution: Solution, method: Method) -> float:
 
 def remedied(c: CompiledModel, fault: EvaluationError) -> str:
     """Return the message of derivatives that end early, with what to do."""
-    return f"{fault}. Sensitivities end there: {_remedy(c) if 'jumps' in str(fault) else 'end the run before'}"
+    words = str(fault)
+    remedy = _APART if "at once" in words else _remedy(c) if "jumps" in words else "end the run before"
+    return f"{fault}. Sensitivities end there: {remedy}"
+
+
+_APART = "end the run before, start where one of them is clearly first, or vary only what keeps them at once"
 
 
 def _remedy(c: CompiledModel) -> str:

@@ -95,6 +95,13 @@ static int em_is_same_state(int n, const double *y, const double *z, const doubl
     return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
 }
 
+/* The first of the events that act. */
+static int em_first_fired(const em_variations *w, const int *fired) {
+    int event = 0;
+    while (event < w->model->n_events - 1 && !fired[event]) ++event;
+    return event;
+}
+
 /* Applies the event actions at a stop: z and the mode <- after them, as in the next stop of the run; S <- the
  * directions. */
 static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double margin) {
@@ -104,7 +111,8 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
     double P[w->n_forcing * k], after[2 * n], v[n], of_time_event[k], by_time_event[2 * n];
     const int time_events = em_time_event_at(p, stop, near, of_time_event, by_time_event);
     if (time_events < 0) return -1;
-    if (time_events && !em_stay_simultaneous(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
+    if (time_events && !em_stay_simultaneous(p, of_time_event, dt))
+        return em_end_pass(w, EM_TIME_EVENT_MEETS, em_first_fired(w, fired), -1);
     memcpy(v, p->z + n, sizeof v);
     for (int i = 0; i < w->n_forcing; ++i)
         for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
@@ -116,7 +124,8 @@ static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *b
     memcpy(p->z, next, 2 * n * sizeof *next);
     const int time_events_then = em_time_event_at(p, stop, near, of_time_event, by_time_event);
     if (time_events_then < 0) return -1;
-    if (time_events_then && !em_stay_simultaneous(p, of_time_event, dt)) return em_end_pass(w, EM_TIME_EVENTS_MEET, -1, -1);
+    if (time_events_then && !em_stay_simultaneous(p, of_time_event, dt))
+        return em_end_pass(w, EM_TIME_EVENT_MEETS, em_first_fired(w, fired), -1);
     if (em_rate_on_side(p, t, margin, after)) return -1;
     for (int i = 0; i < 2 * n; ++i)
         for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
@@ -147,7 +156,8 @@ static int em_variation_jump(em_pass *p, size_t stop, const em_simultaneous_even
     for (int i = 0; time_events && i < 2 * n; ++i) rest[i] = before[i] - by_time_event[i];
     const int alone = time_events && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
     if (both && events->apart >= 0) return em_end_pass(p->of, EM_JUMPS_MEET, events->event, events->apart);
-    if (both && time_events && !em_stay_simultaneous(p, of_time_event, events->dt)) return em_end_pass(p->of, EM_TIME_EVENTS_MEET, -1, -1);
+    if (both && time_events && !em_stay_simultaneous(p, of_time_event, events->dt))
+        return em_end_pass(p->of, EM_TIME_EVENT_MEETS, events->event, -1);
     if (!time_events && !both) return 0;
     const double *const dt = time_events ? of_time_event : events->dt;
     for (int column = 0; column + 1 < k; ++column)

@@ -16,7 +16,7 @@ struct em_tape;
 /* Reasons for the end of a pass, apart from faults of the model. */
 enum {
     EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_TIME_EVENTS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET,
-    EM_FORCE_JUMPS, EM_UNRESOLVED
+    EM_FORCE_JUMPS, EM_UNRESOLVED, EM_TIME_EVENT_MEETS
 };
 
 enum { EM_GLOBAL_PROBES = 1 }; /* of a pass with a tape: columns from the start on; the others are drawn at every step */
