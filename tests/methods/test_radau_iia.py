@@ -257,3 +257,16 @@ def test_auto_sees_what_is_stiff_and_says_so():
         sol = stiff_link().simulate(span, method="auto", **given)
         assert sol.method in ("dop853", "ra15")
         assert "stiff" not in sol.message
+
+
+@pytest.mark.parametrize("method", RADAU)
+@pytest.mark.parametrize("length", [1e-9, 1e-3, 1.0, 1e9])
+@pytest.mark.parametrize("origin", [0.0, 1e4])
+def test_a_model_written_by_hand_has_the_same_steps_in_any_unit(build, method, length, origin):
+    """A stiff pendulum, whose slopes are differences: x'' = -1e6 sin x - 2e3 x' + cos t."""
+    x = f"(y[0] / {length} - {origin})"
+    stiff = Mechanism(rhs=f"dy[0] = y[1]; dy[1] = {length} * (cos(t) - 1e6 * sin({x})) - 2e3 * y[1];")
+    found = simulate(build(stiff), [(1.0 + origin) * length, 0.0], (0.0, 20.0), method, rtol=1e-7, atol=1e-9 * length)
+    assert found.status == FINISHED
+    assert found.y[0, -1] / length - origin == pytest.approx(1e-6 * math.cos(20.0), abs=1e-8)
+    assert found.run.n_steps < 400

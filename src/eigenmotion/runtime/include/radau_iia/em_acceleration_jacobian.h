@@ -2,6 +2,7 @@
 #ifndef EM_ACCELERATION_JACOBIAN_H
 #define EM_ACCELERATION_JACOBIAN_H
 
+#include "stepper/em_error_norm.h"
 #include "stepper/em_failure_location.h"
 
 /* A model written by hand has no derivatives: finite differences are good enough for the iteration. */
@@ -18,9 +19,23 @@ static int em_bare_rate(em_run_state *w, double t, const double *z, double *rate
     return 0;
 }
 
+#define EM_SLOPE_PART 1e-2     /* of the change in the step */
+#define EM_SLOPE_ROUNDING 6e-6 /* relative: the part of a number that central differences change at
+                                  least, about the cube root of its rounding */
+
+/* The change of number k of x and v over which a slope is taken: a part of its change in the step, no less than its
+ * tolerance, and far more than its rounding. Where all of these vanish, any change will do. */
+static double em_slope_change(const em_run_state *w, const double *at, int k) {
+    const int n = w->n;
+    double change = EM_SLOPE_PART * fabs(w->h * w->K[0][k]);
+    change = em_max(change, em_max(em_tolerance_of(w, k), EM_SLOPE_ROUNDING * fabs(at[k])));
+    if (k < n) change = em_max(change, fabs(w->h) * em_slope_change(w, at, n + k));
+    return change > 0.0 ? change : sqrt(EM_LEAST_SIZE);
+}
+
 /* Column k: by central differences, or one-sided ones if only one side can be evaluated. */
 static int em_bare_slope(em_run_state *w, double t, double *at, int k, const double *here, double *J) {
-    double up[2 * w->n], down[2 * w->n], z = at[k], high = z + 1e-3 * fmax(1.0, fabs(z)), low = z - (high - z);
+    double up[2 * w->n], down[2 * w->n], z = at[k], high = z + em_slope_change(w, at, k), low = z - (high - z);
     at[k] = high;
     if (em_bare_rate(w, t, at, up)) high = z, memcpy(up, here, sizeof up);
     at[k] = low;
