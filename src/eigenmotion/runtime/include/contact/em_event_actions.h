@@ -58,28 +58,50 @@ EM_NOINLINE int em_impact_all(em_acting *a, em_all_rows *r) {
 
 /* --- resets --- */
 
-/* Checks that a reset satisfies the constraints. 0, or -1 and *fault. */
-EM_NOINLINE int em_check_reset(const em_acting *a, int event) {
-    double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
-    position(a->t, a->x, a->c, phi, terms);
-    for (int row = 0; row < N_POSITIONS; ++row)
-        if (!(fabs(phi[row]) <= EM_RESET_TOLERANCE * terms[row]))
-            return em_fail(a->fault, EM_RESET_OFF, event, row, phi[row]);
+/* Residuals of the constraints and the terms that cancel in them: of positions, and of rates along rows. */
+typedef struct em_residuals {
+    double phi[EM_SOME_POSITIONS], phi_terms[EM_SOME_POSITIONS], rate[EM_SOME_ROWS], rate_terms[EM_SOME_ROWS];
+} em_residuals;
+
+EM_NOINLINE void em_find_residuals(const em_acting *a, em_residuals *r) {
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    position(a->t, a->x, a->c, r->phi, r->phi_terms);
     pfaffian(a->t, a->x, a->c, A, b);
     for (int row = 0; row < N_ROWS; ++row) {
-        double rate = b[row], size = fabs(b[row]);
-        for (int k = 0; k < N; ++k) rate += A[row * N + k] * a->v[k], size += fabs(A[row * N + k] * a->v[k]);
-        if (!(fabs(rate) <= EM_RESET_TOLERANCE * size)) return em_fail(a->fault, EM_RESET_OFF, event, row, rate);
+        r->rate[row] = b[row], r->rate_terms[row] = fabs(b[row]);
+        for (int k = 0; k < N; ++k) {
+            r->rate[row] += A[row * N + k] * a->v[k];
+            r->rate_terms[row] += fabs(A[row * N + k] * a->v[k]);
+        }
     }
+}
+
+/* Whether a reset has moved a row off zero: by more than a part of its terms, and than it was before. */
+EM_NOINLINE int em_leaves_row(double before, double after, double terms) {
+    return !(fabs(after) <= EM_RESET_TOLERANCE * terms + 2.0 * fabs(before));
+}
+
+/* Checks that a reset satisfies the constraints as well as the state before it did. 0, or -1 and *fault. */
+EM_NOINLINE int em_check_reset(const em_acting *a, int event, const em_residuals *before) {
+    em_residuals after;
+    em_find_residuals(a, &after);
+    for (int row = 0; row < N_POSITIONS; ++row)
+        if (em_leaves_row(before->phi[row], after.phi[row], after.phi_terms[row]))
+            return em_fail(a->fault, EM_RESET_OFF, event, row, after.phi[row]);
+    for (int row = 0; row < N_ROWS; ++row)
+        if (em_leaves_row(before->rate[row], after.rate[row], after.rate_terms[row]))
+            return em_fail(a->fault, EM_RESET_OFF, event, row, after.rate[row]);
     return 0;
 }
 
 EM_NOINLINE int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
+    em_residuals before;
     const int number = event_actions[event].reset;
     if (N_RESETS == 0) return 0; /* so that compilers see it, too */
     resets(a->t, a->x, a->v, a->c, a->u, after);
     const double *const at = after + number * 2 * N;
+    em_find_residuals(a, &before);
     for (int k = 0; k < 2 * N; ++k)
         if (!isfinite(at[k])) return em_fail(a->fault, EM_NON_FINITE_STATE, k % N, -1, NAN);
     if (a->along) a->along->reset(a, number);
@@ -89,7 +111,7 @@ EM_NOINLINE int em_reset(em_acting *a, int event) {
     if (a->along && resets_quasi[number] && a->along->quasi(a))
         return em_fail(a->fault, EM_RESET_OFF, event, EM_NO_RATES, NAN);
     a->moved = 1;
-    return em_check_reset(a, event);
+    return em_check_reset(a, event, &before);
 }
 
 /* --- the mode afterwards --- */
