@@ -288,3 +288,18 @@ def test_kinks_are_taken_from_one_side_or_refused():
 def test_mistakes_have_names(wrong):
     with pytest.raises(ModelError):
         system_of("pendulum", "lagrange").linearize(**wrong)
+
+
+@pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
+def test_rows_in_other_units_than_others_hold(unit):
+    """Of two masses and a third one, on springs, the first two are held, one of them by a row in another unit."""
+    q, u = dynamicsymbols("q1:4"), symbols("u", positive=True)
+    held = em.Model(
+        name="held_in_units", coordinates=q, kinetic_energy=sum(one.diff() ** 2 for one in q) / 2,
+        potential_energy=sum(one**2 for one in q) / 2, holonomic_constraints=[q[0] - q[1]],
+        nonholonomic_constraints=[u * q[1].diff()], parameters={u: 1.0},
+    )  # fmt: skip
+    system = system_for(held, "lagrange")
+    found = system.linearize([0.2, 0.2, 0.5], [0.0] * 3, parameters={"u": unit})
+    assert len(found.eigenvalues()) == 6 - 2 - 1
+    same(found.eigenvalues(), [1j, -1j, 0.0])

@@ -12,6 +12,10 @@ from .operating_point import OperatingPoint
 _DEPENDENT = 3e-6
 """Least part of a unit row that is independent of other rows: the square root of EM_DEPENDENT (em_rank.h)."""
 
+_VANISHED = 1e-13
+"""A row that is shorter than this part of the longest is zero, as in runs: the square root of EM_VANISHED (em_linear.h).
+Rows have units of their own."""
+
 _PREFERRED = 100.0
 """Factor by which the columns that are to be dependent are scaled."""
 
@@ -57,7 +61,7 @@ def null_space(
     right = np.zeros((len(A), 0)) if right is None else right
     scaled = A * unit
     length = np.sqrt((scaled**2).sum(axis=1))
-    length = np.where(length > _DEPENDENT**2 * length.max(initial=0.0), length, np.inf)[:, None]
+    length = np.where(length > _VANISHED * length.max(initial=0.0), length, np.inf)[:, None]
     if not len(A):
         return list(range(n)), np.eye(n), np.zeros((n, right.shape[1]))
     Q, R, order = scipy.linalg.qr(scaled / length, mode="economic", pivoting=True)
