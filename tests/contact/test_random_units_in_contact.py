@@ -12,6 +12,8 @@ from eigenmotion import ModelError, Solution, System
 from ..support.generation import system_for
 from ..support.random_units_in_contact import Choice, Scene
 
+FOUND = [109, 177, 245, 277]
+"""Steps by the thousand where a cone stops, and a reset refused beside a contact whose gap is 1e-40."""
 CASES = [*range(5), *(pytest.param(seed, marks=pytest.mark.nightly) for seed in range(5, 60))]
 JOIN = pytest.mark.xfail(
     reason="a step of derivatives ends beside a join of a table, and says that a force jumps there"
@@ -24,7 +26,7 @@ def events(run: Solution, units: Choice) -> list[np.ndarray]:
     return [(times - units.t_0) * units.k for times in run.t_events or ()]
 
 
-@pytest.mark.parametrize("seed", CASES)
+@pytest.mark.parametrize("seed", [*CASES, *FOUND])
 def test_motions_events_and_forces(seed: int):
     of = Scene(seed)
     system, random = system_for(of.model(), ("lagrange", "eigenfactor")[seed % 2]), np.random.default_rng(seed)
@@ -61,16 +63,21 @@ def check_linear(system: System, right: tuple[Solution, Choice], found: tuple[So
     except ModelError as error:
         assert "modes meet" in str(error)  # noqa: PT017
         return
-    assert len(wanted) == len(values)
+    assert len(wanted) == len(values), (wanted, values)
     apart = np.abs(wanted[:, None] - values)
     if len(values):
         assert max(apart.min(axis=0).max(), apart.min(axis=1).max()) < FORCE * max(1.0, np.abs(wanted).max())
 
 
 def eigenvalues(system: System, run: Solution, units: Choice, t: float) -> np.ndarray:
-    parameters = units.given(system.parameters, RTOL)["parameters"]
-    x = np.append(run.x[:, -1], [rows[-1] for rows in run.states.values()]) if units.of.Z is not None else run.x[:, -1]
-    return system.linearize(x, run.v[:, -1], t, parameters=parameters).eigenvalues() / units.k
+    """Of a state without what is rounding of numbers of order one: at rest, nothing else says so."""
+    parameters, n = units.given(system.parameters, RTOL)["parameters"], units.of.n
+    x, v = run.x[:, -1], run.v[:, -1]
+    x, v = (np.where(np.abs(size[:, 0] * one) < 1e-20, 0.0, one)
+            for size, one in ((units.of_rows[:n], x), (units.of_rows[n:], v)))  # fmt: skip
+    if units.of.Z is not None:
+        x = np.append(x, [rows[-1] for rows in run.states.values()])
+    return system.linearize(x, v, t, parameters=parameters).eigenvalues() / units.k
 
 
 @pytest.mark.parametrize("seed", [*CASES[:47], pytest.param(47, marks=[pytest.mark.nightly, JOIN]), *CASES[48:]])

@@ -17,7 +17,8 @@
 #define EM_DEPENDENT_RATE 1e-8              /* the allowed rate of a dependent row, as a part of its terms */
 #define EM_GAP_ROUNDING (8.0 * DBL_EPSILON) /* the rounding of a gap, as a part of its terms */
 #define EM_CONE_ROUNDING 1e-11              /* the slip of a cone has no direction below this part of its terms */
-#define EM_CONE_STOP_SLIP 4.0               /* in tolerances: errors may reverse such a slip, as those of dopri5 do at 3 */
+#define EM_CONE_STOP_SLIP (4.0 * sqrt(2.0 * N)) /* in tolerances: errors may reverse such a slip. The norm is a mean over
+                                               2 n numbers, and all of the error may be that of the slip */
 #define EM_CONE_SHIFT 8.0                   /* the shift of the slip of a cone that begins to slide, in units of that slip */
 #define EM_NEIGHBOUR_DISTANCE 3e-4          /* distance of a neighbouring position, as a part of the displacement that
                                                changes a row entirely */
