@@ -13,8 +13,7 @@ _DEPENDENT = 3e-6
 """Least part of a unit row that is independent of other rows: the square root of EM_DEPENDENT (em_rank.h)."""
 
 _VANISHED = 1e-13
-"""A row that is shorter than this part of the longest is zero, as in runs: the square root of EM_VANISHED (em_linear.h).
-Rows have units of their own."""
+"""A row shorter than this part of the longest is zero, as in runs: the square root of EM_VANISHED (em_linear.h)."""
 
 _PREFERRED = 100.0
 """Factor by which the columns that are to be dependent are scaled."""
