@@ -9,6 +9,7 @@ import eigenmotion as em
 from eigenmotion.arguments.methods import METHODS
 
 from ..support.generation import system_for
+from ..support.random_units_in_contact import Choice, Scene
 
 x, y = dynamicsymbols("x y")
 w = symbols("w", positive=True)
@@ -81,3 +82,19 @@ def test_ra15_takes_no_more_steps_where_numbers_start_from_zero(formulation: str
     assert run.nsteps <= usual.nsteps + 5
     right = system.simulate((0.0, end), rtol=1e-13, atol=1e-14 * min(1.0, 1.0 / unit), parameters=given["parameters"])
     assert run.x[:, -1] == pytest.approx(right.x[:, -1], abs=1e-7)
+
+
+@pytest.mark.parametrize("seed", [1, 3, 4, 6, 7, 19, 26])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "dopri5", "radau9"])
+def test_what_contacts_and_frictions_keep_at_rest_has_no_error(method: str, seed: int):
+    """What they hold is zero to rounding, of which the rest of the motion decides: as with a tolerance for it."""
+    of = Scene(seed)
+    system, plain = system_for(of.model(), "lagrange"), Choice(of, np.random.default_rng(0), 0.0)
+    given = plain.given(system.parameters, 1e-9) | {"method": method}
+    usual = system.simulate((0.0, of.end), **given)
+    run = system.simulate((0.0, of.end), **given | {"atol": 0.0})
+    assert usual.success
+    assert run.success, run.message
+    assert run.x[:, -1] == pytest.approx(usual.x[:, -1], abs=1e-6)
+    assert run.v[:, -1] == pytest.approx(usual.v[:, -1], abs=1e-6)
+    assert run.nsteps <= 10 * usual.nsteps

@@ -44,6 +44,7 @@ static void em_weigh_rates(em_run_state *w, const double *y_new, const double *v
     const double h = w->h, *const restrict in_x = w->weight, *const restrict in_v = in_x + w->n;
     double *const restrict of_v = weight + w->n;
     em_set_weights_of(w, w->y, w->K[0], y_new, v_new);
+    if (w->model->n_switches > 0 && em_is_relative(w)) em_weigh_rounding_of_motion(w, v_new);
     em_copy_packs(w->n, weight, w->weight);
     for (int k = 0; w->second_order && k < w->n; k += EM_PACK)
         for (int place = k; place < k + EM_PACK; ++place) {

@@ -14,6 +14,7 @@ EM_INLINE em_explicit em_explicit_of(em_run_state *w) {
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
 EM_INLINE double em_error_norm(const em_tableau *rk, em_run_state *w) {
     em_set_weights_of(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    if (w->model->n_switches > 0 && em_is_relative(w)) em_weigh_rounding_of_motion(w, w->K[rk->velocity_stage]);
     if (rk->errors == 0) return 0.0;
     const em_explicit s = em_explicit_of(w);
     double *const both[] = {w->y_raw, w->error}; /* y_raw is not used yet at this point */

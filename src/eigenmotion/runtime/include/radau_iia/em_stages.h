@@ -16,7 +16,6 @@
 #endif
 #define EM_STAGNANT 0.5     /* contraction above which the iteration stagnates */
 #define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
-#define EM_MOTION_ROUNDING (1000.0 * DBL_EPSILON) /* the rounding of the motion as a whole, as a part of it */
 
 enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* a stage failed; w->reason says why */
 
@@ -30,31 +29,12 @@ EM_INLINE void em_stage_states(const em_radau_iia *rk, em_run_state *w, int stri
     em_by_stages(rk, w->h, stride, w->y, q->V, q->X);
 }
 
-/* v^T M v */
-static double em_square_of_motion(int n, const double *M, const double *v) {
-    double sum = 0.0;
-    for (int k = 0; k < n * n; ++k) sum += M[k] * v[k / n] * v[k % n];
-    return em_max(sum, 0.0);
-}
-
-/* Weights of x and v, from the start of the step to its end. Without an absolute tolerance the rounding of the
- * motion as a whole, in the mass metric, takes its place: the solution of linear equations spreads rounding to a
- * coordinate that does not move. */
+/* Weights of x and v, from the start of the step to its end. */
 static void em_weigh_stages(const em_radau_iia *rk, em_run_state *w) {
     const em_implicit *q = &w->stages;
     const double *const v = q->V + (rk->stages - 1) * w->stride;
-    double M[w->n * w->n], least[2 * w->n];
     em_set_weights(w, w->y, w->K[0], q->X + (rk->stages - 1) * w->stride, v);
-    if (!em_is_relative(w)) return;
-    em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
-    const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v)));
-    for (int k = 0; k < w->n; ++k) {
-        least[w->n + k] = EM_MOTION_ROUNDING * speed / sqrt(M[k * w->n + k]);
-        least[k] = fabs(w->h) * least[w->n + k];
-    }
-    for (int k = 0; k < 2 * w->n; ++k)
-        if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
-        else if (w->weight[k] >= 1.0 / EM_LEAST_SIZE) w->weight[k] = 0.0;
+    if (em_is_relative(w)) em_weigh_rounding_of_motion(w, v);
 }
 
 /* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_signal_averages.h if the

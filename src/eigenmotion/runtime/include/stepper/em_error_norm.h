@@ -56,6 +56,31 @@ EM_INLINE void em_set_weights_of(em_run_state *w, const double *y, const double 
     if (em_counts_factors(w)) em_weigh_factors(w, y, y_new);
 }
 
+#define EM_MOTION_ROUNDING (1000.0 * DBL_EPSILON) /* the rounding of the motion as a whole, as a part of it */
+
+/* v^T M v */
+static double em_square_of_motion(int n, const double *M, const double *v) {
+    double sum = 0.0;
+    for (int k = 0; k < n * n; ++k) sum += M[k] * v[k / n] * v[k % n];
+    return em_max(sum, 0.0);
+}
+
+/* Without an absolute tolerance the rounding of the motion as a whole, in the mass metric, takes its place: the solution
+ * of linear equations spreads rounding to a coordinate that does not move. v_new (n): the velocities at the end of the
+ * step. */
+EM_COLD_PATH EM_NOINLINE void em_weigh_rounding_of_motion(em_run_state *w, const double *v_new) {
+    double M[w->n * w->n], least[2 * w->n];
+    em_mass_at(w->model, w->t, w->y, w->run->prepared, M);
+    const double speed = sqrt(em_max(em_square_of_motion(w->n, M, w->K[0]), em_square_of_motion(w->n, M, v_new)));
+    for (int k = 0; k < w->n; ++k) {
+        least[w->n + k] = EM_MOTION_ROUNDING * speed / sqrt(M[k * w->n + k]);
+        least[k] = fabs(w->h) * least[w->n + k];
+    }
+    for (int k = 0; k < 2 * w->n; ++k)
+        if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
+        else if (w->weight[k] >= 1.0 / EM_LEAST_SIZE) w->weight[k] = 0.0;
+}
+
 static void em_set_weights(em_run_state *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_set_weights_of(w, y, dy, y_new, dy_new);
 }
