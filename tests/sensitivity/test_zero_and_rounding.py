@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.models.polar_particle import model as polar_particle
-from sympy import symbols
+from sympy import cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -79,3 +79,26 @@ def test_units_of_coordinates_take_no_steps(method: str, s: tuple[float, ...], i
     _, pullback = em.vjp(chain_in_units(), (0.0, 10.0), by=names, t_eval=[10.0], **given)
     found = pullback(dx=np.array([[0.0], [unit[1]], [0.0]]))
     assert [found[name] / one for name, one in zip(names, unit, strict=True)] == pytest.approx(right[1], abs=1e-7)
+
+
+x = dynamicsymbols("x")
+k, mu = symbols("k mu", positive=True)
+STUCK = em.Model(
+    name="rubbed_at_the_start", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
+    forces=[cos(em.t)], contacts={"rub": em.Friction(x.diff(), limit=mu)}, parameters={k: 1.0, mu: 0.5},
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("v", [0.0, 1e-20, -1e-20, 1e-15, -1e-15])
+@pytest.mark.parametrize(("t", "at", "sticks"), [(1.5, 0.1, True), (2.5, 0.2, False), (0.1, -0.3, False)])
+def test_a_start_that_rounding_moves_is_a_start_at_rest(v, t, at, sticks):
+    """Whether a friction sticks at first is the run's decision: a velocity of rounding is none (closed form)."""
+    system = system_for(STUCK, "lagrange")
+    given = {"x0": {"x": at}, "v0": {"x": v}, "rtol": 1e-11, "t_eval": [t + 0.05]}
+    found = system.simulate((t, t + 0.05), sensitivities=["x", "x'", "mu"], **given).sensitivity
+    _, pullback = em.vjp(system, (t, t + 0.05), by=["x", "x'", "mu"], **given)
+    side = -np.sign(np.cos(t) - at)
+    slides = {"x": np.cos(0.05), "x'": np.sin(0.05), "mu": side * (1.0 - np.cos(0.05))}
+    expected = {"x": 1.0, "x'": 0.0, "mu": 0.0} if sticks else slides
+    assert {name: one.dx[0, 0] for name, one in found.items()} == pytest.approx(expected, rel=1e-8, abs=1e-14)
+    assert pullback(dx=np.ones((1, 1))) == pytest.approx(expected, rel=1e-8, abs=1e-14)

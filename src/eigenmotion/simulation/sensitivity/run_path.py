@@ -13,7 +13,7 @@ from ...arguments.named_values import Vector
 from ...arguments.tasks import Task
 from ...results.solution import Solution
 from ...runtime import Prepared, Run
-from ...runtime.variations import act_along
+from ...runtime.checkpoints import CheckpointedRun
 
 Occurrence = tuple[int, int]
 """(number of an event, number of its occurrence)"""
@@ -47,8 +47,9 @@ class Path(NamedTuple):
 
 def path_of(task: Task, solution: Solution, run: Run | None = None) -> Path:
     """Return the path of a solution; `run`: its run, if that is not the one of its dense output."""
-    start, prepared = _start(task)
-    charts = run.charts if run else charts_of(solution)
+    run = run or dense_run(solution)
+    start, prepared = _start(task, run)
+    charts = charts_of(run)
     if not any(map(len, (*(solution.t_events or ()), charts[0]))):
         return _undisturbed(task, solution, start, prepared)
     times, states, marks = _added_nodes(task, solution, charts)
@@ -88,16 +89,17 @@ def rows_of_motion(task: Task, t: Vector, y: Vector) -> Vector:
     return np.concatenate((y[:, : task.model.n], task.model.velocity_rows(t, y, task.prepared)), axis=1)
 
 
-def _start(task: Task) -> tuple[Vector, Prepared]:
-    """Return y (n_state,) and the prepared parameters in the mode in which a run starts."""
-    c, n = task.model, task.model.n
-    if not c.switches:
+def _start(task: Task, run: Run | None) -> tuple[Vector, Prepared]:
+    """Return y (n_state,) and the prepared parameters in the mode in which the run starts.
+
+    They are the run's own: a velocity that is rounding may count as zero there, in a friction that sticks.
+    """
+    if isinstance(run, CheckpointedRun):
+        return run.checkpoints[0].y, run.checkpoints[0].prepared
+    if run is None or not run.segments:
         return task.y, task.prepared
-    v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
-    u, none, nowhere = task.inputs.at(task.t_start), np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
-    x, v, prepared, _ = act_along(c, task.t_start, task.y[:n], v, task.prepared, u, task.least_norm, none,
-                                  nowhere[: 2 * n], nowhere[2 * n :])  # fmt: skip
-    return c.state(task.t_start, x, v, prepared), prepared
+    y = run.interpolate(np.array([task.t_start]))[0] if run.n_dense else task.y
+    return y, task.model.prepare(np.array(run.segments[0][2]))
 
 
 def dense_run(solution: Solution) -> Run | None:
@@ -106,9 +108,8 @@ def dense_run(solution: Solution) -> Run | None:
     return run if isinstance(run, Run) else None
 
 
-def charts_of(solution: Solution) -> Charts:
+def charts_of(run: Run | None) -> Charts:
     """Return the changes of rotation parameters of a run with dense output."""
-    run = dense_run(solution)
     return run.charts if run else (np.empty(0), np.empty((0, 0)), np.empty((0, 0)))
 
 
