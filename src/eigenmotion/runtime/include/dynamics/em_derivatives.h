@@ -11,6 +11,7 @@
 #define EM_DERIVATIVES_H
 
 #include "dynamics/em_mechanics.h"
+#include "numeric/em_packs.h"
 
 /* The factors of the system at a state: L, B = A L^-T, and D = L_D L_D^T of B B^T. rows: flags of the rows used. */
 typedef struct em_factors {
@@ -46,24 +47,20 @@ EM_INLINE void em_add_row(int columns, double factor, const double *restrict fro
     for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
 }
 
-EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
-    EM_ALONG
-    for (int j = 0; j < columns; ++j) row[j] *= factor;
+/* em_sum_rows, compiled once. */
+EM_NOINLINE EM_HOT void em_add_rows_to(int columns, int count, double sign, const double *part, int apart, const double *X,
+                                       double factor, double *to) {
+    em_sum_rows(columns, count, sign, part, apart, X, factor, to);
 }
 
 /* X (n, columns) <- L^-1 X, or L^-T X */
 EM_INLINE void em_forward_rows(int n, int columns, const double *L, const double *r, double *X) {
-    for (int i = 0; i < n; ++i) {
-        for (int k = 0; k < i; ++k) em_add_row(columns, -L[i * n + k], X + k * columns, X + i * columns);
-        em_scale_row(columns, r[i], X + i * columns);
-    }
+    for (int i = 0; i < n; ++i) em_add_rows_to(columns, i, -1.0, L + i * n, 1, X, r[i], X + i * columns);
 }
 
 EM_INLINE void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
-    for (int i = n - 1; i >= 0; --i) {
-        for (int k = i + 1; k < n; ++k) em_add_row(columns, -L[k * n + i], X + k * columns, X + i * columns);
-        em_scale_row(columns, r[i], X + i * columns);
-    }
+    for (int i = n - 1; i >= 0; --i)
+        em_add_rows_to(columns, n - 1 - i, -1.0, L + (i + 1) * n + i, n, X + (i + 1) * columns, r[i], X + i * columns);
 }
 
 /* X (m, columns) <- Delta^-1 X; if multipliers act along rows of their own, pushed^-1 X. */
@@ -86,16 +83,15 @@ EM_INLINE void em_solve_multipliers(const em_factors *f, int columns, double *X)
  * are zero. */
 EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
     double *const a = W, *const lambda = W + N * columns;
-    for (int k = 0; k < N; ++k) em_scale_row(columns, -1.0, a + k * columns);
+    for (int i = 0; i < N * columns; ++i) a[i] = -a[i];
     em_forward_rows(N, columns, f->root.L, f->root.r, a);
     for (int row = 0; row < N_ROWS; ++row)
-        for (int k = 0; k < N; ++k) em_add_row(columns, f->root.B[row * N + k], a + k * columns, lambda + row * columns);
+        em_add_rows_to(columns, N, 1.0, f->root.B + row * N, 1, a, 1.0, lambda + row * columns);
     for (int row = 0; row < N_ROWS && f->rows >= EM_FIRST_KEPT; ++row)
         if (!(f->rows & EM_FIRST_KEPT << row)) memset(lambda + row * columns, 0, columns * sizeof *lambda);
     em_solve_multipliers(f, columns, lambda);
     for (int k = 0; k < N; ++k)
-        for (int row = 0; row < N_ROWS; ++row)
-            em_add_row(columns, -EM_REACTIONS(&f->root)[row * N + k], lambda + row * columns, a + k * columns);
+        em_add_rows_to(columns, N_ROWS, -1.0, EM_REACTIONS(&f->root) + k, N, lambda, 1.0, a + k * columns);
     em_backward_rows(N, columns, f->root.L, f->root.r, a);
 #ifdef EM_REACTION_RATES
     em_add_changes_of_rates(columns, f->rates_by_lambda, lambda, a);

@@ -17,9 +17,7 @@ EM_NOINLINE void em_correct_along(const em_factors *f, int rows, int columns, do
     em_backward_rows(rows, columns, L, f->r, E);
     double change[N * columns];
     memset(change, 0, sizeof change);
-    for (int k = 0; k < N; ++k)
-        for (int row = 0; row < rows; ++row)
-            em_add_row(columns, -f->root.B[row * N + k], E + row * columns, change + k * columns);
+    for (int k = 0; k < N; ++k) em_add_rows_to(columns, rows, -1.0, f->root.B + k, N, E, 1.0, change + k * columns);
     em_backward_rows(N, columns, f->root.L, f->root.r, change);
     for (int k = 0; k < N * columns; ++k) X[k] += change[k];
 }
