@@ -257,33 +257,48 @@ static void em_sample_forcings(em_pass *p) {
     p->of->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
 }
 
-/* whole (basis) <- the largest |df/dp| of one row, in a step and along the run. */
-EM_INLINE void em_forcing_size(const em_tape *tape, int i, double *restrict whole) {
+/* whole (n, basis) <- the largest |df/dp| in a step and along the run. */
+EM_INLINE void em_forcing_size(const em_tape *tape, double *restrict whole) {
     const int n = tape->n, width = tape->width, basis = tape->basis;
-    const double *restrict const along = tape->size + i * width + 2 * n;
-    for (int b = 0; b < basis; ++b) whole[b] = along[b];
-    for (int q = 0; q <= EM_VARIATION_NODES; ++q) {
-        const double *restrict const f = tape->F + (q * n + i) * width + 2 * n;
-        for (int b = 0; b < basis; ++b) whole[b] = em_max(whole[b], fabs(f[b]));
+    for (int i = 0; i < n; ++i) {
+        const double *restrict const along = tape->size + i * width + 2 * n;
+        double *restrict const row = whole + i * basis;
+        for (int b = 0; b < basis; ++b) row[b] = along[b];
+        for (int q = 0; q <= EM_VARIATION_NODES; ++q) {
+            const double *restrict const f = tape->F + (q * n + i) * width + 2 * n;
+            for (int b = 0; b < basis; ++b) row[b] = em_max(row[b], fabs(f[b]));
+        }
     }
 }
 
-/* The largest errors of df/dp of the basis as a series in a step, relative to its size along the run
- * (em_variation_error.h). What is rounding all along the run is left out. */
+/* size (basis) <- that of the terms of S_v'[i] in a step that starts without directions: df/dp, and what S has by the
+ * df/dp of other rows. Of a decay within the step not more is left than that in comparable units. */
+EM_INLINE void em_forced_rate(const em_pass *p, int i, const double *whole, double *restrict size) {
+    const int n = p->n, basis = p->tape->basis;
+    memcpy(size, whole + i * basis, basis * sizeof *size);
+    for (int q = 0; q < n; ++q) {
+        const double by = q == i ? 0.0 : em_min(p->B[i * n + q], p->units[i] / p->units[q]);
+        for (int b = 0; b < basis; ++b) size[b] = em_max(size[b], by * whole[q * basis + b]);
+    }
+}
+
+/* The largest errors of df/dp of the basis as a series in a step, relative to the size of the terms that it is added
+ * to (em_variation_error.h). What is rounding all along the run is left out. */
 EM_INLINE em_step_errors em_forcing_error(em_pass *p) {
     const em_tape *const tape = p->tape;
     const int n = p->n, width = tape->width, basis = tape->basis;
-    double five[basis], six[basis], seven[basis], eight[basis], whole[basis];
+    double five[basis], six[basis], seven[basis], eight[basis], whole[n * basis], rate[basis];
     em_series_size sizes[basis];
     em_step_errors most = {0.0, 0.0};
     memset(sizes, 0, sizeof sizes);
+    em_forcing_size(tape, whole);
     for (int i = 0; i < n; ++i) {
         const double *const start = tape->F + i * width + 2 * n;
         em_last_terms(p, basis, start, start + n * width, (size_t)n * width, five, six, seven, eight);
-        em_forcing_size(tape, i, whole);
+        em_forced_rate(p, i, whole, rate);
         for (int b = 0; b < basis; ++b)
             if (tape->acts[i * width + 2 * n + b])
-                em_count_terms(&sizes[b], 1.0 / (whole[b] + DBL_MIN), five[b], six[b], seven[b], eight[b]);
+                em_count_terms(&sizes[b], 1.0 / (rate[b] + DBL_MIN), five[b], six[b], seven[b], eight[b]);
     }
     for (int b = 0; b < basis; ++b)
         most = em_larger_errors(most, em_direction_errors(&sizes[b], 1.0 / fmax(p->of->tolerance, EM_FORCING_ROUNDING)));

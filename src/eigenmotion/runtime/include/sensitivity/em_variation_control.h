@@ -108,14 +108,26 @@ static int em_keep_step(em_pass *p, double from, double to) {
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
 }
 
-/* The end of a step of about this length on the way to `last`: the end of a step of the run, if one is nearly as far. */
+/* Whether after a step to t as few steps lead to `last` as can, none longer than `length`. */
+static int em_is_on_the_way(const em_pass *p, double from, double last, double length, double t) {
+    const double done = p->of->direction * (t - from), rest = fabs(last - from), parts = ceil(rest / length);
+    return done <= length && done >= rest - (parts - 1.0) * length && done >= EM_LEAST_CUT * rest / parts;
+}
+
+/* The end of the next step to `last`, of at most this length: the end of a step of the run, if one is nearly as far. The
+ * nearest to an even part of the rest is taken, if it costs no more steps. */
 static double em_end_towards(const em_pass *p, double from, double last, double length) {
-    const em_variations *const w = p->of;
+    const em_run *const run = p->of->run;
     const double rest = fabs(last - from);
     if (length >= rest) return last;
-    const double to = from + w->direction * (length > rest / 2.0 ? rest / 2.0 : length);
-    const double before = w->run->dense_steps[em_dense_at(w->run, to)].t;
-    return w->direction * (before - from) > EM_LEAST_CUT * fabs(to - from) ? before : to;
+    const double even = from + p->of->direction * rest / ceil(rest / length);
+    const double before = run->dense_steps[em_dense_at(run, even)].t, after = em_dense_beyond(run, even, 1.0);
+    const double nearer = fabs(after - even) < fabs(even - before) ? after : before, other = nearer == before ? after : before;
+    if (em_is_on_the_way(p, from, last, length, nearer)) return nearer;
+    if (em_is_on_the_way(p, from, last, length, other)) return other;
+    const double to = from + p->of->direction * (length > rest / 2.0 ? rest / 2.0 : length);
+    const double least = run->dense_steps[em_dense_at(run, to)].t;
+    return p->of->direction * (least - from) > EM_LEAST_CUT * fabs(to - from) ? least : to;
 }
 
 /* The end of the next step, in a span that ends at `last`; within: whether the error within it counts. Where this
@@ -201,6 +213,14 @@ static double em_advance(em_pass *p, double from, double last) {
     }
 }
 
+/* The lengths of steps at the start of a span: at least `initial`. With rows in it, a step stays as much shorter as it
+ * was. */
+static void em_begin_lengths(em_pass *p, double initial) {
+    const double before = p->h;
+    p->h = fmax(before, initial);
+    p->h_within = before > 0.0 ? p->h_within * (p->h / before) : p->h;
+}
+
 /* Computes the directions at the end of a span. */
 static int em_cross_span(em_pass *p, size_t span) {
     em_variations *const w = p->of;
@@ -212,8 +232,7 @@ static int em_cross_span(em_pass *p, size_t span) {
         if (em_end_matrix(p, em_pass_time_events(p->over_basis, t, last, span == 0))) return -1;
     }
     if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
-    p->h = fmax(p->h, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
-    p->h_within = fmax(p->h_within, p->h);
+    em_begin_lengths(p, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
     while (t != last)
         if (isnan(t = em_advance(p, t, last))) return -1;
     return 0;

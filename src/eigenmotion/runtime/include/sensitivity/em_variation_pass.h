@@ -61,12 +61,12 @@ typedef struct em_variations {
  * (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J (n, n_arguments), K = S_v' and G, the part of it
  * that does not depend on K (n, columns). At the start of a step: S0, K0, J0, a0, and T0, the sum of the absolute
  * values of the terms of K; T, at its end. K_rounding (n, columns), a_rounding (n): the rounding of K and a.
- * units (n): of coordinates, in the linear system of a step. */
+ * units (n), B (n, n): of coordinates, and their couplings, in the linear system of a step. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_nonzeros, (*nonzeros)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *y;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *B, *y;
     double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
     double inside[2], h, h_within;     /* the length of the next step that follows from the last one; with rows in it */
     size_t row;

@@ -8,18 +8,14 @@
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
 
+#include "numeric/em_packs.h"
 #include "sensitivity/em_variation_motion.h"
 
 #define EM_BALANCED 4096.0 /* the ratio of two dependences up to which they are left as they are */
 
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
 EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
-    for (int i = 0; i < rows; ++i) {
-        int k = 0;
-        for (; k + 4 <= inner; k += 4)
-            em_add_four(columns, D + i * width + k, S + k * columns, columns, W + i * columns);
-        for (; k < inner; ++k) em_add_to(columns, D[i * width + k], S + k * columns, W + i * columns);
-    }
+    for (int i = 0; i < rows; ++i) em_sum_rows(columns, inner, 1.0, D + i * width, 1, S, 1.0, W + i * columns);
 }
 
 /* to (n, columns) += F, the effect of P. One product if much of P is not zero, as in random directions. */
@@ -57,8 +53,9 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
     }
 }
 
-/* B (n, n) <- the size of the terms of the linear system of a step that couple coordinates. */
-EM_INLINE void em_couplings(const em_pass *p, double h, double *B) {
+/* B <- the size of the terms of the linear system of a step that couple coordinates. */
+EM_INLINE void em_couplings(em_pass *p, double h) {
+    double *const B = p->B;
     const int n = p->n, width = p->of->model->n_arguments;
     memset(B, 0, (size_t)n * n * sizeof *B);
     for (int j = 0; j < EM_VARIATION_NODES; ++j)
@@ -68,13 +65,14 @@ EM_INLINE void em_couplings(const em_pass *p, double h, double *B) {
         }
 }
 
-/* units (n) <- powers of two, in which each coordinate depends on others about as much as others on it (Osborne, J. ACM
+/* units <- powers of two, in which each coordinate depends on others about as much as others on it (Osborne, J. ACM
  * 7 (1960) 338): pivots are compared in these, so that the user's units do not matter. */
-EM_INLINE void em_balance_step(const em_pass *p, double h, double *units) {
+EM_INLINE void em_balance_step(em_pass *p, double h) {
     enum { MOST = 20 };
     const int n = p->n;
-    double B[n * n];
-    em_couplings(p, h, B);
+    const double *const B = p->B;
+    double *const units = p->units;
+    em_couplings(p, h);
     for (int i = 0; i < n; ++i) units[i] = 1.0;
     for (int round = 0, changes = 1; changes && round < MOST; ++round) {
         changes = 0;
@@ -96,8 +94,8 @@ EM_INLINE void em_balance_step(const em_pass *p, double h, double *units) {
 EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;
-    double *const d = p->units;
-    em_balance_step(p, h, d);
+    const double *const d = p->units;
+    em_balance_step(p, h);
     for (int row = 0; row < n; ++row)
         for (int i = 0; i < NODES; ++i) {
             const double *const J = p->J + (i * n + row) * width;

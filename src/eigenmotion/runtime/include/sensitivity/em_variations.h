@@ -65,7 +65,7 @@ static int em_pass_open(em_pass *p, em_variations *w) {
         {&p->L, (size_t)size * (size + k)}, {&p->K, size * k}, {&p->G, size * k}, {&p->Y, 2 * n * k},
         {&p->W, (size + m) * k}, {&p->Z, 2 * size}, {&p->off, 2 * size}, {&p->S0, 2 * n * k}, {&p->K0, n * k},
         {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k},
-        {&p->K_rounding, n * k}, {&p->a_rounding, n}, {&p->units, n}, {&p->y, model->n_state},
+        {&p->K_rounding, n * k}, {&p->a_rounding, n}, {&p->units, n}, {&p->B, n * n}, {&p->y, model->n_state},
     };
     enum { PARTS = sizeof parts / sizeof *parts };
     size_t numbers = 1;
