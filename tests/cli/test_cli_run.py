@@ -183,3 +183,17 @@ def test_run_takes_inputs(scene, capsys):
     assert main(["run", "scene.py", "--t-end", "2", "--set", "u=3", "--set", "q'=1"]) == 0
     final = capsys.readouterr().out.splitlines()[-1].split()
     assert [float(word) for word in final[1:]] == pytest.approx([8.0, 7.0], rel=1e-12)
+
+
+def test_so_many_rows_are_refused_before_the_run(scene, capsys):
+    """It was an internal error of NumPy, after the run."""
+    assert main(["run", "scene.py", "--t-end", "1", "--save", "a.csv", "--every", "1e-300"]) == 2
+    found = capsys.readouterr()
+    assert "--every: so many rows take 1e+293 GB" in found.err
+    assert "finished" not in found.out
+
+
+def test_an_output_that_is_closed_is_no_failure(scene, monkeypatch):
+    """As by >&- in a shell: it was an internal error, with exit code 3."""
+    monkeypatch.setattr("sys.stdout", None)
+    assert main(["run", "scene.py", "--t-end", "1"]) == 0

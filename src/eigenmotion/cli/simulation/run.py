@@ -10,6 +10,7 @@ import numpy as np
 
 from eigenmotion.arguments.methods import AUTO, IMPLICIT, METHODS
 from eigenmotion.arguments.named_values import spelled
+from eigenmotion.batch.memory import shortage
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.presentation.figures import save as save_figure
@@ -27,6 +28,7 @@ from ..options import ABOVE_ZERO, Finite, Shape, ending, model, setting, shaping
 from ..starts import LABEL, assembled, assembling
 from .targets import check_results
 
+_ROW = 100  # [byte] memory for a row, at least
 _log = logging.getLogger("eigenmotion")
 
 
@@ -77,6 +79,8 @@ def command(
     """
     check_results(plot, animate, ("--save", target, SAVERS))
     _check_rows(target, rows, every)
+    if over is None and (short := shortage(_ROW * (rows or (abs(t_end) / every if every else 0)))):
+        raise click.UsageError(f"{'--rows' if rows else '--every'}: so many rows {short}. Ask for fewer")
     request = Shape(**shape).request(model)
     _check_over(over, [spelled(q) for q in request.model.coordinates], plot, rows or every)
     if animate and not request.model.drawing:

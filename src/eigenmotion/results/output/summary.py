@@ -68,7 +68,8 @@ def _invariants(system: CompiledSystem, solution: Solution) -> list[tuple[str, s
     rows = []
     if system.conserves_energy:
         label = "energy change" if _acted(system, solution) else "energy drift"
-        drift = solution.jacobi_integral - solution.jacobi_integral[0]
+        with np.errstate(invalid="ignore"):  # of energies that overflow, the change is not a number
+            drift = solution.jacobi_integral - solution.jacobi_integral[0]
         rows.append((label, f"{_largest(drift):.2e} of {solution.jacobi_integral[0]:.6g}"))
     if system.h:
         rows.append(("position violation", f"{_largest(solution.position_residual):.2e}"))
