@@ -6,6 +6,7 @@ of order one; what a model's user chooses are s, c, k, t_0, the order of x, and 
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -131,8 +132,41 @@ class Mechanism:
         return times, run.y[: 2 * n], run.y[k:].reshape(k, -1, 9)[: 2 * n]
 
 
+class InUnits:
+    """Rows of X = c + s x and tau = k (t - t_0): `of` has n and order; z and `own` are the units of the rest."""
+
+    of: Any
+    s: np.ndarray
+    c: np.ndarray
+    k: float
+    t_0: float
+    z: float
+    own: dict[str, float]
+
+    def times(self, tau: np.ndarray) -> np.ndarray:
+        return self.t_0 + tau / self.k
+
+    def size(self, name: str) -> float:
+        """One of what is named, in the mechanism's own units."""
+        if name.startswith("q"):
+            return float(self.s[int(name[1:].rstrip("'"))]) / (self.k if name.endswith("'") else 1.0)
+        return self.z if name == "z" else self.own[name]
+
+    @property
+    def of_rows(self) -> np.ndarray:
+        """(2 n, 1): the same of x and v, in the order of the model."""
+        s = self.s[self.of.order]
+        return np.concatenate([s, s / self.k])[:, None]
+
+    def back(self, x: np.ndarray, v: np.ndarray, origin: float = 1.0) -> np.ndarray:
+        """Return (X, V), or derivatives if the origin is 0, in the mechanism's order."""
+        n, found = self.of.n, self.of_rows * np.vstack([x, v])
+        found[:n] += origin * self.c[self.of.order][:, None]
+        return found[np.concatenate([np.argsort(self.of.order), n + np.argsort(self.of.order)])]
+
+
 @dataclass
-class Units:
+class Units(InUnits):
     """One choice of units, signs, an origin and a clock."""
 
     of: Mechanism
@@ -166,24 +200,3 @@ class Units:
         return {"x0": x0 | state, "v0": {f"q{i}": of.start[n + i] * self.k / self.s[i] for i in range(n)}, "rtol": rtol,
                 "atol": atol | ({"z": rtol / self.z} if state else {}),
                 "parameters": {name: float(values[name]) for name in known}}  # fmt: skip
-
-    def times(self, tau: np.ndarray) -> np.ndarray:
-        return self.t_0 + tau / self.k
-
-    def size(self, name: str) -> float:
-        """One of what is named, in the mechanism's own units."""
-        if name.startswith("q"):
-            return float(self.s[int(name[1:].rstrip("'"))]) / (self.k if name.endswith("'") else 1.0)
-        return self.z if name == "z" else self.own[name]
-
-    @property
-    def of_rows(self) -> np.ndarray:
-        """(2 n, 1): the same of x and v, in the order of the model."""
-        s = self.s[self.of.order]
-        return np.concatenate([s, s / self.k])[:, None]
-
-    def back(self, x: np.ndarray, v: np.ndarray, origin: float = 1.0) -> np.ndarray:
-        """Return (X, V), or derivatives if the origin is 0, in the mechanism's order."""
-        n, found = self.of.n, self.of_rows * np.vstack([x, v])
-        found[:n] += origin * self.c[self.of.order][:, None]
-        return found[np.concatenate([np.argsort(self.of.order), n + np.argsort(self.of.order)])]

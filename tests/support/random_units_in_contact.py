@@ -17,6 +17,8 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import Contact, Event, Friction, Model, t
 
+from .random_units import InUnits
+
 PARTS = (
     "ball", "ball_on_plate", "walls", "rubbed", "belt", "block", "cone", "ring", "skate", "tabled", "bent", "filtered",
     "gate",
@@ -259,7 +261,7 @@ def _symbols(one: Any) -> set[sp.Symbol]:
 
 
 @dataclass
-class Choice:
+class Choice(InUnits):
     """One choice of units, signs, an origin and a clock; `widest` 0: numbers are of order one."""
 
     of: Scene
@@ -308,27 +310,6 @@ class Choice:
             points, values = (POINTS - self.c[i]) / self.s[i], LOAD / self.row(name)
             found[name] = load(name, points[::way], values[::way])
         return found
-
-    def times(self, tau: np.ndarray) -> np.ndarray:
-        return self.t_0 + tau / self.k
-
-    def size(self, name: str) -> float:
-        """One of what is named, in the mechanism's own units."""
-        if name.startswith("q"):
-            return float(self.s[int(name[1:].rstrip("'"))]) / (self.k if name.endswith("'") else 1.0)
-        return self.z if name == "z" else self.own[name]
-
-    @property
-    def of_rows(self) -> np.ndarray:
-        """(2 n, 1): the same of x and v, in the order of the model."""
-        s = self.s[self.of.order]
-        return np.concatenate([s, s / self.k])[:, None]
-
-    def back(self, x: np.ndarray, v: np.ndarray, origin: float = 1.0) -> np.ndarray:
-        """Return (X, V), or derivatives if the origin is 0, in the mechanism's order."""
-        n, found = self.of.n, self.of_rows * np.vstack([x, v])
-        found[:n] += origin * self.c[self.of.order][:, None]
-        return found[np.concatenate([np.argsort(self.of.order), n + np.argsort(self.of.order)])]
 
     def forces(self, multipliers: np.ndarray) -> np.ndarray:
         """Multipliers (m, nt) in the mechanism's own units: of constraints and gaps, rates, slips."""
