@@ -83,8 +83,6 @@ def eigenvalues(system: System, run: Solution, units: Choice, t: float) -> np.nd
 @pytest.mark.parametrize("seed", [*CASES[:47], pytest.param(47, marks=[pytest.mark.nightly, JOIN]), *CASES[48:]])
 def test_derivatives(seed: int):
     of = Scene(seed)
-    if "cone" in of.parts:
-        pytest.skip("where a cone stops, derivatives depend on the tolerance")
     system, random = system_for(of.model(), ("lagrange", "eigenfactor")[seed % 2]), np.random.default_rng(seed)
     tau, plain = np.linspace(0.0, of.end, 9), Choice(of, random, 0.0)
     for method in ("dop853", "ra15"):

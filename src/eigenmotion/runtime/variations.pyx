@@ -96,6 +96,8 @@ _END_MESSAGES = (
     "a force jumps",
     "forces change faster than steps can follow",
     "a condition in the time changes at once with {}, and their times change apart with what is varied",
+    "{} stops while its slip turns so fast that derivatives of when it stops are not known (smaller rtol and "
+    "atol follow the slip further)",
 )  # of em_variation_pass.h
 
 

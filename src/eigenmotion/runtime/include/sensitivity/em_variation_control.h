@@ -221,11 +221,10 @@ static void em_begin_lengths(em_pass *p, double initial) {
     p->h_within = before > 0.0 ? p->h_within * (p->h / before) : p->h;
 }
 
-/* Computes the directions at the end of a span. */
-static int em_cross_span(em_pass *p, size_t span) {
+/* Begins a span, which it enters at t. */
+static int em_enter_span(em_pass *p, size_t span) {
     em_variations *const w = p->of;
-    const double last = w->to[span];
-    double t = w->from[span];
+    const double last = w->to[span], t = w->from[span];
     em_pass_pieces(p, t);
     if (p->tape && w->model->n_time_events) {
         em_begin_matrix(p);
@@ -233,6 +232,11 @@ static int em_cross_span(em_pass *p, size_t span) {
     }
     if (em_pass_time_events(p, t, last, span == 0) || em_begin_span(p, t)) return -1;
     em_begin_lengths(p, fabs(em_dense_beyond(w->run, t, w->initial_steps) - t));
+    return 0;
+}
+
+/* Computes the directions at `last`, from t in the same span. */
+static int em_advance_to(em_pass *p, double t, double last) {
     while (t != last)
         if (isnan(t = em_advance(p, t, last))) return -1;
     return 0;

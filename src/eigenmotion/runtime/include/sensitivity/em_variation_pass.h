@@ -16,7 +16,7 @@ struct em_tape;
 /* Reasons for the end of a pass, apart from faults of the model. */
 enum {
     EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_TIME_EVENTS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET,
-    EM_FORCE_JUMPS, EM_UNRESOLVED, EM_TIME_EVENT_MEETS
+    EM_FORCE_JUMPS, EM_UNRESOLVED, EM_TIME_EVENT_MEETS, EM_CONE_STOPS
 };
 
 enum { EM_GLOBAL_PROBES = 1 }; /* of a pass with a tape: columns from the start on; the others are drawn at every step */
@@ -54,6 +54,12 @@ typedef struct em_variations {
     double t_reached;
 } em_variations;
 
+/* Derivatives (columns) of the time at which a cone stops: those with the least doubt, and the last predicted; NaN:
+ * none. doubt: by how much predictions differ. */
+typedef struct em_cone_stop {
+    double *dt, *last, doubt;
+} em_cone_stop;
+
 /* Working memory of a pass. Directions are rows of `columns` numbers. The last column is for additional directions
  * (the motion itself, or its Newton correction); zeros before it pad the columns to a multiple of four: S (2 n,
  * columns) and P (n_forcing, columns), whose non-zero entries `nonzeros` lists as (row, column). z is the current
@@ -66,7 +72,8 @@ typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_nonzeros, (*nonzeros)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *B, *y;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *B, *y, *predictions;
+    em_cone_stop *of_stops; /* (n_switches) */
     double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
     double inside[2], h, h_within;     /* the length of the next step that follows from the last one; with rows in it */
     size_t row;

@@ -12,14 +12,32 @@
 #include "loop/em_subnormals.h"
 #include "sensitivity/em_variation_events.h"
 
+/* Integrates over a span which has been entered. within: 0, or the time that cones that stop at `stop` need from the
+ * slip of their events to zero: on the way their stops are predicted. */
+static int em_cross_span(em_pass *p, size_t span, double stop, double within) {
+    const em_variations *const w = p->of;
+    const double to = w->to[span], length = fabs(to - w->from[span]);
+    double t = w->from[span], ahead = fmin(fmin(EM_CONE_MOST * within, sqrt(within * length)), 0.5 * length);
+    for (; within > 0.0 && ahead >= EM_CONE_LEAST * within; ahead /= EM_CONE_RATIO) {
+        const double pause = stop - w->direction * ahead;
+        if (em_advance_to(p, t, pause) || em_predict_cone_stops(p, pause, stop - pause)) return -1;
+        t = pause;
+    }
+    return em_advance_to(p, t, to);
+}
+
 /* Integrates over the spans between two stops, at a distance `margin` from stops at which events happen. */
 static int em_variation_segment(em_pass *p, size_t stop, size_t *span, int leaves, int meets, double margin) {
     em_variations *const w = p->of;
+    em_begin_cone_stops(p);
     em_pass_pieces(p, w->t[stop]);
     em_pass_side(p, w->t[stop], fabs(margin), 1);
     if (leaves && em_extrapolate_directions(p, w->t[stop], margin)) return -1;
-    for (long i = 0; i < w->spans[stop]; ++i, ++*span)
-        if (em_cross_span(p, *span)) return -1;
+    for (long i = 0; i < w->spans[stop]; ++i, ++*span) {
+        if (em_enter_span(p, *span)) return -1;
+        const double within = i + 1 < w->spans[stop] || !meets ? 0.0 : em_cones_stop_within(p, stop + 1);
+        if (em_cross_span(p, *span, w->t[stop + 1], fmax(within > 0.0 ? fabs(margin) : 0.0, within))) return -1;
+    }
     memcpy(p->z, w->z + (stop + 1) * 2 * p->n, 2 * p->n * sizeof *p->z);
     return meets ? em_extrapolate_directions(p, w->t[stop + 1] - margin, margin) : 0;
 }
@@ -66,6 +84,7 @@ static int em_pass_open(em_pass *p, em_variations *w) {
         {&p->W, (size + m) * k}, {&p->Z, 2 * size}, {&p->off, 2 * size}, {&p->S0, 2 * n * k}, {&p->K0, n * k},
         {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k},
         {&p->K_rounding, n * k}, {&p->a_rounding, n}, {&p->units, n}, {&p->B, n * n}, {&p->y, model->n_state},
+        {&p->predictions, 2 * model->n_switches * k},
     };
     enum { PARTS = sizeof parts / sizeof *parts };
     size_t numbers = 1;
@@ -74,10 +93,13 @@ static int em_pass_open(em_pass *p, em_variations *w) {
     p->piece = calloc(model->n_inputs + 1, sizeof *p->piece);
     p->pile = calloc(model->n_events + 1, sizeof *p->pile);
     p->rows = calloc(size, sizeof *p->rows);
+    p->of_stops = calloc(model->n_switches + 1, sizeof *p->of_stops);
     p->nonzeros = calloc(w->n_forcing * k, sizeof *p->nonzeros);
     p->S = next;
-    if (!next || !p->piece || !p->pile || !p->rows || !p->nonzeros) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    if (!next || !p->piece || !p->pile || !p->rows || !p->nonzeros || !p->of_stops) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     for (int i = 0; i < PARTS; ++i) *parts[i].part = next, next += parts[i].count;
+    for (int s = 0; s < model->n_switches; ++s)
+        p->of_stops[s] = (em_cone_stop){p->predictions + 2 * s * k, p->predictions + (2 * s + 1) * k, INFINITY};
     return 0;
 }
 
@@ -87,6 +109,7 @@ static void em_pass_close(em_pass *p) {
     free(p->pile);
     free(p->rows);
     free(p->nonzeros);
+    free(p->of_stops);
 }
 
 /* Lists the non-zero entries of P. */
