@@ -47,6 +47,11 @@ EM_INLINE void em_add_row(int columns, double factor, const double *restrict fro
     for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
 }
 
+EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
+    EM_ALONG
+    for (int j = 0; j < columns; ++j) row[j] *= factor;
+}
+
 /* em_sum_rows, compiled once. */
 EM_NOINLINE EM_HOT void em_add_rows_to(int columns, int count, double sign, const double *part, int apart, const double *X,
                                        double factor, double *to) {
