@@ -163,11 +163,12 @@ def test_what_a_lane_cannot_do_is_done_number_by_number(swing):
         11: StopReason.TOO_MANY_STEPS,
     }
     assert {k: runs.stop[k] for k in odd} == odd
+    term = " log(k + 0.5) in forces[r] has no finite value or derivative, where k + 0.5 = -0.5."  # of single runs only
     for k in (5, 9, 11):
         given = {name: values[k] for name, values in parameters.items()}
         alone = swing.simulate(SPAN, parameters=given, inputs={"u": inputs[k]}, v0={"q": SPEEDS[k]}, **options)
-        assert (runs.stop[k], runs.nfev[k]) == (alone.stop, alone.nfev)
-        assert alone.message.startswith(runs.message(k))  # of a single run it also names the term that is not finite
+        message = runs.message(k) + (term if k == 9 else "")
+        assert (runs.stop[k], message, runs.nfev[k]) == (alone.stop, alone.message, alone.nfev)
         assert np.array_equal(runs[k].y, alone.y)
     assert [one for k, one in enumerate(bits(runs)) if k not in odd] == [
         one for k, one in enumerate(bits(sound)) if k not in odd

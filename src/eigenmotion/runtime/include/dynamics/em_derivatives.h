@@ -47,6 +47,7 @@ EM_INLINE void em_add_row(int columns, double factor, const double *restrict fro
     for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
 }
 
+/* row (columns) *= factor, in exports for CasADi (casadi/elimination.py) */
 EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
     EM_ALONG
     for (int j = 0; j < columns; ++j) row[j] *= factor;
