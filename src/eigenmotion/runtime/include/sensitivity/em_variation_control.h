@@ -31,22 +31,47 @@ EM_WIDE static em_step_errors em_error_wide(em_pass *p, double h, const double *
 static em_step_errors em_error_narrow(em_pass *p, double h, const double *K_rounding) { return em_step_error(p, h, K_rounding); }
 EM_WIDE static em_step_errors em_forcing_error_wide(em_pass *p) { return em_forcing_error(p); }
 static em_step_errors em_forcing_error_narrow(em_pass *p) { return em_forcing_error(p); }
-EM_WIDE static void em_begin_wide(em_pass *p) {
-    em_rates_of(p, p->J0, p->S, p->K0);
-    em_sum_terms(p, p->J0, p->S, p->T0);
+EM_INLINE void em_begin_rates(em_pass *p) {
+    em_rates_of(p, p->J0, p->S0, p->K0);
+    em_sum_terms(p, p->J0, p->S0, p->T0);
+    for (int i = 0; i < p->n; ++i) em_add_to(p->columns, -p->drive0[i], p->shift, p->K0 + i * p->columns);
 }
-static void em_begin_narrow(em_pass *p) {
-    em_rates_of(p, p->J0, p->S, p->K0);
-    em_sum_terms(p, p->J0, p->S, p->T0);
-}
+EM_WIDE static void em_begin_wide(em_pass *p) { em_begin_rates(p); }
+static void em_begin_narrow(em_pass *p) { em_begin_rates(p); }
 
-/* Initialises a step: S0, K0, T0, with J0 known. */
-static void em_begin_directions(em_pass *p, double t) {
+/* S0 <- S, the directions at the start of a step at t, with z, a0, J0 known. */
+static void em_begin_step(em_pass *p, double t) {
     const int n = p->n, k = p->columns;
     if (p->tape) em_set_local_probes(p, t);
     for (int i = 0; i < 2 * n; ++i) p->S[i * k + k - 1] = 0.0;
-    (p->wide ? em_begin_wide : em_begin_narrow)(p);
     memcpy(p->S0, p->S, 2 * (size_t)n * k * sizeof *p->S0);
+    memset(p->shift, 0, k * sizeof *p->shift);
+    if (!p->tape) p->of->model->mass_matrix(em_pass_clock(p, t), p->z, p->c, p->M);
+}
+
+/* K and S of a step whose motion is known, S0 and K0 without the shifts. 0, or 1: there is no solution. */
+static int em_solve_rest(em_pass *p, double h) {
+    em_add_shifts(p, -1.0, p->z + p->n, p->a0, p->S0);
+    (p->wide ? em_begin_wide : em_begin_narrow)(p);
+    return (p->wide ? em_step_wide : em_step_narrow)(p, h) ? 1 : 0;
+}
+
+/* The same, with the shifts of which the step, and the one before, have been certain. `jump` (2 n): em_shift_error. */
+static int em_solve_directions(em_pass *p, double h, const double *jump) {
+    const double *const v = p->z + p->n;
+    if (p->tape) return em_solve_rest(p, h);
+    em_add_shifts(p, 1.0, v, p->a0, p->S0);
+    if (!em_project_on_motion(p, h)) return em_solve_rest(p, h);
+    em_forget_shifts(p, h);
+    if (em_solve_rest(p, h)) return 1;
+    em_find_jerk(p);
+    em_shift_error(p, h, jump, p->shift_error);
+    const size_t size = 2 * (size_t)p->n * p->columns * sizeof *p->S0;
+    memcpy(p->Y, p->S0, size);
+    em_add_shifts(p, 1.0, v, p->a0, p->S0);
+    if (em_forget_shifts(p, h)) return em_solve_rest(p, h);
+    memcpy(p->S0, p->Y, size);
+    return 0;
 }
 
 /* Begins a span at t: the state of the motion, a0, J0, and the rest. */
@@ -56,28 +81,8 @@ static int em_begin_span(em_pass *p, double t) {
     em_pass_inputs(p, t);
     if (w->model->motion_derivatives(em_pass_clock(p, t), p->z, p->z + p->n, p->c, p->u, w->least_norm, p->a0, p->lambda, p->J0,
                                      p->dlambda, &w->fault)) return -1;
-    em_begin_directions(p, t);
+    em_drive_of(p, p->J0, p->drive0);
     return 0;
-}
-
-/* Computes K and S along the motion of the run within a step; if that is too inaccurate, along the step's own motion.
- * 0; 1: there is no solution; -1: a fault. */
-static int em_solve_step(em_pass *p, double from, double to) {
-    const double h = to - from;
-    p->own_motion = 0;
-    if (p->tape && em_begin_step_on_tape(p)) return -1;
-    for (int j = 0; j < EM_VARIATION_NODES; ++j)
-        if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * p->n)) return -1;
-    for (int round = 0;; ++round) {
-        if (em_motion_derivatives(p, from, to)) return round > 0 ? 1 : -1;
-        const double off = em_motion_error(p, h);
-        if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return 1;
-        if (off <= EM_MOTION_ERROR) return 0;
-        if (round == EM_MOTION_ITERATIONS) return 1;
-        p->own_motion = 1;
-        em_correct_motion(p, h);
-        if (!em_is_finite(2 * (size_t)p->n * EM_VARIATION_NODES, p->Z)) return 1;
-    }
 }
 
 /* Whether a step of the run ends at t, where its motion is most accurate. */
@@ -85,25 +90,64 @@ static int em_is_run_step_end(const em_run *run, double t) {
     return t == run->dense_steps[em_dense_at(run, t)].t || t == run->t_reached;
 }
 
+/* Computes K and S along the motion of the run within a step; if that is too inaccurate, along the step's own motion.
+ * 0; 1: there is no solution; -1: a fault. */
+static int em_solve_step(em_pass *p, double from, double to) {
+    const double h = to - from;
+    const int n = p->n;
+    const double *const end = p->Z + (EM_VARIATION_NODES - 1) * 2 * n;
+    double of_run[2 * n], jump[2 * n];
+    p->own_motion = 0;
+    if (p->tape && em_begin_step_on_tape(p)) return -1;
+    for (int j = 0; j < EM_VARIATION_NODES; ++j)
+        if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * n)) return -1;
+    memcpy(of_run, end, sizeof of_run);
+    const int returns = em_is_run_step_end(p->of->run, to);
+    for (int round = 0;; ++round) {
+        if (em_motion_derivatives(p, from, to)) return round > 0 ? 1 : -1;
+        const double off = em_motion_error(p, h);
+        for (int i = 0; i < 2 * n; ++i) jump[i] = returns ? of_run[i] - end[i] : 0.0;
+        if (em_solve_directions(p, h, jump)) return 1;
+        if (off <= EM_MOTION_ERROR) return 0;
+        if (round == EM_MOTION_ITERATIONS) return 1;
+        p->own_motion = 1;
+        em_correct_motion(p, h);
+        if (!em_is_finite(2 * (size_t)n * EM_VARIATION_NODES, p->Z)) return 1;
+    }
+}
+
+/* z, a0, J0, drive0 <- at the end of a step: of the run, where it is most accurate. */
+static int em_end_motion(em_pass *p, double to) {
+    em_variations *const w = p->of;
+    const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
+    memcpy(p->J0, p->J + last * n * width, (size_t)n * width * sizeof *p->J0);
+    memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
+    memcpy(p->drive0, p->drive + last * n, n * sizeof *p->drive0);
+    memcpy(p->z, p->Z + last * 2 * n, 2 * n * sizeof *p->z);
+    if (!p->own_motion || !em_is_run_step_end(w->run, to)) return 0;
+    double rate[2 * n];
+    if (em_motion_at(p, to, p->z) || em_motion_rate(p, to, p->z, rate)) return -1;
+    memcpy(p->a0, rate + n, n * sizeof *p->a0);
+    return 0;
+}
+
 /* Accepts a step: its rows, and the initial data of the next. */
 static int em_keep_step(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
-    const int n = p->n, last = EM_VARIATION_NODES - 1, width = w->model->n_arguments;
-    const double *const z = p->Z + last * 2 * n;
+    const int n = p->n;
+    const double *const v = p->z + n;
     const size_t first = p->row;
     em_step_rows(p, from, to);
     if (p->tape && em_append_step(p, from, to, first, p->row)) return -1;
     w->n_own_motion += p->own_motion;
     if (!em_is_finite(2 * (size_t)n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (em_end_motion(p, to)) return -1;
+    em_add_shifts(p, 1.0, v, p->a0, p->S);
     if (w->stabilise && w->model->m) {
-        if (p->tape && em_append_tangent(p, em_pass_clock(p, to), z)) return -1;
-        if (w->model->tangent(em_pass_clock(p, to), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
+        if (p->tape && em_append_tangent(p, em_pass_clock(p, to), p->z)) return -1;
+        if (w->model->tangent(em_pass_clock(p, to), p->z, v, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault)) return -1;
     }
-    memcpy(p->J0, p->J + last * n * width, (size_t)n * width * sizeof *p->J0);
-    memcpy(p->a0, p->a + last * n, n * sizeof *p->a0);
-    memcpy(p->z, z, 2 * n * sizeof *z);
-    if (p->own_motion && em_is_run_step_end(w->run, to) && em_motion_at(p, to, p->z)) return -1;
-    em_begin_directions(p, to);
+    if (!p->tape) em_end_row(p, first, to);
     w->t_reached = to;
     return ++w->n_steps % 64 == 0 && w->poll && w->poll(w->poll_argument) ? em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0) : 0;
 }
@@ -151,16 +195,27 @@ static int em_resolves_forcing(const em_pass *p, double from, double to) {
     return p->tape->basis > 0 && fabs(to - from) > EM_SHORTEST_FORCING * fabs(run->dense_steps[em_dense_at(run, from)].h);
 }
 
+/* The errors of the rest at the end of a step, and of whole directions within it, if that counts. */
+static em_step_errors em_errors_with(em_pass *p, double h, int within, const double *K_rounding) {
+    em_step_errors (*const error)(em_pass *, double, const double *) = p->wide ? em_error_wide : em_error_narrow;
+    const double *const v = p->Z + (EM_VARIATION_NODES - 1) * 2 * p->n + p->n, *const a = p->a + (EM_VARIATION_NODES - 1) * p->n;
+    em_step_errors found = error(p, h, K_rounding);
+    if (!within || !em_has_shifts(p)) return found;
+    em_add_shifted_step(p, 1.0), em_add_shifts(p, 1.0, v, a, p->S);
+    found.within = fmax(found.end, error(p, h, K_rounding).within);
+    em_add_shifted_step(p, -1.0), em_add_shifts(p, -1.0, v, a, p->S);
+    return found;
+}
+
 /* The errors of a solved step; if those that count exceed one, without their rounding. */
 static em_step_errors em_errors_of(em_pass *p, double from, double to, int within) {
-    em_step_errors (*const error)(em_pass *, double, const double *) = p->wide ? em_error_wide : em_error_narrow;
     em_step_errors forced = {0.0, 0.0};
     if (p->tape) em_step_along_basis(p);
     if (p->tape && em_resolves_forcing(p, from, to)) forced = (p->wide ? em_forcing_error_wide : em_forcing_error_narrow)(p);
-    const em_step_errors found = error(p, to - from, NULL);
+    const em_step_errors found = em_errors_with(p, to - from, within, NULL);
     p->by_rounding = (within ? found.within : found.end) > 1.0;
     if ((within ? found.within : found.end) <= 1.0 || em_rounding_of(p, to, p->K_rounding)) return em_larger_errors(found, forced);
-    return em_larger_errors(error(p, to - from, p->K_rounding), forced);
+    return em_larger_errors(em_errors_with(p, to - from, within, p->K_rounding), forced);
 }
 
 /* The next length of a step, after one of `length` whose error grows with this power of it. */
@@ -188,6 +243,7 @@ static double em_roughness_of(em_pass *p, double to) {
 static double em_advance(em_pass *p, double from, double last) {
     em_variations *const w = p->of;
     const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
+    em_begin_step(p, from);
     for (;;) {
         int within;
         const double to = em_next_end(p, from, last, &within), length = fabs(to - from);
@@ -210,6 +266,7 @@ static double em_advance(em_pass *p, double from, double last) {
         }
         ++w->n_refused, ++p->n_again;
         em_set_next_length(p, length, least, errors);
+        p->h = fmin(p->h, length); /* the part of the error that did not count does not lengthen what was refused */
     }
 }
 

@@ -44,6 +44,12 @@ EM_INLINE double em_rate_size(const em_pass *p, double length, int at) {
     return em_max(em_max(fabs(p->S0[v]), fabs(p->S[v])), 0.25 * length * em_max(p->T0[at], p->T[at]));
 }
 
+/* The rounding of S_v[i] by its part along the motion, relative to the tolerance, for a shift of one. */
+EM_INLINE double em_shift_rounding(const em_pass *p, int i) {
+    const double *const end = p->a + (EM_VARIATION_NODES - 1) * p->n;
+    return EM_CANCELLATION / p->of->tolerance * em_max(fabs(p->a0[i]), fabs(end[i]));
+}
+
 /* Series in a step, of `count` columns, from their values at the start and at the nodes, which are `apart` numbers apart:
  * the last coefficients, and the next one. */
 EM_INLINE void em_last_terms(const em_pass *p, int count, const double *restrict start, const double *restrict nodes,
@@ -77,10 +83,11 @@ EM_INLINE em_step_errors em_step_error(em_pass *p, double h, const double *K_rou
     memset(sizes, 0, sizeof sizes);
     if (!K_rounding) em_sum_terms(p, p->J + (EM_VARIATION_NODES - 1) * n * p->of->model->n_arguments, p->S, p->T);
     for (int i = 0; i < n; ++i) {
+        const double shifted = em_shift_rounding(p, i);
         em_last_terms(p, k, p->K0 + i * k, p->K + i * k, (size_t)n * k, five, six, seven, eight);
         for (int j = 0; j < p->of->columns; ++j) {
             const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
-            const double size = em_rate_size(p, length, i * k + j) + rounding;
+            const double size = em_rate_size(p, length, i * k + j) + rounding + shifted * fabs(p->shift[j]);
             em_count_terms(&sizes[j], em_min(length / (size + DBL_MIN), 1.0 / DBL_MIN), five[j], six[j], seven[j], eight[j]);
         }
     }

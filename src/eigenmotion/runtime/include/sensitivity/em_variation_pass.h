@@ -67,12 +67,16 @@ typedef struct em_cone_stop {
  * (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J (n, n_arguments), K = S_v' and G, the part of it
  * that does not depend on K (n, columns). At the start of a step: S0, K0, J0, a0, and T0, the sum of the absolute
  * values of the terms of K; T, at its end. K_rounding (n, columns), a_rounding (n): the rounding of K and a.
- * units (n), B (n, n): of coordinates, and their couplings, in the linear system of a step. */
+ * units (n), B (n, n): of coordinates, and their couplings, in the linear system of a step. shift (columns): the parts
+ * along the motion that directions have lost for this step (em_variation_motion.h); drive0, drive (n; nodes, n): the
+ * partial derivative of a with respect to time, inputs included; jerk (nodes + 1, n); M (n, n), at the start; shift_error
+ * (2 n), of the last step. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_nonzeros, (*nonzeros)[2];
     double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *B, *y, *predictions;
+    double *Z, *off, *S0, *K0, *J0, *a0, *T0, *T, *K_rounding, *a_rounding, *units, *B, *y, *predictions,
+        *shift, *drive0, *drive, *jerk, *M, *shift_error;
     em_cone_stop *of_stops; /* (n_switches) */
     double origin[EM_VARIATION_NODES]; /* weights of a series at the start of a step, from values at nodes */
     double inside[2], h, h_within;     /* the length of the next step that follows from the last one; with rows in it */

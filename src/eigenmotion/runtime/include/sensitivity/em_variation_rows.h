@@ -52,13 +52,22 @@ static void em_keep_directions(const em_pass *p, const double *from, int count, 
     for (int i = 0; i < count; ++i) memcpy(to + i * requested, from + i * p->columns, requested * sizeof *to);
 }
 
-/* Computes the rows that lie within a step. */
+/* Computes the rows that lie within a step, and at its end. */
 static void em_step_rows(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
+    int whole = !em_has_shifts(p);
     for (; p->row < w->n_rows && w->direction * w->t_rows[p->row] <= w->direction * to; ++p->row) {
+        if (!whole) em_add_shifted_step(p, 1.0), whole = 1;
         em_directions_within(p, from, to - from, w->t_rows[p->row]);
         em_keep_directions(p, p->Y, 2 * p->n, w->rows + p->row * 2 * p->n * w->columns);
     }
+}
+
+/* The row at the end of a step, if there is one from `first` on: S, which is more accurate there. */
+static void em_end_row(em_pass *p, size_t first, double to) {
+    em_variations *const w = p->of;
+    for (size_t row = p->row; row-- > first && w->t_rows[row] == to;)
+        em_keep_directions(p, p->S, 2 * p->n, w->rows + row * 2 * p->n * w->columns);
 }
 
 /* The first row that is farther from `from` than `least`. */

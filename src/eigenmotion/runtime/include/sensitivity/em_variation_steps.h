@@ -50,6 +50,7 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
         em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
         for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
         em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
+        for (int i = 0; i < n; ++i) em_add_to(k, -p->drive[j * n + i], p->shift, p->G + j * block + i * k);
     }
 }
 
