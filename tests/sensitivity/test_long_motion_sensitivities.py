@@ -6,7 +6,7 @@ an angle, and its derivatives, are integrals over the angle.
 
 import numpy as np
 import pytest
-from sympy import cos, symbols
+from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -14,8 +14,8 @@ from eigenmotion import Model, System
 
 from ..support.generation import system_for, system_of
 
-q = dynamicsymbols("q")
-tau, r, g = symbols("tau r g", real=True)
+q, p = dynamicsymbols("q p")
+tau, r, g, c = symbols("tau r g c", real=True)
 
 
 def rotor(torque: float) -> System:
@@ -83,3 +83,33 @@ def test_andrews_mechanism_after_hundreds_of_turns():
     right = pullback(dx=np.eye(mechanism.n)[:, :1])
     for name in ("m3", "c0", "mom"):
         assert run.sensitivity[name].dx[0, -1] == pytest.approx(right[name], rel=3e-5)
+
+
+def rotor_beside_a_pendulum(coupling: float) -> System:
+    """Return the rotor, with a pendulum that its angle hardly moves, and that does not move it."""
+    model = Model(name="rotor_beside_a_pendulum", coordinates=[q, p],
+                  kinetic_energy=q.diff() ** 2 * (1 + r * cos(q)) / 2 + p.diff() ** 2 / 2000,
+                  potential_energy=g * cos(q) - cos(p) / 100, forces=[tau, c * sin(q) / 1000],
+                  parameters={tau: 10.0, r: 0.5, g: 3.0, c: coupling}, initial={q: 0.0, p: 1.0})  # fmt: skip
+    return system_for(model, "lagrange")
+
+
+def test_what_moves_beside_a_rotor_does_not_shift_with_it():
+    """The pendulum's derivatives are zero, and the rotor's as accurate as without it. They were noise."""
+    time, right = exact(1000.0)
+    run = rotor_beside_a_pendulum(0.0).simulate(
+        (0.0, time), sensitivities=["tau", "r", "g"], t_eval=[time], rtol=1e-10, atol=1e-13
+    )
+    by = [run.sensitivity[name] for name in ("tau", "r", "g")]
+    np.testing.assert_allclose([one.dx[0, -1] for one in by], right, rtol=1e-5)
+    assert not any(one.dx[1].any() or one.dv[1].any() for one in by)
+
+
+def test_what_a_rotor_hardly_moves():
+    """As the gradient: of a pendulum whose derivatives are 1e-11 of the rotor's. They were off by 1e-6 and more."""
+    system, options = rotor_beside_a_pendulum(1e-8), {"t_eval": [8.0], "atol": 1e-15}
+    run = system.simulate((0.0, 8.0), sensitivities=["tau", "r"], rtol=1e-12, **options)
+    _, pullback = em.vjp(system, (0.0, 8.0), by=["tau", "r"], rtol=1e-13, **options)
+    right = pullback(dx=np.eye(2)[:, 1:])
+    for name in ("tau", "r"):
+        assert run.sensitivity[name].dx[1, -1] == pytest.approx(right[name], rel=2e-8, abs=0.0)

@@ -34,7 +34,7 @@ static em_step_errors em_forcing_error_narrow(em_pass *p) { return em_forcing_er
 EM_INLINE void em_begin_rates(em_pass *p) {
     em_rates_of(p, p->J0, p->S0, p->K0);
     em_sum_terms(p, p->J0, p->S0, p->T0);
-    for (int i = 0; i < p->n; ++i) em_add_to(p->columns, -p->drive0[i], p->shift, p->K0 + i * p->columns);
+    em_add_rates_of_shifts(p, p->J0, p->drive0, p->z + p->n, p->a0, p->K0);
 }
 EM_WIDE static void em_begin_wide(em_pass *p) { em_begin_rates(p); }
 static void em_begin_narrow(em_pass *p) { em_begin_rates(p); }
@@ -45,7 +45,8 @@ static void em_begin_step(em_pass *p, double t) {
     if (p->tape) em_set_local_probes(p, t);
     for (int i = 0; i < 2 * n; ++i) p->S[i * k + k - 1] = 0.0;
     memcpy(p->S0, p->S, 2 * (size_t)n * k * sizeof *p->S0);
-    memset(p->shift, 0, k * sizeof *p->shift);
+    memset(p->shift, 0, (size_t)n * k * sizeof *p->shift);
+    p->apart = 0;
     if (!p->tape) p->of->model->mass_matrix(em_pass_clock(p, t), p->z, p->c, p->M);
 }
 
@@ -61,6 +62,7 @@ static int em_solve_directions(em_pass *p, double h, const double *jump) {
     const double *const v = p->z + p->n;
     if (p->tape) return em_solve_rest(p, h);
     em_add_shifts(p, 1.0, v, p->a0, p->S0);
+    em_sum_terms(p, p->J0, p->S0, p->T0);
     if (!em_project_on_motion(p, h)) return em_solve_rest(p, h);
     em_forget_shifts(p, h);
     if (em_solve_rest(p, h)) return 1;

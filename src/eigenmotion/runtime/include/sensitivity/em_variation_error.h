@@ -87,7 +87,7 @@ EM_INLINE em_step_errors em_step_error(em_pass *p, double h, const double *K_rou
         em_last_terms(p, k, p->K0 + i * k, p->K + i * k, (size_t)n * k, five, six, seven, eight);
         for (int j = 0; j < p->of->columns; ++j) {
             const double rounding = K_rounding ? length * K_rounding[i * k + j] / tolerance : 0.0;
-            const double size = em_rate_size(p, length, i * k + j) + rounding + shifted * fabs(p->shift[j]);
+            const double size = em_rate_size(p, length, i * k + j) + rounding + shifted * fabs(p->shift[i * k + j]);
             em_count_terms(&sizes[j], em_min(length / (size + DBL_MIN), 1.0 / DBL_MIN), five[j], six[j], seven[j], eight[j]);
         }
     }

@@ -14,17 +14,24 @@
  * them apart again. So a step integrates only the rest, with an error relative to that. At its end the shift is added,
  * which has not changed:
  *
- *     S_v' = J S + F    =>    rest_v' = J rest + F - shift da/dt at a fixed state. */
+ *     S_v' = J S + F    =>    rest_v' = J rest + F - shift da/dt at a fixed state.
+ *
+ * A coordinate that depends much less on the direction's parameter than it moves, as of another machine in the same
+ * model, is not shifted: its rest would cancel the shift, with an error relative to that. Then J acts on the shifts of
+ * the other coordinates,
+ *
+ *     rest_i'' = J rest + F + sum over q of J_iq (shift_q - shift_i) (v, a)_q - shift_i da_i/dt at a fixed state. */
 #ifndef EM_VARIATION_MOTION_H
 #define EM_VARIATION_MOTION_H
 
 #include "sensitivity/em_variation_time_events.h"
 
 #define EM_MOTION_ERROR 10.0 /* the allowed error of the run's motion within a step, in tolerances of the run */
-#define EM_ALONG 0.9995           /* the cosine of directions that are nearly along the motion: 2 degrees */
+#define EM_NEARLY_ALONG 0.9995    /* the cosine of directions that are nearly along the motion: 2 degrees */
 #define EM_MOST_OF_SHIFT 100.0    /* in tolerances: the allowed error of the part of a direction along the motion */
 #define EM_MOST_OF_CHANGING 1e4   /* where J changes in a step */
 #define EM_CHANGING 0.1           /* by this part of it */
+#define EM_MOST_OF_REST 30.0      /* in sizes of a coordinate in a direction: the most that is left of it without a shift */
 #define EM_LAST_DIGITS (64.0 * DBL_EPSILON)
 
 /* The last kept step of a run that starts at or before t. */
@@ -170,14 +177,30 @@ static void em_shift_error(const em_pass *p, double h, const double *jump, doubl
     }
 }
 
-/* shift (columns) <- the parts of S0 along the motion, in the mass metric, in which a velocity counts as what it moves in
- * a step of length h. 0 for directions that are not nearly along it. Returns whether one is. */
+/* shift (n, columns) <- `whole` (columns) for all coordinates apart from those of which it leaves a much larger rest. */
+static void em_shift_coordinates(em_pass *p, double h, const double *whole) {
+    const int n = p->n, k = p->columns;
+    p->apart = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < k; ++j) {
+            const int at = i * k + j;
+            const double x = p->S0[at], v = h * p->S0[n * k + at], by = whole[j];
+            const double size = fmax(fmax(fabs(x), fabs(v)), h * h * p->T0[at]);
+            const double rest = fmax(fabs(x - by * p->z[n + i]), fabs(v - by * h * p->a0[i]));
+            const int apart = rest > EM_MOST_OF_REST * size;
+            p->shift[at] = apart ? 0.0 : by;
+            p->apart |= apart && by != 0.0;
+        }
+}
+
+/* shift (n, columns) <- the parts of S0 along the motion, in the mass metric, in which a velocity counts as what it
+ * moves in a step of length h. 0 for directions that are not nearly along it. Returns whether one is. T0: of S0. */
 static int em_project_on_motion(em_pass *p, double h) {
     const int n = p->n, k = p->columns;
     const double *const S[2] = {p->S0, p->S0 + n * k}, *const rate[2] = {p->z + n, p->a0}, by[2] = {1.0, h * h};
-    double size[k], MS[k], *const shift = p->shift, length = 0.0;
+    double size[k], MS[k], shift[k], length = 0.0;
     int found = 0;
-    memset(shift, 0, k * sizeof *shift), memset(size, 0, sizeof size);
+    memset(shift, 0, sizeof shift), memset(size, 0, sizeof size);
     for (int half = 0; half < 2; ++half)
         for (int i = 0; i < n; ++i) {
             double Mr = 0.0;
@@ -192,11 +215,13 @@ static int em_project_on_motion(em_pass *p, double h) {
             for (int j = 0; j < k; ++j) size[j] += S[half][i * k + j] * MS[j];
         }
     for (int j = 0; j < k; ++j) {
-        const int nearly = j < p->of->columns && shift[j] * shift[j] >= EM_ALONG * EM_ALONG * length * size[j];
+        const int nearly = j < p->of->columns && shift[j] * shift[j] >= EM_NEARLY_ALONG * EM_NEARLY_ALONG * length * size[j];
         shift[j] = nearly && length > 0.0 ? shift[j] / length : 0.0;
         found |= shift[j] != 0.0;
     }
-    return found;
+    if (!found) return memset(p->shift, 0, (size_t)n * k * sizeof *p->shift), 0;
+    em_shift_coordinates(p, h, shift);
+    return 1;
 }
 
 /* The size of the terms of row i of J (v, a) at the start of a step; change <- of those of its change in the step. */
@@ -228,19 +253,19 @@ static int em_forget_shifts(em_pass *p, double h) {
         const double most = p->of->tolerance * (changing ? EM_MOST_OF_CHANGING : EM_MOST_OF_SHIFT);
         changes |= changing;
         for (int j = 0; j < k; ++j) {
-            const double by = fabs(p->shift[j]), *const S = p->S0 + i * k + j;
+            const double by = fabs(p->shift[i * k + j]), *const S = p->S0 + i * k + j;
             const double rate = fabs(S[n * k]) + by * (fabs(p->a0[i]) + length * terms);
             certain[j] &= by * fabs(off[n + i]) <= most * rate && by * off[i] <= most * (fabs(*S) + length * rate);
         }
     }
-    for (int j = 0; j < k; ++j)
-        if (p->shift[j] != 0.0 && !(changes && certain[j])) p->shift[j] = 0.0, forgotten = 1;
+    for (int at = 0; at < n * k; ++at)
+        if (p->shift[at] != 0.0 && !(changes && certain[at % k])) p->shift[at] = 0.0, forgotten = 1;
     return forgotten;
 }
 
 static int em_has_shifts(const em_pass *p) {
-    for (int j = 0; j < p->of->columns; ++j)
-        if (p->shift[j] != 0.0) return 1;
+    for (int at = 0; at < p->n * p->columns; ++at)
+        if (p->shift[at] != 0.0) return 1;
     return 0;
 }
 
@@ -248,8 +273,8 @@ static int em_has_shifts(const em_pass *p) {
 static void em_add_shifts(const em_pass *p, double sign, const double *v, const double *a, double *S) {
     const int n = p->n, k = p->columns;
     for (int i = 0; i < n; ++i) {
-        em_add_to(k, sign * v[i], p->shift, S + i * k);
-        em_add_to(k, sign * a[i], p->shift, S + (n + i) * k);
+        em_add_to(k, sign * v[i], p->shift + i * k, S + i * k);
+        em_add_to(k, sign * a[i], p->shift + i * k, S + (n + i) * k);
     }
 }
 
@@ -257,8 +282,8 @@ static void em_add_shifts(const em_pass *p, double sign, const double *v, const 
 static void em_add_shifted_step(em_pass *p, double sign) {
     const int n = p->n, k = p->columns;
     em_add_shifts(p, sign, p->z + n, p->a0, p->S0);
-    for (int i = 0; i < EM_VARIATION_NODES * n; ++i) em_add_to(k, sign * p->jerk[i], p->shift, p->K + i * k);
-    for (int i = 0; i < n; ++i) em_add_to(k, sign * p->jerk[EM_VARIATION_NODES * n + i], p->shift, p->K0 + i * k);
+    for (int i = 0; i < EM_VARIATION_NODES * n; ++i) em_add_to(k, sign * p->jerk[i], p->shift + i % n * k, p->K + i * k);
+    for (int i = 0; i < n; ++i) em_add_to(k, sign * p->jerk[EM_VARIATION_NODES * n + i], p->shift + i * k, p->K0 + i * k);
 }
 
 /* The part of the accelerations in a step that a decaying series of eight terms does not represent. It exceeds a

@@ -67,8 +67,8 @@ typedef struct em_cone_stop {
  * (em_time_events.h). At the nodes of a step: Z (2 n), a (n), J (n, n_arguments), K = S_v' and G, the part of it
  * that does not depend on K (n, columns). At the start of a step: S0, K0, J0, a0, and T0, the sum of the absolute
  * values of the terms of K; T, at its end. K_rounding (n, columns), a_rounding (n): the rounding of K and a.
- * units (n), B (n, n): of coordinates, and their couplings, in the linear system of a step. shift (columns): the parts
- * along the motion that directions have lost for this step (em_variation_motion.h); drive0, drive (n; nodes, n): the
+ * units (n), B (n, n): of coordinates, and their couplings, in the linear system of a step. shift (n, columns): the
+ * parts along the motion that directions have lost for this step (em_variation_motion.h); drive0, drive (n; nodes, n): the
  * partial derivative of a with respect to time, inputs included; jerk (nodes + 1, n); M (n, n), at the start; shift_error
  * (2 n), of the last step. */
 typedef struct em_pass {
@@ -84,6 +84,7 @@ typedef struct em_pass {
     double longest;                         /* of the accepted steps */
     int n_least, n_crawling, n_again; /* n_again: rejected since a step of about the longest length */
     int by_rounding, own_motion;      /* of the step: only rounding explains its error; it has its own motion */
+    int apart;                        /* of the step: not all coordinates of a direction are shifted */
     em_pile *pile;
     long *piece;
     struct em_tape *tape;                   /* stores the maps of the pass, or NULL (em_derivative_tape.h) */

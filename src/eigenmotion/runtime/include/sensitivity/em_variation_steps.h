@@ -42,6 +42,19 @@ EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, d
     em_add_forcing(p, J, to);
 }
 
+/* to (n, columns) += the rates of the rest of directions that follow from shifts, where J, drive, v, a are these. */
+EM_INLINE void em_add_rates_of_shifts(const em_pass *p, const double *J, const double *drive, const double *v, const double *a,
+                                      double *to) {
+    const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
+    for (int i = 0; i < n; ++i) {
+        em_add_to(k, -drive[i], p->shift + i * k, to + i * k);
+        for (int q = 0; p->apart && q < n; ++q) {
+            const double by = J[i * width + q] * v[q] + J[i * width + n + q] * a[q];
+            for (int j = 0; j < k; ++j) to[i * k + j] += by * (p->shift[q * k + j] - p->shift[i * k + j]);
+        }
+    }
+}
+
 /* G at the nodes: the part that does not depend on K. */
 EM_INLINE void em_node_directions(em_pass *p, double h) {
     const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
@@ -50,7 +63,7 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
         em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
         for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
         em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
-        for (int i = 0; i < n; ++i) em_add_to(k, -p->drive[j * n + i], p->shift, p->G + j * block + i * k);
+        em_add_rates_of_shifts(p, p->J + j * n * width, p->drive + j * n, p->Z + j * 2 * n + n, p->a + j * n, p->G + j * block);
     }
 }
 

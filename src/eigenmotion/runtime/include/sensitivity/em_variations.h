@@ -84,7 +84,7 @@ static int em_pass_open(em_pass *p, em_variations *w) {
         {&p->W, (size + m) * k}, {&p->Z, 2 * size}, {&p->off, 2 * size}, {&p->S0, 2 * n * k}, {&p->K0, n * k},
         {&p->J0, n * model->n_arguments}, {&p->a0, n}, {&p->T0, n * k}, {&p->T, n * k},
         {&p->K_rounding, n * k}, {&p->a_rounding, n}, {&p->units, n}, {&p->B, n * n}, {&p->y, model->n_state},
-        {&p->predictions, 2 * model->n_switches * k}, {&p->shift, k}, {&p->drive0, n}, {&p->drive, size}, {&p->jerk, size + n},
+        {&p->predictions, 2 * model->n_switches * k}, {&p->shift, n * k}, {&p->drive0, n}, {&p->drive, size}, {&p->jerk, size + n},
         {&p->M, n * n}, {&p->shift_error, 2 * n},
     };
     enum { PARTS = sizeof parts / sizeof *parts };
