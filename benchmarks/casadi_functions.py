@@ -20,7 +20,8 @@ import sympy
 from common.timing import ratio, spread
 
 import eigenmotion as em
-from eigenmotion.building.toolchain import run, toolchain
+from eigenmotion.building.processes import run
+from eigenmotion.building.toolchain import toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
 CASES = (

@@ -6,7 +6,8 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, STANDARD, run, toolchain
+from eigenmotion.building.processes import run
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, STANDARD, toolchain
 
 TIMER = Path(__file__).with_name("right_hand_side.c")
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from eigenmotion import Model
+from eigenmotion.building.processes import run
 from eigenmotion.building.request import request
-from eigenmotion.building.toolchain import INCLUDE, STANDARD, run, toolchain
+from eigenmotion.building.toolchain import INCLUDE, STANDARD, toolchain
 
 HERE = Path(__file__).parent
 

@@ -2,9 +2,11 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
+import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -310,3 +312,33 @@ def test_every_public_name_is_there():
         assert name in dir(em)
     with pytest.raises(AttributeError, match="no attribute 'absent'"):
         _ = em.absent
+
+
+SLOW_COMPILER = r"""#!/bin/sh
+case "$*" in *.c\ -o*.o*) sleep 600 & echo $! >> {started}; wait;; esac
+exec {compiler} "$@"
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="signals of POSIX")
+def test_ctrl_c_ends_compilers(own_cache, tmp_path):
+    """A signal to this process alone, as by a notebook: compilers are killed, no other starts, nothing is left."""
+    started, script = tmp_path / "started", tmp_path / "slow-cc"
+    script.write_text(SLOW_COMPILER.format(started=started, compiler=shutil.which("cc") or "gcc"), encoding="ascii")
+    script.chmod(0o700)
+    environment = {**os.environ, "CC": str(script)}
+    with subprocess.Popen([sys.executable, "-m", "eigenmotion", "build", str(PENDULUM)], env=environment, text=True,
+                          stderr=subprocess.PIPE, start_new_session=True) as build:  # fmt: skip
+        for _ in range(600):
+            if started.exists() and started.read_text(encoding="ascii").count("\n") >= 2:
+                break
+            time.sleep(0.1)
+        begun = started.read_text(encoding="ascii").split()
+        os.kill(build.pid, signal.SIGINT)
+        _, words = build.communicate(timeout=60)
+    assert "interrupted" in words
+    assert build.returncode in (130, -signal.SIGINT)  # CPython ends so if an `exec` of an import was interrupted
+    assert begun == started.read_text(encoding="ascii").split()
+    states = subprocess.run(["ps", "-o", "stat=", "-p", ",".join(begun)], capture_output=True, text=True, check=False)
+    assert all(state.startswith("Z") for state in states.stdout.split())
+    assert not [path for path in own_cache.glob("*/.*") if path.is_dir()]

@@ -6,7 +6,8 @@ from tempfile import TemporaryDirectory
 
 from ..codegen.render.emit import Sources
 from .errors import BuildError
-from .toolchain import INCLUDE, run
+from .processes import run
+from .toolchain import INCLUDE
 
 _COUNTER = Path(__file__).with_name("operations.cpp")
 _COMPILER = "clang++"  # g++ refuses designated initialisers in another order than the members', which is valid C

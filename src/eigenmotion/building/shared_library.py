@@ -5,7 +5,7 @@ import logging
 import shutil
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from contextlib import contextmanager, suppress
 from itertools import chain
 from math import inf
@@ -21,6 +21,7 @@ from ..garbage import uncollected
 from .cache import LOCATION, entry, key, location
 from .errors import BuildError
 from .lazy_units import methods_of, whole
+from .processes import ToolPool
 from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, STEPPER, Toolchain, headers
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
     """
     library, proved = f"{sources.name}{EXTENSION_SUFFIX}", methods_of(tuple(units) or whole())
     with _work(sources.files, folder) as work:
-        with ThreadPoolExecutor(max_workers=1) as pool:
+        with ToolPool(1) as pool:
             built = pool.submit(compile_and_link, work, sources.name, tools, units, existing)
             with uncollected():
                 from .verification import prove, prove_methods  # noqa: PLC0415, slow import while the compiler runs
@@ -80,7 +81,7 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
     is_module, units = not units, tuple(units) or whole()
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
     compiled_before = {path.name for path in existing}
-    with ThreadPoolExecutor(max_workers=cores()) as pool:
+    with ToolPool(cores()) as pool:
         shared = pool.submit(stepper, tools)
         missing = [unit for unit in units if f"{name}_{unit}.o" not in compiled_before]
         end = time.monotonic() + _expected(tools, work / f"{name}.c", len(missing) / len(units))
@@ -132,7 +133,7 @@ def stepper_meanwhile(tools: Toolchain) -> Iterator[None]:
 
     The link step takes it from the cache or waits for it. An error here occurs there again, and is reported there.
     """
-    with ThreadPoolExecutor(max_workers=1) as pool:
+    with ToolPool(1) as pool:
         pool.submit(stepper, tools)
         yield
 

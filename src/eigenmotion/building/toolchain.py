@@ -3,7 +3,6 @@
 import os
 import shlex
 import shutil
-import subprocess
 import sys
 import sysconfig
 from dataclasses import dataclass, field
@@ -13,6 +12,7 @@ from pathlib import Path
 
 from .cache import key
 from .errors import BuildError, CompilerNotFoundError
+from .processes import run
 
 INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
 OPTIMISED = (
@@ -214,22 +214,3 @@ def _words(text: object, what: str) -> tuple[str, ...]:
     except ValueError as error:
         problem = f"{str(error).lower()}; words are split as in a shell"
     raise BuildError(f"{what} is {text!r}: {problem}")
-
-
-def run(command: tuple[str, ...], folder: Path | None = None, text: str = "") -> str:
-    """Run a tool with `text` as standard input, and return its standard output.
-
-    Raises
-    ------
-    BuildError
-        The tool cannot be started, or its exit code is not 0.
-    """
-    try:
-        done = subprocess.run(command, cwd=folder, input=text, capture_output=True, text=True, encoding="utf-8",
-                              errors="replace", check=False)  # fmt: skip
-    except (OSError, ValueError) as error:
-        raise BuildError(f"cannot start {command[0]}: {error}") from error
-    if done.returncode:
-        words = (done.stderr + done.stdout).strip() or f"(no output; exit code {done.returncode})"
-        raise BuildError(f"{words}\n\nthe command was: {shlex.join(command)}")
-    return done.stdout

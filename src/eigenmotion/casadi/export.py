@@ -13,8 +13,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from ..arguments.named_values import spelled, unknown
 from ..arguments.options import SHARED_FROM_START
 from ..building.build import system_of
+from ..building.processes import run
 from ..building.request import Request, request
-from ..building.toolchain import SHARED, STANDARD, link_flags, run, toolchain
+from ..building.toolchain import SHARED, STANDARD, link_flags, toolchain
 from ..codegen.compiler import program as program_of
 from ..codegen.kernel.kernel import Kernel
 from ..codegen.model import Model, ModelError

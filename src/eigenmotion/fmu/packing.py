@@ -16,8 +16,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
+from ..building.processes import run
 from ..building.request import Request
-from ..building.toolchain import INCLUDE, SHARED, STANDARD, link_flags, run, toolchain
+from ..building.toolchain import INCLUDE, SHARED, STANDARD, link_flags, toolchain
 from ..codegen.model import ModelError
 from .unit import Content, Unit
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError
-from ..building.toolchain import run
+from ..building.processes import run
 
 VERSION = "0.180.0"
 _SHA512 = "o+qycAMZrh+TsE01GqWUxUIKR1AL0S8pq7zDkYOQw8GqfX8b8VoCKYUoHbhiX5j+7hr8XsuHDVU6+gkQJQKg9w=="

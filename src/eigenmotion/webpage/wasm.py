@@ -12,8 +12,9 @@ from ..building.build import first_sources
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError, CompilerNotFoundError
 from ..building.lazy_units import at_first
+from ..building.processes import run
 from ..building.request import Request
-from ..building.toolchain import INCLUDE, STEPPER, ZIG, headers, run, zig_is_there
+from ..building.toolchain import INCLUDE, STEPPER, ZIG, headers, zig_is_there
 from ..codegen.render.emit import Sources
 
 _FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w", "-DEM_FOR_PAGES")
