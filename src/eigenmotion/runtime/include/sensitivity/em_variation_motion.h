@@ -32,6 +32,7 @@
 #define EM_MOST_OF_CHANGING 1e4   /* where J changes in a step */
 #define EM_CHANGING 0.1           /* by this part of it */
 #define EM_MOST_OF_REST 30.0      /* in sizes of a coordinate in a direction: the most that is left of it without a shift */
+#define EM_STIFF 30.0             /* the change of an acceleration in a step, relative to its size, by terms that cancel */
 #define EM_LAST_DIGITS (64.0 * DBL_EPSILON)
 
 /* The last kept step of a run that starts at or before t. */
@@ -237,6 +238,14 @@ static double em_jerk_terms(const em_pass *p, int i, double *change) {
     return terms;
 }
 
+/* Whether the terms of row i of J (v, a) cancel in a step, or change a many times: on a slow manifold, the error of a is
+ * that of the state times J, which no part of S depends on. */
+static int em_is_stiff(const em_pass *p, double length, int i, double terms) {
+    double size = fabs(p->a0[i]);
+    for (int j = 0; j < EM_VARIATION_NODES; ++j) size = fmax(size, fabs(p->a[j * p->n + i]));
+    return length * terms > EM_STIFF * size;
+}
+
 /* shift <- 0 for directions of which a shift would make a number uncertain: it adds errors that are larger than those
  * numbers and the terms of their rates allow. Where J changes within a step, all of S depends on such errors of the
  * motion, and more is allowed. Where it does not, as in motions that die out, nothing drifts apart. Returns whether there
@@ -249,13 +258,13 @@ static int em_forget_shifts(em_pass *p, double h) {
     for (int i = 0; i < n; ++i) {
         double change;
         const double terms = em_jerk_terms(p, i, &change);
-        const int changing = change > EM_CHANGING * terms;
+        const int changing = change > EM_CHANGING * terms, stiff = em_is_stiff(p, length, i, terms);
         const double most = p->of->tolerance * (changing ? EM_MOST_OF_CHANGING : EM_MOST_OF_SHIFT);
         changes |= changing;
         for (int j = 0; j < k; ++j) {
             const double by = fabs(p->shift[i * k + j]), *const S = p->S0 + i * k + j;
             const double rate = fabs(S[n * k]) + by * (fabs(p->a0[i]) + length * terms);
-            certain[j] &= by * fabs(off[n + i]) <= most * rate && by * off[i] <= most * (fabs(*S) + length * rate);
+            certain[j] &= !stiff && by * fabs(off[n + i]) <= most * rate && by * off[i] <= most * (fabs(*S) + length * rate);
         }
     }
     for (int at = 0; at < n * k; ++at)
