@@ -30,9 +30,10 @@
 #define EM_NEARLY_ALONG 0.9995    /* the cosine of directions that are nearly along the motion: 2 degrees */
 #define EM_MOST_OF_SHIFT 100.0    /* in tolerances: the allowed error of the part of a direction along the motion */
 #define EM_MOST_OF_CHANGING 1e4   /* where J changes in a step */
+#define EM_MOST_OF_RATE 1e-3      /* of a rate: more is no small part of it, however loose the tolerance */
 #define EM_CHANGING 0.1           /* by this part of it */
 #define EM_MOST_OF_REST 30.0      /* in sizes of a coordinate in a direction: the most that is left of it without a shift */
-#define EM_STIFF 30.0             /* the change of an acceleration in a step, relative to its size, by terms that cancel */
+#define EM_STIFF 10.0             /* the change of an acceleration in a step, relative to its size, by terms that cancel */
 #define EM_LAST_DIGITS (64.0 * DBL_EPSILON)
 
 /* The last kept step of a run that starts at or before t. */
@@ -254,15 +255,17 @@ static int em_forget_shifts(em_pass *p, double h) {
     const int n = p->n, k = p->columns;
     const double *const off = p->shift_error, length = fabs(h);
     int certain[k], changes = 0, forgotten = 0;
-    for (int j = 0; j < k; ++j) certain[j] = 1;
+    double most_shift[k];
+    for (int j = 0; j < k; ++j) certain[j] = 1, most_shift[j] = 0.0;
+    for (int at = 0; at < n * k; ++at) most_shift[at % k] = fmax(most_shift[at % k], fabs(p->shift[at]));
     for (int i = 0; i < n; ++i) {
         double change;
         const double terms = em_jerk_terms(p, i, &change);
         const int changing = change > EM_CHANGING * terms, stiff = em_is_stiff(p, length, i, terms);
-        const double most = p->of->tolerance * (changing ? EM_MOST_OF_CHANGING : EM_MOST_OF_SHIFT);
+        const double most = fmin(p->of->tolerance * (changing ? EM_MOST_OF_CHANGING : EM_MOST_OF_SHIFT), EM_MOST_OF_RATE);
         changes |= changing;
         for (int j = 0; j < k; ++j) {
-            const double by = fabs(p->shift[i * k + j]), *const S = p->S0 + i * k + j;
+            const double by = most_shift[j], *const S = p->S0 + i * k + j;
             const double rate = fabs(S[n * k]) + by * (fabs(p->a0[i]) + length * terms);
             certain[j] &= !stiff && by * fabs(off[n + i]) <= most * rate && by * off[i] <= most * (fabs(*S) + length * rate);
         }
