@@ -52,7 +52,7 @@ static void em_begin_step(em_pass *p, double t) {
 
 /* K and S of a step whose motion is known, S0 and K0 without the shifts. 0, or 1: there is no solution. */
 static int em_solve_rest(em_pass *p, double h) {
-    em_add_shifts(p, -1.0, p->z + p->n, p->a0, p->S0);
+    if (em_has_shifts(p)) em_add_shifts(p, -1.0, p->z + p->n, p->a0, p->S0);
     (p->wide ? em_begin_wide : em_begin_narrow)(p);
     return (p->wide ? em_step_wide : em_step_narrow)(p, h) ? 1 : 0;
 }
@@ -60,10 +60,13 @@ static int em_solve_rest(em_pass *p, double h) {
 /* The same, with the shifts of which the step, and the one before, have been certain. `jump` (2 n): em_shift_error. */
 static int em_solve_directions(em_pass *p, double h, const double *jump) {
     const double *const v = p->z + p->n;
+    double whole[p->columns];
     if (p->tape) return em_solve_rest(p, h);
-    em_add_shifts(p, 1.0, v, p->a0, p->S0);
+    if (em_has_shifts(p)) em_add_shifts(p, 1.0, v, p->a0, p->S0);
+    memset(p->shift, 0, (size_t)p->n * p->columns * sizeof *p->shift);
+    if (!em_project_on_motion(p, h, whole)) return em_solve_rest(p, h);
     em_sum_terms(p, p->J0, p->S0, p->T0);
-    if (!em_project_on_motion(p, h)) return em_solve_rest(p, h);
+    em_shift_coordinates(p, h, whole);
     em_forget_shifts(p, h);
     if (em_solve_rest(p, h)) return 1;
     em_find_jerk(p);

@@ -179,7 +179,7 @@ static void em_shift_error(const em_pass *p, double h, const double *jump, doubl
     }
 }
 
-/* shift (n, columns) <- `whole` (columns) for all coordinates apart from those of which it leaves a much larger rest. */
+/* shift (n, columns) <- `whole` (columns), but 0 for coordinates of which it leaves a much larger rest. T0: of S0. */
 static void em_shift_coordinates(em_pass *p, double h, const double *whole) {
     const int n = p->n, k = p->columns;
     p->apart = 0;
@@ -195,14 +195,14 @@ static void em_shift_coordinates(em_pass *p, double h, const double *whole) {
         }
 }
 
-/* shift (n, columns) <- the parts of S0 along the motion, in the mass metric, in which a velocity counts as what it
- * moves in a step of length h. 0 for directions that are not nearly along it. Returns whether one is. T0: of S0. */
-static int em_project_on_motion(em_pass *p, double h) {
+/* shift (columns) <- the parts of S0 along the motion, in the mass metric, in which a velocity counts as what it moves in
+ * a step of length h. 0 for directions that are not nearly along it. Returns whether one is. */
+static int em_project_on_motion(const em_pass *p, double h, double *shift) {
     const int n = p->n, k = p->columns;
     const double *const S[2] = {p->S0, p->S0 + n * k}, *const rate[2] = {p->z + n, p->a0}, by[2] = {1.0, h * h};
-    double size[k], MS[k], shift[k], length = 0.0;
+    double size[k], MS[k], length = 0.0;
     int found = 0;
-    memset(shift, 0, sizeof shift), memset(size, 0, sizeof size);
+    memset(shift, 0, k * sizeof *shift), memset(size, 0, sizeof size);
     for (int half = 0; half < 2; ++half)
         for (int i = 0; i < n; ++i) {
             double Mr = 0.0;
@@ -221,9 +221,7 @@ static int em_project_on_motion(em_pass *p, double h) {
         shift[j] = nearly && length > 0.0 ? shift[j] / length : 0.0;
         found |= shift[j] != 0.0;
     }
-    if (!found) return memset(p->shift, 0, (size_t)n * k * sizeof *p->shift), 0;
-    em_shift_coordinates(p, h, shift);
-    return 1;
+    return found;
 }
 
 /* The size of the terms of row i of J (v, a) at the start of a step; change <- of those of its change in the step. */
