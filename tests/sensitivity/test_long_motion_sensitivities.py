@@ -45,7 +45,7 @@ def exact(end: float, torque: float = 10.0, eccentricity: float = 0.5, weight: f
                                                    (6000.0, 1e-8, 3e-3)])  # fmt: skip
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_rotor_that_turns_for_long(end: float, rtol: float, most: float, sign: float):
-    """The errors are those of the angle itself. Relative to its derivatives they were 200 to 1000 times as large."""
+    """The errors are those of the angle itself."""
     time, right = exact(end)
     run = rotor(10.0 * sign).simulate(
         (0.0, time), sensitivities=["tau", "r", "g"], t_eval=[time], rtol=rtol, atol=1e-3 * rtol
