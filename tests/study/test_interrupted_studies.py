@@ -1,8 +1,10 @@
 """Ctrl-C in `eigenmotion stability MODEL` and `eigenmotion report`: what is kept, and what is said."""
 
-import multiprocessing
 import os
 import signal
+import time
+from concurrent.futures import process
+from concurrent.futures.process import BrokenProcessPool
 from types import SimpleNamespace
 
 import pytest
@@ -80,22 +82,39 @@ def test_before_anything_is_found_nothing_is_written(command, module, function, 
 
 def interrupted_pool() -> int:
     with Pool(1) as pool:
-        process: int = pool.submit(os.getpid).result()
+        one: int = pool.submit(os.getpid).result()
         pool.submit(signal.pause)
-        raise KeyboardInterrupt(process)
+        raise KeyboardInterrupt(one)
 
 
 def test_processes_of_a_pool_end_with_its_block():
     """One that waits for a signal is not waited for."""
     with pytest.raises(KeyboardInterrupt) as raised:
         interrupted_pool()
-    assert raised.value.args[0] not in {process.pid for process in multiprocessing.active_children()}
+    with pytest.raises(ProcessLookupError):
+        os.kill(raised.value.args[0], 0)
 
 
 def test_ctrl_c_of_a_process_is_silent(capfd):
     with Pool(1) as pool:
-        process = pool.submit(os.getpid).result()
-        os.kill(process, signal.SIGINT)
+        one = pool.submit(os.getpid).result()
+        os.kill(one, signal.SIGINT)
         with pytest.raises(Exception, match="terminated abruptly"):
             pool.submit(signal.pause).result()
     assert "Traceback" not in capfd.readouterr().err
+
+
+def test_a_call_that_is_submitted_as_a_process_dies_ends(monkeypatch):
+    """Here after `submit` has seen that all is well, and before the call is among those that wait."""
+
+    class Late(process._WorkItem):
+        def __init__(self, *given):
+            os.kill(one, signal.SIGKILL)
+            time.sleep(1.0)
+            super().__init__(*given)
+
+    with Pool(1) as pool:
+        one = pool.submit(os.getpid).result()
+        monkeypatch.setattr(process, "_WorkItem", Late)
+        with pytest.raises(BrokenProcessPool):
+            pool.submit(signal.pause).result(timeout=60.0)
