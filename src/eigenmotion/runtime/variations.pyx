@@ -347,7 +347,8 @@ cdef class Variations:
 cdef class Tape:
     """The derivative of a run as a product of linear maps (em_derivative_tape.h), recorded along `variations`.
 
-    basis : (n_forcing, columns): directions of inputs, parameters and time with respect to which there are gradients
+    basis : (n_forcing, columns): directions of inputs, parameters and time with respect to which there are gradients; each
+    has one entry
     """
 
     cdef em_taped_pass *taped
@@ -358,6 +359,8 @@ cdef class Tape:
     def __cinit__(self, Variations variations not None, basis):
         cdef int status
         cdef Numbers P = floats(basis, (variations.of.n_forcing, basis.shape[1]), "basis")
+        if np.any(np.count_nonzero(basis, axis=0) != 1):
+            raise ValueError("each direction of the basis has one entry")
         self.variations, self.columns = variations, basis.shape[1]
         self.taped = <em_taped_pass *> calloc(1, sizeof(em_taped_pass))
         if self.taped == NULL:

@@ -7,7 +7,7 @@ transpose. A long run goes in parts: from the last to the first, each is run aga
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -92,7 +92,7 @@ class Adjoint:
     def probes(self) -> Vector:
         """(names, columns): the first is random, as large as the values of what it changes; the others are zero."""
         made = np.zeros((len(self.varied.names), _COLUMNS))
-        made[:, 0] = np.random.default_rng(0).standard_normal(len(made)) * _sizes(self.task, self.varied)
+        made[:, 0] = _drawn(len(made)) * _sizes(self.task, self.varied)
         return made
 
     def pull(self, rows: Vector) -> Vector:
@@ -145,6 +145,11 @@ class Adjoint:
         return tangent(
             self.task.model, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, self.task.least_norm, S, P
         )
+
+
+@lru_cache(maxsize=16)
+def _drawn(count: int) -> Vector:
+    return np.random.default_rng(0).standard_normal(count)
 
 
 def _path_between(path: Path, checkpoints: list[Checkpoint], k: int, task: Task) -> tuple[Path, int, int, bool]:

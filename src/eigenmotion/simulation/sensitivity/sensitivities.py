@@ -17,7 +17,7 @@ from ...runtime.variations import Variations, quasi_partials, tangent
 from .collocation_mesh import A2, PLACE, SERIES, A, Mesh, mesh_of
 from .run_path import Path, dense_run, path_of
 
-TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
+TOGETHER = {"ra15": 1.5, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
 """Initial step of the variational equations, in steps of the run; their polynomials are of higher degree. Later steps
 follow from an error estimate (em_variation_error.h)."""
 _LEAST = 1e-13

@@ -25,17 +25,25 @@ EM_INLINE void em_add_transposed(const em_tape *tape, const double *J, const dou
 }
 
 /* b (size) <- the solution of G^T y = b, G as factored by em_eliminate: its rows, `apart` numbers apart, are L U in this
- * order. */
+ * order. Four rows at a time. */
 EM_INLINE void em_solve_transposed(int size, int apart, const double *factors, const double *order, double *restrict b) {
     double y[size];
-    for (int i = 0; i < size; ++i) {
-        const double *const row = factors + (size_t)order[i] * apart;
-        const double solved = b[i] /= row[i];
-        for (int j = i + 1; j < size; ++j) b[j] -= row[j] * solved;
+    const double *row[size];
+    for (int i = 0; i < size; ++i) row[i] = factors + (size_t)order[i] * apart;
+    for (int i = 0; i < size; i += EM_PIVOTS) {
+        const double *const *const u = row + i;
+        for (int k = 0; k < EM_PIVOTS; ++k) {
+            b[i + k] /= u[k][i + k];
+            for (int j = k + 1; j < EM_PIVOTS; ++j) b[i + j] -= u[k][i + j] * b[i + k];
+        }
+        const int after = i + EM_PIVOTS;
+        em_subtract_four(size - after, b + i, u[0] + after, u[1] + after, u[2] + after, u[3] + after, b + after);
     }
-    for (int i = size - 1; i >= 0; --i) {
-        const double *const row = factors + (size_t)order[i] * apart, solved = b[i];
-        for (int j = 0; j < i; ++j) b[j] -= row[j] * solved;
+    for (int i = size - EM_PIVOTS; i >= 0; i -= EM_PIVOTS) {
+        const double *const *const l = row + i;
+        for (int k = EM_PIVOTS - 1; k > 0; --k)
+            for (int j = 0; j < k; ++j) b[i + j] -= l[k][i + j] * b[i + k];
+        em_subtract_four(i, b + i, l[0], l[1], l[2], l[3], b);
     }
     for (int i = 0; i < size; ++i) y[(int)order[i]] = b[i];
     memcpy(b, y, size * sizeof *b);

@@ -174,20 +174,17 @@ static int em_begin_step_on_tape(em_pass *p) {
     return 0;
 }
 
-/* to (n, width) <- J (n, n_arguments), with respect to the state and the basis. */
+/* to (n, width) <- J (n, n_arguments), with respect to the state and the basis, of whose directions each has one entry. */
 static void em_along_basis(const em_pass *p, const double *J, double *to) {
     const em_pass *const q = p->over_basis;
     const int n = p->n, width = p->tape->width, arguments = p->of->model->n_arguments;
-    for (int i = 0; i < n; ++i) {
-        memcpy(to + i * width, J + i * arguments, 2 * n * sizeof *to);
-        memset(to + i * width + 2 * n, 0, p->tape->basis * sizeof *to);
-    }
     double value[q->n_nonzeros + 1];
     for (int k = 0; k < q->n_nonzeros; ++k) value[k] = q->P[q->nonzeros[k][0] * q->columns + q->nonzeros[k][1]];
     for (int i = 0; i < n; ++i) {
-        const double *restrict const by_forcing = J + i * arguments + 2 * n;
+        const double *restrict const from = J + i * arguments, *restrict const by_forcing = from + 2 * n;
         double *restrict const row = to + i * width;
-        for (int k = 0; k < q->n_nonzeros; ++k) row[q->nonzeros[k][1]] += by_forcing[q->nonzeros[k][0]] * value[k];
+        memcpy(row, from, 2 * n * sizeof *to);
+        for (int k = 0; k < q->n_nonzeros; ++k) row[q->nonzeros[k][1]] = by_forcing[q->nonzeros[k][0]] * value[k];
     }
 }
 

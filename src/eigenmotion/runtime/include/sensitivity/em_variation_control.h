@@ -7,6 +7,8 @@
 #define EM_MOST_LENGTH 2.0 /* bound on the length of a step here, relative to initial_steps: features that the run has
                               resolved matter */
 #define EM_LEAST_CUT 0.6   /* the smallest part of its length to which a step is cut to end with a step of the run */
+#define EM_FEW 3.0         /* steps of a way, of which one is worth saving */
+#define EM_STRETCH 1.1    /* of the length that an error suggests: the error stays below one, if it is as predicted */
 #define EM_SAME_ROW 1e-6   /* of a step: a row that is nearer to its start is there */
 #define EM_NO_STEP 1e-2    /* of a step: a part that is not worth a step of its own */
 #define EM_MOTION_ITERATIONS 4     /* iterations of Newton's method for a step's own motion */
@@ -34,7 +36,7 @@ static em_step_errors em_forcing_error_narrow(em_pass *p) { return em_forcing_er
 EM_INLINE void em_begin_rates(em_pass *p) {
     em_rates_of(p, p->J0, p->S0, p->K0);
     em_sum_terms(p, p->J0, p->S0, p->T0);
-    em_add_rates_of_shifts(p, p->J0, p->drive0, p->z + p->n, p->a0, p->K0);
+    if (em_has_shifts(p)) em_add_rates_of_shifts(p, p->J0, p->drive0, p->z + p->n, p->a0, p->K0);
 }
 EM_WIDE static void em_begin_wide(em_pass *p) { em_begin_rates(p); }
 static void em_begin_narrow(em_pass *p) { em_begin_rates(p); }
@@ -163,11 +165,17 @@ static int em_is_on_the_way(const em_pass *p, double from, double last, double l
     return done <= length && done >= rest - (parts - 1.0) * length && done >= EM_LEAST_CUT * rest / parts;
 }
 
-/* The end of the next step to `last`, of at most this length: the end of a step of the run, if one is nearly as far. The
+/* The length of steps over the rest of a way: longer than their error suggests, where that saves one of few. */
+static double em_stretched(double length, double rest, double most) {
+    const double parts = ceil(rest / length) - 1.0, longer = rest / parts;
+    return (parts >= 1.0 && parts < EM_FEW) && longer <= fmin(EM_STRETCH * length, most) ? longer : length;
+}
+
+/* The end of the next step to `last`, of about this length: the end of a step of the run, if one is nearly as far. The
  * nearest to an even part of the rest is taken, if it costs no more steps. */
-static double em_end_towards(const em_pass *p, double from, double last, double length) {
+static double em_end_towards(const em_pass *p, double from, double last, double suggested, double most) {
     const em_run *const run = p->of->run;
-    const double rest = fabs(last - from);
+    const double rest = fabs(last - from), length = em_stretched(suggested, rest, most);
     if (length >= rest) return last;
     const double even = from + p->of->direction * rest / ceil(rest / length);
     const double before = run->dense_steps[em_dense_at(run, even)].t, after = em_dense_beyond(run, even, 1.0);
@@ -175,8 +183,9 @@ static double em_end_towards(const em_pass *p, double from, double last, double 
     if (em_is_on_the_way(p, from, last, length, nearer)) return nearer;
     if (em_is_on_the_way(p, from, last, length, other)) return other;
     const double to = from + p->of->direction * (length > rest / 2.0 ? rest / 2.0 : length);
-    const double least = run->dense_steps[em_dense_at(run, to)].t;
-    return p->of->direction * (least - from) > EM_LEAST_CUT * fabs(to - from) ? least : to;
+    const double least = run->dense_steps[em_dense_at(run, to)].t, part = p->of->direction * (least - from);
+    const int costs_one = rest <= EM_FEW * length && ceil((rest - part) / length) >= ceil(rest / length);
+    return part > EM_LEAST_CUT * fabs(to - from) && !costs_one ? least : to;
 }
 
 /* The end of the next step, in a span that ends at `last`; within: whether the error within it counts. Where this
@@ -190,8 +199,12 @@ static double em_next_end(const em_pass *p, double from, double last, int *withi
     const double next = em_distance_of_row(p, from, row), second = em_distance_of_row(p, from, row + 1);
     const int dense = second <= longest || next < EM_NO_STEP * longest || rest - next < EM_NO_STEP * longest;
     *within = next < rest && (dense || with_rows >= longest);
-    if (*within) return em_end_towards(p, from, last, with_rows);
-    return em_end_towards(p, from, next < rest ? w->t_rows[row] : last, length);
+    if (*within) {
+        const double to = em_end_towards(p, from, last, with_rows, most);
+        *within = next < fabs(to - from);
+        return to;
+    }
+    return em_end_towards(p, from, next < rest ? w->t_rows[row] : last, length, most);
 }
 
 /* Whether there is a df/dp, of which a step resolves more than rounding. */

@@ -57,13 +57,13 @@ EM_INLINE void em_add_rates_of_shifts(const em_pass *p, const double *J, const d
 
 /* G at the nodes: the part that does not depend on K. */
 EM_INLINE void em_node_directions(em_pass *p, double h) {
-    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments, shifted = em_has_shifts(p);
     for (int j = 0; j < EM_VARIATION_NODES; ++j) {
         memcpy(p->Y, p->S0, 2 * (size_t)block * sizeof *p->Y);
         em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
         for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
         em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
-        em_add_rates_of_shifts(p, p->J + j * n * width, p->drive + j * n, p->Z + j * 2 * n + n, p->a + j * n, p->G + j * block);
+        if (shifted) em_add_rates_of_shifts(p, p->J + j * n * width, p->drive + j * n, p->Z + j * 2 * n + n, p->a + j * n, p->G + j * block);
     }
 }
 
