@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.models.double_pendulum import model as double_pendulum
-from sympy import cos
+from sympy import cos, exp, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -63,3 +63,18 @@ def test_few_steps_are_rejected(count: int, integrations: list[Variations]):
     accepted, rejected, _ = integrations[0].counts
     assert accepted > 50
     assert rejected < 0.2 * accepted
+
+
+@pytest.mark.parametrize("rtol", [1e-9, 1e-10])
+def test_rows_close_to_the_end_cost_no_steps(rtol: float, integrations: list[Variations]):
+    """The rounding of a step's errors is subtracted also where steps are as short as rows within them ask for."""
+    p, tc = symbols("p tc")
+    pushed = em.Model(
+        name="pushed_late", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+        forces=[p * exp(-(((em.t - tc) / 0.1) ** 2))], parameters={p: 1.0, tc: 2.5}, initial={x: 0.3},
+    )  # fmt: skip
+    options = {"method": "dop853", "rtol": rtol, "atol": rtol, "sensitivities": ["x", "tc", "p"]}
+    for rows in ([1.5], [1.5 - 1e-9, 1.5]):
+        system_for(pushed, "lagrange").simulate((0.0, 1.5), t_eval=rows, **options)
+    few, with_rows = (sum(one.counts[:2]) for one in integrations)
+    assert with_rows <= 3 * few

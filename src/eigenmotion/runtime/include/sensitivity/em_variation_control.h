@@ -199,11 +199,7 @@ static double em_next_end(const em_pass *p, double from, double last, int *withi
     const double next = em_distance_of_row(p, from, row), second = em_distance_of_row(p, from, row + 1);
     const int dense = second <= longest || next < EM_NO_STEP * longest || rest - next < EM_NO_STEP * longest;
     *within = next < rest && (dense || with_rows >= longest);
-    if (*within) {
-        const double to = em_end_towards(p, from, last, with_rows, most);
-        *within = next < fabs(to - from);
-        return to;
-    }
+    if (*within) return em_end_towards(p, from, last, with_rows, most);
     return em_end_towards(p, from, next < rest ? w->t_rows[row] : last, length, most);
 }
 
