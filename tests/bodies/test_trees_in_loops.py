@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from eigenmotion.codegen.equations.derive import derive
 from eigenmotion.codegen.equations.tree import link_table
 from eigenmotion.codegen.program import lower
 
@@ -45,6 +46,7 @@ def loops(monkeypatch, tmp_path):
     def chosen(solves):
         monkeypatch.setattr(link_table, "LARGE", 1)
         monkeypatch.setattr(link_table, "LARGEST", 0 if solves else 64)
+        monkeypatch.setattr(link_table, "LONGEST", 0)
         monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / str(solves)))
 
     return chosen
@@ -81,6 +83,13 @@ def test_bodies_that_other_joints_drive_loop_too(loops, seed):
     straight = em.build(random_model(seed, driven=True), formulation="lagrange")
     loops(True)
     assert_the_same(em.build(random_model(seed, driven=True), formulation="articulated_body"), straight)
+
+
+def test_the_length_of_straight_line_code_decides():
+    """Accelerations are loops where n (1 + rows) exceeds 300, but for 64 coordinates and fewer."""
+    for n, rows, loop in ((64, 50, False), (65, 2, False), (120, 2, True), (300, 0, False), (301, 0, True)):
+        assert link_table.accelerations_loop(n, rows) == loop
+    assert not derive(held_arm(65), may_loop=True).trees.table.solves
 
 
 @pytest.mark.parametrize("solves", [False, True])

@@ -1,7 +1,8 @@
 """Table of the moving bodies of large trees, over which recursions in C loop (include/bodies/em_links.h).
 
-Straight-line code of a recursion runs two to three times as fast, but takes a compiler long. Functions that steps
-call rarely are therefore loops from LARGE coordinates on, and accelerations beyond LARGEST.
+Straight-line code of a recursion runs about twice as fast, but takes a compiler long. Functions that steps call rarely
+are therefore loops from LARGE coordinates on. Accelerations are loops where their straight-line code would be longer
+than that of LONGEST coordinates without constraint rows: each row adds a pass over the bodies.
 """
 
 from __future__ import annotations
@@ -20,7 +21,9 @@ from ...graph.store import Kind, Node
 LARGE = 16
 """Number of coordinates from which energies, mass matrix and bias are computed in loops."""
 LARGEST = 64
-"""Number of coordinates up to which accelerations are straight-line code."""
+"""Number of coordinates up to which accelerations are straight-line code, whatever the number of rows."""
+LONGEST = 300
+"""Number of coordinates, times rows and one, up to which they are, too."""
 _UNIT = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
@@ -57,22 +60,29 @@ class LinkTable:
         return (node for row in self.rows for node in row.numbers)
 
 
-def link_table(trees: Sequence[tuple[Dynamics, Sequence[int], Vector]]) -> LinkTable | None:
+def link_table(trees: Sequence[tuple[Dynamics, Sequence[int], Vector]], rows: int) -> LinkTable | None:
     """Return the table of trees; None if they are small, or have joints that the recursions in C do not know.
 
     Parameters
     ----------
     trees
         Of each, its recursions, the numbers of its coordinates in the model, and its gravity.
+    rows
+        Number of constraint rows of the model.
     """
     n = sum(len(numbers) for _, numbers, _ in trees)
     if n < LARGE or any(_is_special(body) for dynamics, _, _ in trees for body in dynamics.links.moving):
         return None
-    rows: list[LinkRow] = []
+    bodies: list[LinkRow] = []
     for dynamics, numbers, gravity in trees:
-        rows += list(_rows(dynamics, numbers, gravity, len(rows)))
+        bodies += list(_rows(dynamics, numbers, gravity, len(bodies)))
     yields = not any(dynamics.shared for dynamics, _, _ in trees)
-    return LinkTable(tuple(rows), n > LARGEST and yields, yields)
+    return LinkTable(tuple(bodies), yields and accelerations_loop(n, rows), yields)
+
+
+def accelerations_loop(n: int, rows: int) -> bool:
+    """Whether accelerations of n coordinates with so many constraint rows are computed in loops."""
+    return n > LARGEST and n * (1 + rows) > LONGEST
 
 
 def _is_special(body: Moving) -> bool:

@@ -102,7 +102,9 @@ def separated(
         recursions.append(Recursion(dynamics, own, dynamics.links.scalars(vector)))
     places = placements(model, node)
     kinetic, potential = map(node, (model.kinetic_energy - sympy.Add(*T), model.potential_energy - sympy.Add(*used)))
-    table = link_table([(tree.dynamics, tree.numbers, tree.gravity) for tree in recursions]) if may_loop else None
+    rows = len(model.holonomic_constraints) + len(model.nonholonomic_constraints)
+    moving = [(tree.dynamics, tree.numbers, tree.gravity) for tree in recursions]
+    table = link_table(moving, rows) if may_loop else None
     if table:  # what is fixed to the ground has no row
         grounded = [-dot(tree.dynamics.links.fixed.moment, tree.gravity) for tree in recursions]
         potential = total(expansion.graph, [Scalar(expansion.graph, potential), *grounded]).node
