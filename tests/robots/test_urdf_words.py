@@ -10,6 +10,8 @@ import pytest
 import eigenmotion as em
 from eigenmotion.cli import main
 
+from ..support.example_robots import robot_file
+
 pytest.importorskip("yourdfpy")
 
 WHOLE = """<robot name="arm">
@@ -62,6 +64,33 @@ def test_urdf_is_told_the_place_and_the_remedy(tmp_path, capsys, old, new, words
     assert str(error.value).startswith(f"{path}{words}")
     assert main(["explain", str(path)]) == 2
     assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("old", "new"), [
+    ("</robot>", "<!-- <xacro:gripper reduction='1.0'/>\n <xacro:property name='pi' value='3.1'/> --></robot>"),
+    ('effort="9" velocity="9"', 'effort="9" velocity="9" command_effort="7" current="3"'),
+    ("</robot>", '<loop_joint name="loop" type="revolute"/></robot>'),
+])  # fmt: skip
+def test_files_with_extensions_and_comments_are_read(tmp_path, old, new):
+    """ANYmal's limits have a command_effort beside their effort; Talos has calls of xacro in comments."""
+    path = tmp_path / "arm.urdf"
+    path.write_text(WHOLE.replace(old, new))
+    assert em.load_urdf(path).n == 1
+
+
+UNREADABLE = {"alex_psyonic_hands", "quadrotor_base", "iris_simple", "ur3"}
+"""A mimic that names no joint, two bodies without a joint, and a file without a name."""
+
+
+@pytest.mark.nightly("other people's files: where example-robot-data is installed")
+def test_other_peoples_files_are_read():
+    refused = set()
+    for path in robot_file("ur_description/urdf/ur5_robot.urdf").parents[2].rglob("*.urdf"):
+        try:
+            em.load_urdf(path)
+        except em.ModelError:
+            refused.add(path.stem)
+    assert refused == UNREADABLE
 
 
 def spoilt() -> Iterator[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
@@ -34,6 +35,7 @@ _SCALARS = ("value", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "lower", "upper",
 _INSIDE: Mapping[str, tuple[str, ...]] = {
     "joint": ("parent", "child"), "visual": ("geometry",), "collision": ("geometry",),
 }  # fmt: skip
+_COMMENT = re.compile(rb"<!--.*?-->", re.DOTALL)
 _CLOSE = 0.75  # similarity of a misspelt element; names of extensions, as <loop_joint>, are less similar
 
 
@@ -47,7 +49,7 @@ def check_words(file: Path) -> None:
         joint.
     """
     content = file.read_bytes()
-    if b"<xacro:" in content:
+    if b"<xacro:" in _COMMENT.sub(b"", content):
         raise ModelError(f"{file}: it has elements of xacro. Expand them first: xacro {file.name} > robot.urdf")
     root = _parsed(file, content)
     if root.tag != "robot":
@@ -110,8 +112,9 @@ def _check(element: Xml.Element, where: str) -> None:
             misspelt = next((one for one in unknown if nearest(one, [name])), None)
             hint = f" Is its {misspelt!r} misspelt?" if misspelt else f' Give it {name}="...".'
             raise ModelError(f"{where} has no attribute {name!r}.{hint}")
+    absent = [one for one in others if one not in element.attrib]  # beside what is there, another is an extension
     for name in element.attrib:
-        if name not in (*needed, *others) and (hint := nearest(name, others)):
+        if name not in (*needed, *others) and (hint := nearest(name, absent)):
             raise ModelError(f"{where} has an attribute {name!r}, which URDF does not know.{hint}")
     for name, text in element.attrib.items():
         if name in (*needed, *others) and name in (*_VECTORS, *_SCALARS):
