@@ -154,7 +154,10 @@ def test_a_lane_that_knows_no_sine_is_asked_by_numbers():
 
 @kinds
 def test_no_memory_is_taken_on_the_way(kind):
-    """What C has taken, by its own count, is the same after as before; resets that start elsewhere included."""
+    """What C has taken, by its own count, is the same after as before; resets that start elsewhere included.
+
+    Other threads of the process may take some in one of the rounds, not in most.
+    """
     try:
         mallinfo = ctypes.CDLL(None).mallinfo2
     except AttributeError:
@@ -167,14 +170,14 @@ def test_no_memory_is_taken_on_the_way(kind):
     members, starts = np.arange(K), (envs.t.copy(), 0.5 * envs.x, envs.v.copy(), np.tile([1.0, 9.81], (K, 1)))
     envs.goals[...] = 0.8
     taken = []
-    for _ in range(3):
+    for _ in range(8):
         envs.go(0, K, 0)
         envs.stage(members, *starts)
         envs.begin(members, starts[0], TORQUES[:, None])
         envs.go(0, K, 0)
         found = mallinfo()
         taken.append(found.f7)  # uordblks
-    assert taken[1] == taken[2]
+    assert np.median(np.diff(taken[1:])) == 0
 
 
 def test_a_signal_ends_an_advance_and_the_next_goes_on():
