@@ -8,7 +8,7 @@
                               resolved matter */
 #define EM_LEAST_CUT 0.6   /* the smallest part of its length to which a step is cut to end with a step of the run */
 #define EM_FEW 3.0         /* steps of a way, of which one is worth saving */
-#define EM_STRETCH 1.1    /* of the length that an error suggests: the error stays below one, if it is as predicted */
+#define EM_STRETCH 1.1     /* of the length that an error suggests: the error stays below one, if it is as predicted */
 #define EM_SAME_ROW 1e-6   /* of a step: a row that is nearer to its start is there */
 #define EM_NO_STEP 1e-2    /* of a step: a part that is not worth a step of its own */
 #define EM_MOTION_ITERATIONS 4     /* iterations of Newton's method for a step's own motion */

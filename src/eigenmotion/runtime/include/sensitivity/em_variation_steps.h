@@ -63,7 +63,8 @@ EM_INLINE void em_node_directions(em_pass *p, double h) {
         em_add_to(block, p->of->place[j] * h, p->S0 + block, p->Y);
         for (int i = 0; i < 2 * n; ++i) p->Y[i * k + k - 1] = -p->off[j * 2 * n + i];
         em_rates_of(p, p->J + j * n * width, p->Y, p->G + j * block);
-        if (shifted) em_add_rates_of_shifts(p, p->J + j * n * width, p->drive + j * n, p->Z + j * 2 * n + n, p->a + j * n, p->G + j * block);
+        if (shifted)
+            em_add_rates_of_shifts(p, p->J + j * n * width, p->drive + j * n, p->Z + j * 2 * n + n, p->a + j * n, p->G + j * block);
     }
 }
 
