@@ -26,11 +26,8 @@ VERSIONS = (2, 3)
 """Versions of FMI."""
 
 _INCLUDE = Path(__file__).parent / "include"
-_HEADERS = ("em_unit_words.h", "em_face.h")
-_OF_VERSION = {
-    2: ("em_fmi2.h", "em_fmu2.h", "em_exchange2.h"),
-    3: ("em_fmi3.h", "em_fmu3.h", "em_exchange3.h", "em_no_fmi3.h"),
-}
+_HEADERS = ("em_unit_words.h", "em_face.h", "em_both.h")
+_OF_VERSION = {2: ("em_fmi2.h", "em_fmu2.h"), 3: ("em_fmi3.h", "em_fmu3.h", "em_no_fmi3.h")}
 _WHEN = (1980, 1, 1, 0, 0, 0)  # date of all files in the zip, so that the same model gives the same bytes
 
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Of both versions, with the same numbers. */
-typedef enum { EM_OK, EM_WARNING, EM_DISCARD, EM_ERROR } em_answer_status;
+enum { EM_OK, EM_DISCARD = 2, EM_ERROR };
 
 typedef struct em_fmu {
     em_unit *unit;

@@ -1,15 +1,21 @@
-/* em_fmi2.h: types and enumerations of the Functional Mock-up Interface 2.0, as far as em_fmu2.h and
- * em_exchange2.h use them, after the standard (fmi-standard.org). */
+/* em_fmi2.h: types and enumerations of the Functional Mock-up Interface 2.0, as far as em_fmu2.h uses
+ * them, after the standard (fmi-standard.org). */
 #ifndef EM_FMI2_H
 #define EM_FMI2_H
 
 #include <stddef.h>
 
 #ifdef _WIN32
-#define EM_FMI2_EXPORT __declspec(dllexport)
+#define EM_FMU __declspec(dllexport)
 #else
-#define EM_FMI2_EXPORT __attribute__((visibility("default")))
+#define EM_FMU __attribute__((visibility("default")))
 #endif
+
+/* Names of em_both.h. */
+#define EM_FMI(name) fmi2##name
+#define EM_FMI_STATE(before, after) fmi2##before##FMUstate##after
+#define EM_FMI_DESERIALIZE fmi2DeSerializeFMUstate
+#define EM_FMI_RATES fmi2GetDerivatives
 
 typedef void *fmi2Component, *fmi2ComponentEnvironment, *fmi2FMUstate;
 typedef unsigned int fmi2ValueReference;

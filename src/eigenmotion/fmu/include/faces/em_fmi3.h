@@ -1,5 +1,5 @@
-/* em_fmi3.h: types and enumerations of the Functional Mock-up Interface 3.0, as far as em_fmu3.h and em_exchange3.h use
- * them, after the standard (fmi-standard.org). */
+/* em_fmi3.h: types and enumerations of the Functional Mock-up Interface 3.0, as far as em_fmu3.h uses them,
+ * after the standard (fmi-standard.org). */
 #ifndef EM_FMI3_H
 #define EM_FMI3_H
 
@@ -8,10 +8,16 @@
 #include <stdint.h>
 
 #ifdef _WIN32
-#define EM_FMI3_EXPORT __declspec(dllexport)
+#define EM_FMU __declspec(dllexport)
 #else
-#define EM_FMI3_EXPORT __attribute__((visibility("default")))
+#define EM_FMU __attribute__((visibility("default")))
 #endif
+
+/* Names of em_both.h. */
+#define EM_FMI(name) fmi3##name
+#define EM_FMI_STATE(before, after) fmi3##before##FMUState##after
+#define EM_FMI_DESERIALIZE fmi3DeserializeFMUState
+#define EM_FMI_RATES fmi3GetContinuousStateDerivatives
 
 typedef void *fmi3Instance, *fmi3InstanceEnvironment, *fmi3FMUState;
 typedef uint32_t fmi3ValueReference;

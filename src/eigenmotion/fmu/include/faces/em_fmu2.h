@@ -1,4 +1,4 @@
-/* em_fmu2.h: the functions of FMI 2.0 that co-simulation and model exchange share, and those of co-simulation. */
+/* em_fmu2.h: the functions of FMI 2.0, for co-simulation and model exchange; em_both.h has those that are as in 3.0. */
 #include "em_face.h"
 #include "em_fmi2.h"
 
@@ -10,17 +10,10 @@ static int em_say(const em_fmu *fmu, int status, const char *words) {
     return status;
 }
 
-#define EM_FMU EM_FMI2_EXPORT
+#include "em_both.h"
 
 EM_FMU const char *fmi2GetTypesPlatform(void) { return "default"; }
 EM_FMU const char *fmi2GetVersion(void) { return "2.0"; }
-
-EM_FMU fmi2Status fmi2SetDebugLogging(fmi2Component c, fmi2Boolean on, size_t count, const fmi2String *categories) {
-    (void)c, (void)on, (void)count, (void)categories;
-    return fmi2OK; /* errors are said, and there is nothing else */
-}
-
-EM_FMU void fmi2FreeInstance(fmi2Component c) { em_face_free(c); }
 
 EM_FMU fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                                      const fmi2CallbackFunctions *callbacks, fmi2Boolean visible, fmi2Boolean logging) {
@@ -37,25 +30,7 @@ EM_FMU fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean has_tolerance
     return em_face_begin(c, has_tolerance, tolerance, start);
 }
 
-EM_FMU fmi2Status fmi2EnterInitializationMode(fmi2Component c) {
-    (void)c;
-    return fmi2OK;
-}
-
-EM_FMU fmi2Status fmi2ExitInitializationMode(fmi2Component c) {
-    em_fmu *fmu = c;
-    return em_answer(fmu, em_unit_enter(fmu->unit));
-}
-
-EM_FMU fmi2Status fmi2Terminate(fmi2Component c) {
-    (void)c;
-    return fmi2OK;
-}
-
-EM_FMU fmi2Status fmi2Reset(fmi2Component c) {
-    em_unit_reset(((em_fmu *)c)->unit);
-    return fmi2OK;
-}
+EM_NOTHING_TO_DO(EnterInitializationMode)
 
 /* --- numbers --- */
 
@@ -101,34 +76,6 @@ EM_FMU fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueR
     return em_answer(fmu, em_unit_along(fmu->unit, unknown, unknowns, known, count, dknown, dunknown));
 }
 
-/* --- the state --- */
-
-EM_FMU fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *state) { return em_face_save(c, state); }
-
-EM_FMU fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate state) {
-    em_fmu *fmu = c;
-    return em_answer(fmu, em_unit_restore(fmu->unit, state));
-}
-
-EM_FMU fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *state) {
-    (void)c;
-    return em_face_forget(state);
-}
-
-EM_FMU fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate state, size_t *size) {
-    (void)state;
-    *size = em_unit_size(((em_fmu *)c)->unit);
-    return fmi2OK;
-}
-
-EM_FMU fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
-    return em_face_pack(c, state, bytes, size);
-}
-
-EM_FMU fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state) {
-    return em_face_unpack(c, bytes, size, state);
-}
-
 /* --- steps --- */
 
 EM_FMU fmi2Status fmi2DoStep(fmi2Component c, fmi2Real t, fmi2Real h, fmi2Boolean no_state_before) {
@@ -166,5 +113,16 @@ EM_FMU fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi
 EM_FMU fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind kind, fmi2String *value) {
     (void)kind;
     *value = ((em_fmu *)c)->unit->words;
+    return fmi2OK;
+}
+
+/* --- model exchange --- */
+
+EM_FMU fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *info) {
+    em_fmu *fmu = c;
+    int changed = 0;
+    *info = (fmi2EventInfo){0};
+    if (em_unit_update(fmu->unit, &changed)) return em_answer(fmu, 1);
+    info->valuesOfContinuousStatesChanged = changed;
     return fmi2OK;
 }

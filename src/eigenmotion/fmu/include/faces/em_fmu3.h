@@ -1,4 +1,4 @@
-/* em_fmu3.h: the functions of FMI 3.0 that co-simulation and model exchange share, and those of co-simulation.
+/* em_fmu3.h: the functions of FMI 3.0, for co-simulation and model exchange; em_both.h has those that are as in 2.0.
  *
  * All numbers are of type Float64; there are no arrays, clocks or structural parameters. */
 #include "em_face.h"
@@ -10,16 +10,9 @@ static int em_say(const em_fmu *fmu, int status, const char *words) {
     return status;
 }
 
-#define EM_FMU EM_FMI3_EXPORT
+#include "em_both.h"
 
 EM_FMU const char *fmi3GetVersion(void) { return "3.0"; }
-
-EM_FMU fmi3Status fmi3SetDebugLogging(fmi3Instance c, fmi3Boolean on, size_t count, const fmi3String categories[]) {
-    (void)c, (void)on, (void)count, (void)categories;
-    return fmi3OK; /* errors are said, and there is nothing else */
-}
-
-EM_FMU void fmi3FreeInstance(fmi3Instance c) { em_face_free(c); }
 
 EM_FMU fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
                                                 fmi3Boolean logging, fmi3Boolean event_mode, fmi3Boolean early_return,
@@ -54,21 +47,6 @@ EM_FMU fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean has_to
     return em_face_begin(c, has_tolerance, tolerance, start);
 }
 
-EM_FMU fmi3Status fmi3ExitInitializationMode(fmi3Instance c) {
-    em_fmu *fmu = c;
-    return em_answer(fmu, em_unit_enter(fmu->unit));
-}
-
-EM_FMU fmi3Status fmi3Reset(fmi3Instance c) {
-    em_unit_reset(((em_fmu *)c)->unit);
-    return fmi3OK;
-}
-
-#define EM_NOTHING_TO_DO(name) \
-    EM_FMU fmi3Status fmi3##name(fmi3Instance c) { return (void)c, fmi3OK; }
-
-EM_NOTHING_TO_DO(Terminate)
-EM_NOTHING_TO_DO(EnterEventMode)
 EM_NOTHING_TO_DO(EnterStepMode)
 EM_NOTHING_TO_DO(EvaluateDiscreteStates)
 EM_NOTHING_TO_DO(EnterConfigurationMode)
@@ -118,34 +96,6 @@ EM_FMU fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueRe
     return em_answer(fmu, em_unit_along(fmu->unit, unknown, unknowns, known, count, seed, sensitivity));
 }
 
-/* --- the state --- */
-
-EM_FMU fmi3Status fmi3GetFMUState(fmi3Instance c, fmi3FMUState *state) { return em_face_save(c, state); }
-
-EM_FMU fmi3Status fmi3SetFMUState(fmi3Instance c, fmi3FMUState state) {
-    em_fmu *fmu = c;
-    return em_answer(fmu, em_unit_restore(fmu->unit, state));
-}
-
-EM_FMU fmi3Status fmi3FreeFMUState(fmi3Instance c, fmi3FMUState *state) {
-    (void)c;
-    return em_face_forget(state);
-}
-
-EM_FMU fmi3Status fmi3SerializedFMUStateSize(fmi3Instance c, fmi3FMUState state, size_t *size) {
-    (void)state;
-    *size = em_unit_size(((em_fmu *)c)->unit);
-    return fmi3OK;
-}
-
-EM_FMU fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte bytes[], size_t size) {
-    return em_face_pack(c, state, bytes, size);
-}
-
-EM_FMU fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState *state) {
-    return em_face_unpack(c, bytes, size, state);
-}
-
 /* --- steps --- */
 
 /* After fmi3Discard the unit stands at the time that it reached. */
@@ -157,4 +107,28 @@ EM_FMU fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 t, fmi3Float64 h, fmi3B
     const int status = em_try(fmu, em_unit_advance(fmu->unit, t + h));
     *reached = em_unit_time(fmu->unit);
     return status;
+}
+
+/* --- model exchange --- */
+
+EM_FMU fmi3Status fmi3UpdateDiscreteStates(fmi3Instance c, fmi3Boolean *again, fmi3Boolean *terminate,
+                                           fmi3Boolean *nominals_changed, fmi3Boolean *states_changed,
+                                           fmi3Boolean *has_next, fmi3Float64 *next) {
+    em_fmu *fmu = c;
+    int changed = 0;
+    *again = *terminate = *nominals_changed = *states_changed = *has_next = false;
+    *next = 0.0;
+    if (em_unit_update(fmu->unit, &changed)) return em_answer(fmu, 1);
+    *states_changed = changed;
+    return fmi3OK;
+}
+
+EM_FMU fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance c, size_t *count) {
+    *count = 2 * (size_t)((em_fmu *)c)->unit->model->n;
+    return fmi3OK;
+}
+
+EM_FMU fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance c, size_t *count) {
+    *count = (size_t)((em_fmu *)c)->unit->model->n_events;
+    return fmi3OK;
 }
