@@ -30,10 +30,13 @@ class Rotation(Protocol):
 
     def up_general(self, H: General) -> General:
         """Return R H R^T."""
+        columns = [self.up(H[k::3]) for k in range(3)]
+        rows = [self.up([column[k] for column in columns]) for k in range(3)]
+        return [entry for row in rows for entry in row]
 
 
 @dataclass(frozen=True, slots=True)
-class PlaneRotation:
+class PlaneRotation(Rotation):
     """Rotation about an axis of the frame: 0, 1, 2 for x, y, z; cosine and sine of the angle.
 
     It takes 4 multiplications for a vector, and 7 for a symmetric matrix, where a matrix takes 9 and 30.
@@ -71,15 +74,9 @@ class PlaneRotation:
         N[ki], N[kj] = c * M[ki] - s * M[kj], s * M[ki] + c * M[kj]
         return N
 
-    def up_general(self, H: General) -> General:
-        """Return R H R^T."""
-        columns = [self.up(H[k::3]) for k in range(3)]
-        rows = [self.up([column[k] for column in columns]) for k in range(3)]
-        return [entry for row in rows for entry in row]
-
 
 @dataclass(frozen=True, slots=True)
-class MatrixRotation:
+class MatrixRotation(Rotation):
     """Rotation by an orthogonal matrix, given by its rows."""
 
     R: Sequence[Vector]
@@ -96,12 +93,6 @@ class MatrixRotation:
         """Return R M R^T of a symmetric matrix."""
         full = self.up_general([M[place] for place in _PLACES])
         return [full[k] for k in (0, 1, 2, 4, 5, 8)]
-
-    def up_general(self, H: General) -> General:
-        """Return R H R^T."""
-        columns = [self.up(H[k::3]) for k in range(3)]
-        rows = [self.up([column[k] for column in columns]) for k in range(3)]
-        return [entry for row in rows for entry in row]
 
 
 def matrix_vector(M: Symmetric, a: Vector) -> Vector:
