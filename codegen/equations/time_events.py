@@ -153,7 +153,7 @@ class TimeEvents:
         graph, inner = self.graph, self._one_call(node)
         name, argument = graph.records[inner].operands
         place = f"value {inner}"
-        outer = _Replaced(graph, {inner: graph.symbol(place)})(node)
+        outer = Rewriter(graph, {inner: graph.symbol(place)})(node)
         factor = Tangent(graph, {place: graph.one})(outer)
         rest = self._at(outer, **{place: graph.zero})
         if graph.varies(factor) or graph.varies(rest):
@@ -193,18 +193,6 @@ class TimeEvents:
         if name == "exp":
             return [graph.call("log", value)]
         raise UnsolvedError
-
-
-class _Replaced(Rewriter):
-    """Replaces nodes by other nodes."""
-
-    def __init__(self, graph: Graph, values: dict[Node, Node]) -> None:
-        super().__init__(graph)
-        self._values = values
-
-    def replacement(self, node: Node) -> Node | None:
-        """Return the value of a node that has one."""
-        return self._values.get(node)
 
 
 class _Branches(Fold[tuple[Node, ...]]):

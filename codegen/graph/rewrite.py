@@ -10,11 +10,18 @@ from .store import Kind, Node
 
 
 class Rewriter(Fold[Node]):
-    """Applies `replacement` to each node and rebuilds the others from their rewritten operands."""
+    """Applies `replacement` to each node and rebuilds the others from their rewritten operands.
+
+    values : node -> its replacement
+    """
+
+    def __init__(self, graph: Graph, values: Mapping[Node, Node] | None = None) -> None:
+        super().__init__(graph)
+        self._replacements = values or {}
 
     def replacement(self, node: Node) -> Node | None:
         """Return the replacement of a node, or None to rebuild it from its operands."""
-        raise NotImplementedError(f"{type(self).__name__} must say what it replaces")
+        return self._replacements.get(node)
 
     def _result(self, node: Node) -> Node:
         replaced = self.replacement(node)
