@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -52,11 +51,6 @@ class Quantity:
     def variables(self) -> Variables:
         """Coordinates, rates where it depends on them, and parameters."""
         return _variables(self.bodies, self.vector, KINDS[self.kind] > 0)
-
-
-def variables_of(bodies: Sequence[Link], vector: Sequence[sympy.Expr], *, rates: bool = True) -> Variables:
-    """Return the coordinates of bodies, their rates where asked for, and the parameters in bodies and vector."""
-    return _variables(tuple(bodies), tuple(vector), rates)
 
 
 @cache
