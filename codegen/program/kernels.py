@@ -24,7 +24,7 @@ from ..model.model import ModelError
 from ..schedule.schedule import Constants, weight
 from .inverse_kernels import inverse_kernels, is_recursive
 from .kernel_roles import Kernels, Stages
-from .memory_layout import Layout
+from .memory_layout import Layout, places_of
 from .partial_kernels import partial_kernels
 from .program import BlockView
 from .table_kernel import table_kernel
@@ -52,14 +52,9 @@ class _Writing:
         self.mechanics, self.terms = scene.mechanics, terms_of(scene)
         self.scales = scene.scales if choices.eigenfactor else (1.0,) * scene.n
         self.constants = Constants(self.terms.graph)
-        mechanics = self.mechanics
-        arrays = {"c": mechanics.parameters, "x": mechanics.x, "v": mechanics.v, "u": mechanics.inputs,
-                  "a": mechanics.accelerations, "lambda": mechanics.multipliers}  # fmt: skip
-        self.places: dict[str, tuple[str, int | None]] = {
-            symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
-        } | {"t": ("t", None)}
+        self.places = places_of(self.mechanics)
         if layout.from_tips:
-            self.places |= {name: ("eta", k) for k, name in enumerate(eta_names(mechanics))}
+            self.places |= {name: ("eta", k) for k, name in enumerate(eta_names(self.mechanics))}
 
     def kernels(self, differentiated: Scene | None) -> Kernels:
         recursive = self.recursive_root()

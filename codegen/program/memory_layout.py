@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from ..choices import Choices
+from ..equations.derive import Mechanics
 from ..equations.specialise import Block, Kind, Scene
 from ..equations.tree.triangular_root import has_recursive_root, root_order
 from .program import BlockCoordinate, BlockView, RowGroup, Slice
@@ -48,6 +49,15 @@ class Layout:
     def couples(self) -> bool:
         """Whether eigenvalues in the state can coincide: those of a block of M, or of Delta."""
         return bool(self.row_groups) or any(block.turning and block.size > 1 for block in self.blocks)
+
+
+def places_of(mechanics: Mechanics) -> dict[str, tuple[str, int | None]]:
+    """Return symbol -> the array of a kernel that has it, and where."""
+    arrays = {"c": mechanics.parameters, "x": mechanics.x, "v": mechanics.v, "u": mechanics.inputs,
+              "a": mechanics.accelerations, "lambda": mechanics.multipliers}  # fmt: skip
+    return {symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)} | {
+        mechanics.time.name: ("t", None)
+    }
 
 
 def laid_out(scene: Scene, choices: Choices) -> Layout:

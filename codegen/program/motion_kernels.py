@@ -13,6 +13,7 @@ from ..equations.partial_derivatives import Partials
 from ..equations.terms import Terms
 from ..graph.store import Node
 from ..kernel.kernel import Array, Draft, Entry, Kernel, Symbols, written
+from .memory_layout import places_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,14 +88,4 @@ class _Writing:
 
     def written(self, *drafts: Draft) -> list[Kernel]:
         """Write kernels that share values; one without entries has no statements."""
-        return written(self.terms.graph, drafts, Symbols(_places(self.terms), 0), None)
-
-
-def _places(terms: Terms) -> dict[str, tuple[str, int | None]]:
-    mechanics = terms.mechanics
-    arrays = {"c": mechanics.parameters, "x": mechanics.x, "v": mechanics.v, "u": mechanics.inputs,
-              "a": mechanics.accelerations, "lambda": mechanics.multipliers}  # fmt: skip
-    places: dict[str, tuple[str, int | None]] = {
-        symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
-    }
-    return places | {mechanics.time.name: ("t", None)}
+        return written(self.terms.graph, drafts, Symbols(places_of(self.terms.mechanics), 0), None)
